@@ -1,0 +1,64 @@
+//! The command line: one file a subcommand.
+#![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
+
+pub mod output;
+
+use crate::{Error, ErrorKind, Result};
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// How a subcommand that did its work ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Done; nothing to report beyond the result.
+    Done,
+    /// Done, and something was found.
+    Found,
+}
+
+#[derive(Parser)]
+#[command(name = "gyrospec", version, about, arg_required_else_help = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// The subcommands; one line each, the work is in the file of that name.
+#[derive(Subcommand)]
+enum Command {
+    /// Version and licence.
+    About,
+}
+
+fn run(cli: Cli) -> Result<Outcome> {
+    match cli.command {
+        Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
+    }
+    Ok(Outcome::Done)
+}
+
+/// Runs the program on the process's own arguments.
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(e) => {
+            let _ = e.print();
+            return ExitCode::from(if e.use_stderr() { 2 } else { 0 });
+        }
+    };
+    match run(cli) {
+        Ok(Outcome::Done) => ExitCode::SUCCESS,
+        Ok(Outcome::Found) => ExitCode::from(1),
+        Err(e) => fail(&e),
+    }
+}
+
+fn fail(e: &Error) -> ExitCode {
+    let code = match e.kind() {
+        ErrorKind::ClosedPipe => return ExitCode::SUCCESS,
+        ErrorKind::NotComputed | ErrorKind::Unstable | ErrorKind::ImaginaryAxis | ErrorKind::OutOfRange => 3,
+        _ => 2,
+    };
+    eprintln!("error: {e}");
+    ExitCode::from(code)
+}

@@ -1,0 +1,1 @@
+//! Locate the mismatch, name what was left out, prove it.

@@ -1,0 +1,197 @@
+//! One opaque error for the whole crate: what is wrong, where, and what to do.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// The result of everything that can fail here.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// What sort of failure an [`Error`] is; it decides the program's exit code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ErrorKind {
+    /// The call is wrong: an argument, an option.
+    Usage,
+    /// The input is wrong: numbers, lengths, text that cannot be read.
+    BadInput,
+    /// A unit is unknown or two dimensions do not agree.
+    Units,
+    /// A file cannot be read or written.
+    Io,
+    /// The polynomial H has roots in the right half plane.
+    Unstable,
+    /// The polynomial H has a root on the imaginary axis.
+    ImaginaryAxis,
+    /// The value is no finite normal double.
+    OutOfRange,
+    /// It could not be computed to the promised accuracy.
+    NotComputed,
+    /// The reader of the output went away; not a fault.
+    ClosedPipe,
+}
+
+/// An error with data: file, line, column, a shown excerpt and a hint.
+///
+/// ```
+/// use gyrospec::{Error, ErrorKind};
+/// let e = Error::bad_input("the list is empty").with_hint("give a0 a1 … an");
+/// assert_eq!(e.kind(), ErrorKind::BadInput);
+/// assert!(e.to_string().contains("give a0"));
+/// ```
+#[derive(Debug, Clone)]
+pub struct Error(Box<Inner>);
+
+#[derive(Debug, Clone)]
+struct Inner {
+    kind: ErrorKind,
+    message: String,
+    file: Option<PathBuf>,
+    line: Option<usize>,
+    column: Option<usize>,
+    excerpt: Option<(String, usize, usize)>,
+    hint: Option<String>,
+}
+
+impl Error {
+    /// An error of a kind, with its message.
+    pub fn new(kind: ErrorKind, message: impl Into<String>) -> Self {
+        Self(Box::new(Inner {
+            kind,
+            message: message.into(),
+            file: None,
+            line: None,
+            column: None,
+            excerpt: None,
+            hint: None,
+        }))
+    }
+
+    /// Wrong input.
+    pub fn bad_input(message: impl Into<String>) -> Self {
+        Self::new(ErrorKind::BadInput, message)
+    }
+
+    /// A wrong call.
+    pub fn usage(message: impl Into<String>) -> Self {
+        Self::new(ErrorKind::Usage, message)
+    }
+
+    /// Something that could not be computed.
+    pub fn not_computed(message: impl Into<String>) -> Self {
+        Self::new(ErrorKind::NotComputed, message)
+    }
+
+    /// A failure to read or write a file.
+    pub fn io(path: &Path, source: &std::io::Error) -> Self {
+        let kind = match source.kind() {
+            std::io::ErrorKind::BrokenPipe => ErrorKind::ClosedPipe,
+            _ => ErrorKind::Io,
+        };
+        Self::new(kind, source.to_string()).with_file(path)
+    }
+
+    /// Names the file.
+    #[must_use]
+    pub fn with_file(mut self, path: &Path) -> Self {
+        self.0.file = Some(path.to_owned());
+        self
+    }
+
+    /// Names the line, counted from 1.
+    #[must_use]
+    pub fn with_line(mut self, line: usize) -> Self {
+        self.0.line = Some(line);
+        self
+    }
+
+    /// Names the column, counted from 1.
+    #[must_use]
+    pub fn with_column(mut self, column: usize) -> Self {
+        self.0.column = Some(column);
+        self
+    }
+
+    /// Shows a text with `length` characters from `start` (from 0) underlined.
+    #[must_use]
+    pub fn with_excerpt(mut self, text: impl Into<String>, start: usize, length: usize) -> Self {
+        self.0.excerpt = Some((text.into(), start, length.max(1)));
+        self
+    }
+
+    /// Says what to do.
+    #[must_use]
+    pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
+        self.0.hint = Some(hint.into());
+        self
+    }
+
+    /// The kind.
+    pub fn kind(&self) -> ErrorKind {
+        self.0.kind
+    }
+
+    /// The message alone, without place and hint.
+    pub fn message(&self) -> &str {
+        &self.0.message
+    }
+
+    /// The file that the error is in.
+    pub fn file(&self) -> Option<&Path> {
+        self.0.file.as_deref()
+    }
+
+    /// The line, counted from 1.
+    pub fn line(&self) -> Option<usize> {
+        self.0.line
+    }
+
+    /// The column, counted from 1.
+    pub fn column(&self) -> Option<usize> {
+        self.0.column
+    }
+
+    /// What to do about it.
+    pub fn hint(&self) -> Option<&str> {
+        self.0.hint.as_deref()
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let e = &*self.0;
+        if let Some(file) = &e.file {
+            write!(f, "{}:", file.display())?;
+            for number in [e.line, e.column].into_iter().flatten() {
+                write!(f, "{number}:")?;
+            }
+            write!(f, " ")?;
+        } else if let Some(line) = e.line {
+            write!(f, "line {line}: ")?;
+        }
+        write!(f, "{}", e.message)?;
+        if let Some((text, start, length)) = &e.excerpt {
+            write!(f, "\n  {text}\n  {}{}", " ".repeat(*start), "^".repeat(*length))?;
+        }
+        if let Some(hint) = &e.hint {
+            write!(f, "\nhelp: {hint}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Error {}
+
+/// The known name nearest to an unknown one, if one is near enough to be meant.
+///
+/// ```
+/// assert_eq!(gyrospec::error::nearest("rol", ["roll", "pitch"]), Some("roll"));
+/// assert_eq!(gyrospec::error::nearest("xyzzy", ["roll", "pitch"]), None);
+/// ```
+pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    known
+        .into_iter()
+        .map(|k| (strsim::jaro_winkler(&name.to_lowercase(), &k.to_lowercase()), k))
+        .filter(|(score, _)| *score >= 0.7)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, k)| k)
+}

@@ -1,0 +1,1 @@
+//! Integers and rationals of any size behind the exact tier.

@@ -1,0 +1,1 @@
+//! The gyrosphere family, its rectified error, and the rotating gimbal.

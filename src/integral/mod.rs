@@ -1,0 +1,1 @@
+//! The spectral integral I_n.

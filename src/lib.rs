@@ -1,0 +1,43 @@
+//! Spectral integrals, the rolling error of gyrocompasses, and the diagnosis of
+//! what a simulation leaves out.
+//!
+//! The rooms, from the ground up; each imports only what stands above it:
+//!
+//! | room | holds |
+//! |---|---|
+//! | [`error`] | one opaque error with a kind and data |
+//! | [`units`] | the closed list of units |
+//! | [`exact`] | integers and rationals of any size |
+//! | [`poly`] | polynomials, roots, the Hurwitz test |
+//! | [`integral`] | I_n by recursion, moments, determinant, exact arithmetic, quadrature |
+//! | [`symbolic`] | the same integrals with letters |
+//! | [`lti`] | transfer functions, state space, covariance |
+//! | [`spectrum`] | roll and sea spectra |
+//! | [`record`] | recordings |
+//! | [`gyro`] | gyrospheres and the rotating gimbal |
+//! | [`model`] | model files |
+//! | [`simulate`] | a model on a recording |
+//! | [`estimate`] | noise models and fits |
+//! | [`diagnose`] | what is missing |
+//! | [`report`] | text, JSON, HTML |
+
+pub mod diagnose;
+pub mod error;
+pub mod estimate;
+pub mod exact;
+pub mod gyro;
+pub mod integral;
+pub mod lti;
+pub mod model;
+pub mod poly;
+pub mod record;
+pub mod report;
+pub mod simulate;
+pub mod spectrum;
+pub mod symbolic;
+pub mod units;
+
+#[doc(hidden)]
+pub mod cli;
+
+pub use error::{Error, ErrorKind, Result};

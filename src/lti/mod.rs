@@ -1,0 +1,1 @@
+//! Transfer functions, state space, covariance, cross-spectral integrals.

@@ -1,0 +1,1 @@
+//! The model file: expressions, dimensions, dual numbers, built-in models.

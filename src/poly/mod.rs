@@ -1,0 +1,1 @@
+//! Polynomials over f64 and over exact numbers; roots; the Hurwitz test.

@@ -1,0 +1,1 @@
+//! Recordings: CSV, NMEA 0183, gaps, rates, angle wrapping, clocks.

@@ -1,0 +1,1 @@
+//! Roll and sea spectra, shaping filters, rational fits.

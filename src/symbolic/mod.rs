@@ -1,0 +1,1 @@
+//! Integrals with letters: tables, formulas, rendering, audit.

@@ -1,0 +1,3 @@
+//! All integration tests, in one binary: one module a capability.
+
+mod house;
