@@ -7,6 +7,7 @@
 //! |---|---|
 //! | [`error`] | one opaque error with a kind and data |
 //! | [`units`] | the closed list of units |
+//! | [`expression`] | the expression language of models and formulas |
 //! | [`exact`] | integers and rationals of any size |
 //! | [`poly`] | polynomials, roots, the Hurwitz test |
 //! | [`integral`] | I_n by recursion, moments, determinant, exact arithmetic, quadrature |
@@ -25,6 +26,7 @@ pub mod diagnose;
 pub mod error;
 pub mod estimate;
 pub mod exact;
+pub mod expression;
 pub mod gyro;
 pub mod integral;
 pub mod lti;

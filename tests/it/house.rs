@@ -3,9 +3,24 @@
 use std::fs;
 use std::path::Path;
 
-const ROOMS: [&str; 16] = [
-    "error", "units", "exact", "poly", "integral", "symbolic", "lti", "spectrum", "record", "gyro", "model",
-    "simulate", "estimate", "diagnose", "report", "cli",
+const ROOMS: [&str; 17] = [
+    "error",
+    "units",
+    "expression",
+    "exact",
+    "poly",
+    "integral",
+    "symbolic",
+    "lti",
+    "spectrum",
+    "record",
+    "gyro",
+    "model",
+    "simulate",
+    "estimate",
+    "diagnose",
+    "report",
+    "cli",
 ];
 
 fn visit(path: &Path, files: &mut Vec<std::path::PathBuf>) {
