@@ -1,1 +1,7 @@
 //! The expression language of models and formulas: parse, print, check dimensions.
+
+mod function;
+mod tree;
+
+pub use function::Function;
+pub use tree::{BinaryOp, Expr};

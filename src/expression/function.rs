@@ -1,0 +1,115 @@
+//! The functions of the language, in one table.
+
+/// A function of the expression language.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Function {
+    /// sin(x), x in rad
+    Sin,
+    /// cos(x), x in rad
+    Cos,
+    /// tan(x), x in rad
+    Tan,
+    /// asin(x)
+    Asin,
+    /// acos(x)
+    Acos,
+    /// atan(x)
+    Atan,
+    /// atan2(y, x), both of one unit
+    Atan2,
+    /// sinh(x)
+    Sinh,
+    /// cosh(x)
+    Cosh,
+    /// tanh(x)
+    Tanh,
+    /// exp(x)
+    Exp,
+    /// ln(x)
+    Ln,
+    /// sqrt(x)
+    Sqrt,
+    /// abs(x)
+    Abs,
+    /// sign(x): −1, 0 or 1; held between −1 and 1 while its argument is stuck at 0
+    Sign,
+    /// min(a, b)
+    Min,
+    /// max(a, b)
+    Max,
+    /// step(x): 0 for x < 0, 1 from x = 0 on
+    Step,
+    /// clamp(x, lo, hi)
+    Clamp,
+    /// delay(x, T): x as it was T seconds ago; its first value before the start
+    Delay,
+    /// lag(x, T): first-order lag, T·ẏ = x − y, steady at the start
+    Lag,
+    /// backlash(x, gap): play of full width gap; y moves only when x pushes it, centred at the start
+    Backlash,
+    /// hysteresis(x, gap): x − backlash(x, gap), the elastic-plastic element; within ±gap/2
+    Hysteresis,
+    /// relay(x, gap): +1 after x rose over gap/2, −1 after it fell under −gap/2
+    Relay,
+    /// rate_limit(x, r): follows x with |ẏ| ≤ r
+    RateLimit,
+}
+
+/// Every function with its name and number of arguments.
+const TABLE: [(Function, &str, usize); 25] = [
+    (Function::Sin, "sin", 1),
+    (Function::Cos, "cos", 1),
+    (Function::Tan, "tan", 1),
+    (Function::Asin, "asin", 1),
+    (Function::Acos, "acos", 1),
+    (Function::Atan, "atan", 1),
+    (Function::Atan2, "atan2", 2),
+    (Function::Sinh, "sinh", 1),
+    (Function::Cosh, "cosh", 1),
+    (Function::Tanh, "tanh", 1),
+    (Function::Exp, "exp", 1),
+    (Function::Ln, "ln", 1),
+    (Function::Sqrt, "sqrt", 1),
+    (Function::Abs, "abs", 1),
+    (Function::Sign, "sign", 1),
+    (Function::Min, "min", 2),
+    (Function::Max, "max", 2),
+    (Function::Step, "step", 1),
+    (Function::Clamp, "clamp", 3),
+    (Function::Delay, "delay", 2),
+    (Function::Lag, "lag", 2),
+    (Function::Backlash, "backlash", 2),
+    (Function::Hysteresis, "hysteresis", 2),
+    (Function::Relay, "relay", 2),
+    (Function::RateLimit, "rate_limit", 2),
+];
+
+impl Function {
+    /// Every function of the language.
+    pub fn all() -> impl Iterator<Item = Self> {
+        TABLE.iter().map(|row| row.0)
+    }
+
+    /// The function of that name.
+    pub fn named(name: &str) -> Option<Self> {
+        TABLE.iter().find(|row| row.1 == name).map(|row| row.0)
+    }
+
+    /// The name as written in an expression.
+    pub fn name(self) -> &'static str {
+        TABLE.iter().find(|row| row.0 == self).map_or("", |row| row.1)
+    }
+
+    /// The number of arguments.
+    pub fn arity(self) -> usize {
+        TABLE.iter().find(|row| row.0 == self).map_or(1, |row| row.2)
+    }
+
+    /// Whether its value depends on the past of its first argument.
+    pub fn has_memory(self) -> bool {
+        matches!(
+            self,
+            Self::Delay | Self::Lag | Self::Backlash | Self::Hysteresis | Self::Relay | Self::RateLimit
+        )
+    }
+}

@@ -1,0 +1,76 @@
+//! Products and quotients of units, with a readable text: `N` over `m/s` is `N*s/m`.
+
+use super::Unit;
+
+impl Unit {
+    /// The unit of a product of a value in this unit and one in the other.
+    ///
+    /// ```
+    /// use gyrospec::units::Unit;
+    /// let force = Unit::parse("N")?;
+    /// let speed = Unit::parse("m/s")?;
+    /// assert_eq!(force.over(&speed).text(), "N*s/m");
+    /// assert_eq!(speed.times(&Unit::parse("s")?).text(), "m");
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        self.joined(other, 1.0)
+    }
+
+    /// The unit of a quotient.
+    #[must_use]
+    pub fn over(&self, other: &Self) -> Self {
+        self.joined(other, -1.0)
+    }
+
+    /// The unit to a whole or half power.
+    #[must_use]
+    pub fn power(&self, exponent: f64) -> Self {
+        Self::one().joined(self, exponent)
+    }
+
+    fn joined(&self, other: &Self, sign: f64) -> Self {
+        let mut factors = factors(&self.of_differences().text);
+        for (name, power) in self::factors(&other.of_differences().text) {
+            match factors.iter_mut().find(|(n, _)| *n == name) {
+                Some((_, p)) => *p += sign * power,
+                None => factors.push((name, sign * power)),
+            }
+        }
+        Self::parse(&text(&factors)).unwrap_or_else(|_| {
+            let d = other.dimension.power(super::Ratio::from_f64(sign).unwrap_or(super::Ratio::ONE));
+            Self::of(self.dimension.times(d))
+        })
+    }
+}
+
+/// The factors of a text without parentheses, each with its power; one with parentheses is spelled in SI.
+fn factors(text: &str) -> Vec<(String, f64)> {
+    let mut out: Vec<(String, f64)> = Vec::new();
+    let mut sign = 1.0;
+    let plain = if text.contains('(') {
+        Unit::parse(text).map(|u| u.dimension.to_string()).unwrap_or_default()
+    } else {
+        text.to_string()
+    };
+    for piece in plain.split_inclusive(['*', '/']) {
+        let factor = piece.trim_end_matches(['*', '/']).trim();
+        let (name, power) = factor.split_once('^').unwrap_or((factor, "1"));
+        let power = sign * power.trim().parse::<f64>().unwrap_or(1.0);
+        if name.trim() != "1" {
+            out.push((name.trim().to_string(), power));
+        }
+        sign = if piece.ends_with('/') { -1.0 } else { 1.0 };
+    }
+    out
+}
+
+fn text(factors: &[(String, f64)]) -> String {
+    let spell =
+        |(name, p): &(String, f64)| if p.abs() == 1.0 { name.clone() } else { format!("{name}^{}", p.abs()) };
+    let over: Vec<String> = factors.iter().filter(|f| f.1 > 0.0).map(spell).collect();
+    let under: String = factors.iter().filter(|f| f.1 < 0.0).map(|f| format!("/{}", spell(f))).collect();
+    let head = if over.is_empty() { "1".to_string() } else { over.join("*") };
+    head + &under
+}

@@ -1,0 +1,185 @@
+//! Dimensions: powers of metre, kilogram, second, ampere and kelvin, with rational exponents.
+
+use super::names;
+use std::fmt;
+
+/// A small rational number, in lowest terms with a positive denominator.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Ratio {
+    numerator: i32,
+    denominator: i32,
+}
+
+impl Ratio {
+    /// Zero.
+    pub const ZERO: Self = Self { numerator: 0, denominator: 1 };
+    /// One.
+    pub const ONE: Self = Self { numerator: 1, denominator: 1 };
+
+    /// n/d in lowest terms; `None` for d = 0.
+    pub fn new(numerator: i32, denominator: i32) -> Option<Self> {
+        Self::reduced(i64::from(numerator), i64::from(denominator))
+    }
+
+    fn reduced(numerator: i64, denominator: i64) -> Option<Self> {
+        let (mut a, mut b) = (numerator.abs(), denominator.abs());
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        let g = a.max(1) * denominator.signum();
+        (denominator != 0).then_some(())?;
+        Some(Self {
+            numerator: i32::try_from(numerator / g).ok()?,
+            denominator: i32::try_from(denominator / g).ok()?,
+        })
+    }
+
+    /// The fraction with a denominator up to 12 that equals x to rounding.
+    ///
+    /// ```
+    /// use gyrospec::units::Ratio;
+    /// assert_eq!(Ratio::from_f64(1.5), Ratio::new(3, 2));
+    /// assert_eq!(Ratio::from_f64(0.1234), None);
+    /// ```
+    pub fn from_f64(x: f64) -> Option<Self> {
+        (1..=12i32).find_map(|d| {
+            let n = (x * f64::from(d)).round();
+            let near = (n / f64::from(d) - x).abs() <= 1e-12 * x.abs().max(1.0);
+            (near && n.abs() < 1e6).then(|| Self::new(n as i32, d)).flatten()
+        })
+    }
+
+    /// The value.
+    pub fn to_f64(self) -> f64 {
+        f64::from(self.numerator) / f64::from(self.denominator)
+    }
+
+    /// The numerator in lowest terms.
+    pub fn numerator(self) -> i32 {
+        self.numerator
+    }
+
+    /// The denominator, positive.
+    pub fn denominator(self) -> i32 {
+        self.denominator
+    }
+
+    pub(super) fn plus(self, other: Self) -> Self {
+        let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));
+        let (c, d) = (i64::from(other.numerator), i64::from(other.denominator));
+        Self::reduced(a * d + c * b, b * d).unwrap_or(Self::ZERO)
+    }
+
+    pub(super) fn times(self, other: Self) -> Self {
+        let n = i64::from(self.numerator) * i64::from(other.numerator);
+        let d = i64::from(self.denominator) * i64::from(other.denominator);
+        Self::reduced(n, d).unwrap_or(Self::ZERO)
+    }
+
+    pub(super) fn negative(self) -> Self {
+        Self { numerator: -self.numerator, ..self }
+    }
+}
+
+impl fmt::Display for Ratio {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.denominator {
+            1 => write!(f, "{}", self.numerator),
+            2 => write!(f, "{}", self.to_f64()),
+            d => write!(f, "({}/{d})", self.numerator),
+        }
+    }
+}
+
+/// The base units, in the order of the exponents.
+const BASE: [&str; 5] = ["m", "kg", "s", "A", "K"];
+
+/// Powers of m, kg, s, A, K; angles count as 1.
+///
+/// ```
+/// use gyrospec::units::Unit;
+/// let force = Unit::parse("kg*m/s^2")?.dimension();
+/// assert_eq!(force, Unit::parse("dyn")?.dimension());
+/// assert_eq!(force.to_string(), "N");
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Dimension([Ratio; 5]);
+
+impl Dimension {
+    /// No dimension: pure numbers and angles.
+    pub const NONE: Self = Self([Ratio::ZERO; 5]);
+    /// Time.
+    pub const TIME: Self = Self::base(2);
+
+    const fn base(i: usize) -> Self {
+        let mut exponents = [Ratio::ZERO; 5];
+        exponents[i] = Ratio::ONE;
+        Self(exponents)
+    }
+
+    /// Whole powers of m, kg, s, A, K.
+    pub(super) fn whole(powers: [i32; 5]) -> Self {
+        Self(powers.map(|numerator| Ratio { numerator, denominator: 1 }))
+    }
+
+    /// Whether this is the dimension of pure numbers.
+    pub fn is_none(self) -> bool {
+        self == Self::NONE
+    }
+
+    /// The dimension of a product.
+    #[must_use]
+    pub fn times(self, other: Self) -> Self {
+        let mut out = self.0;
+        for (a, b) in out.iter_mut().zip(other.0) {
+            *a = a.plus(b);
+        }
+        Self(out)
+    }
+
+    /// The dimension of a quotient.
+    #[must_use]
+    pub fn over(self, other: Self) -> Self {
+        self.times(Self(other.0.map(Ratio::negative)))
+    }
+
+    /// The dimension of a power.
+    #[must_use]
+    pub fn power(self, exponent: Ratio) -> Self {
+        Self(self.0.map(|e| e.times(exponent)))
+    }
+
+    /// The text in base units after one derived unit has been taken out, and its length in factors.
+    fn spelled(self, derived: &str) -> (usize, String) {
+        let mut over = Vec::new();
+        let mut under = Vec::new();
+        if !derived.is_empty() {
+            over.push(derived.to_string());
+        }
+        for (name, e) in BASE.iter().zip(self.0) {
+            let list = if e.numerator < 0 { &mut under } else { &mut over };
+            let size = if e.numerator < 0 { e.negative() } else { e };
+            match size {
+                Ratio::ZERO => {}
+                Ratio::ONE => list.push((*name).to_string()),
+                _ => list.push(format!("{name}^{size}")),
+            }
+        }
+        let count = over.len() + under.len();
+        let head = if over.is_empty() { "1".to_string() } else { over.join("*") };
+        let tail: String = under.iter().map(|u| format!("/{u}")).collect();
+        (count, head + &tail)
+    }
+}
+
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plain = self.spelled("");
+        let best = names::DERIVED
+            .iter()
+            .map(|(name, powers)| self.over(Self::whole(*powers)).spelled(name))
+            .fold(plain, |best, other| if other.0 < best.0 { other } else { best });
+        f.write_str(&best.1)
+    }
+}

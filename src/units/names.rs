@@ -1,0 +1,85 @@
+//! The names of the closed list: code name | factor | powers of m, kg, s, A, K | prefixes.
+
+use super::Dimension;
+use std::f64::consts::PI;
+
+/// One named unit with its prefix already applied.
+pub(super) struct Named {
+    pub name: String,
+    pub mantissa: f64,
+    pub decade: i32,
+    pub offset: f64,
+    pub dimension: Dimension,
+}
+
+/// Derived SI units used to spell a dimension.
+pub(super) const DERIVED: [(&str, [i32; 5]); 4] =
+    [("N", [1, 1, -2, 0, 0]), ("Pa", [-1, 1, -2, 0, 0]), ("W", [2, 1, -3, 0, 0]), ("V", [2, 1, -3, -1, 0])];
+
+type Row = (&'static str, f64, i32, [i32; 5], &'static str);
+
+/// Symbol, mantissa, decade, powers of (m, kg, s, A, K), prefixes allowed.
+const TABLE: [Row; 25] = [
+    ("m", 1.0, 0, [1, 0, 0, 0, 0], "kdcmun"),
+    ("g", 1.0, -3, [0, 1, 0, 0, 0], "Mkmu"),
+    ("s", 1.0, 0, [0, 0, 1, 0, 0], "mun"),
+    ("min", 60.0, 0, [0, 0, 1, 0, 0], ""),
+    ("h", 3600.0, 0, [0, 0, 1, 0, 0], ""),
+    ("A", 1.0, 0, [0, 0, 0, 1, 0], "kmun"),
+    ("K", 1.0, 0, [0, 0, 0, 0, 1], "mu"),
+    ("degC", 1.0, 0, [0, 0, 0, 0, 1], ""),
+    ("N", 1.0, 0, [1, 1, -2, 0, 0], "Mkcmu"),
+    ("dyn", 1.0, -5, [1, 1, -2, 0, 0], "k"),
+    ("Nm", 1.0, 0, [2, 1, -2, 0, 0], "Mkcmu"),
+    ("J", 1.0, 0, [2, 1, -2, 0, 0], "Mkmu"),
+    ("W", 1.0, 0, [2, 1, -3, 0, 0], "Mkmu"),
+    ("Pa", 1.0, 0, [-1, 1, -2, 0, 0], "Mkhm"),
+    ("V", 1.0, 0, [2, 1, -3, -1, 0], "kmun"),
+    ("ohm", 1.0, 0, [2, 1, -3, -2, 0], "Mkm"),
+    ("T", 1.0, 0, [0, 1, -2, -1, 0], "mun"),
+    ("Hz", 1.0, 0, [0, 0, -1, 0, 0], "Mkm"),
+    ("rad", 1.0, 0, [0; 5], "mun"),
+    ("deg", PI / 180.0, 0, [0; 5], "m"),
+    ("arcmin", PI / 10_800.0, 0, [0; 5], ""),
+    ("arcsec", PI / 648_000.0, 0, [0; 5], "m"),
+    ("rpm", PI / 30.0, 0, [0, 0, -1, 0, 0], ""),
+    ("kn", 1852.0 / 3600.0, 0, [1, 0, -1, 0, 0], ""),
+    ("1", 1.0, 0, [0; 5], ""),
+];
+
+fn decade_of(prefix: char) -> i32 {
+    match prefix {
+        'M' => 6,
+        'k' => 3,
+        'h' => 2,
+        'd' => -1,
+        'c' => -2,
+        'm' => -3,
+        'u' => -6,
+        _ => -9,
+    }
+}
+
+fn named(row: &Row, prefix: Option<char>) -> Named {
+    let (symbol, mantissa, decade, powers, _) = *row;
+    Named {
+        name: prefix.map(String::from).unwrap_or_default() + symbol,
+        mantissa,
+        decade: decade + prefix.map_or(0, decade_of),
+        offset: if symbol == "degC" { 273.15 } else { 0.0 },
+        dimension: Dimension::whole(powers),
+    }
+}
+
+/// Every unit of the list, plain names first.
+pub(super) fn all() -> impl Iterator<Item = Named> {
+    let plain = TABLE.iter().map(|row| named(row, None));
+    let prefixed = TABLE.iter().flat_map(|row| row.4.chars().map(|p| named(row, Some(p))));
+    plain.chain(prefixed)
+}
+
+/// The unit of that name (`µ` counts as `u`).
+pub(super) fn find(name: &str) -> Option<Named> {
+    let plain = name.replace(['µ', 'μ'], "u");
+    all().find(|n| n.name == plain)
+}

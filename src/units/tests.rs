@@ -1,0 +1,71 @@
+use super::*;
+
+fn u(text: &str) -> Unit {
+    Unit::parse(text).unwrap()
+}
+
+#[test]
+fn every_name_of_the_list_reads_and_no_two_collide() {
+    let mut seen = std::collections::BTreeSet::new();
+    for n in names::all() {
+        assert!(seen.insert(n.name.clone()), "{} stands twice", n.name);
+        assert_eq!(u(&n.name).dimension(), n.dimension);
+    }
+    for name in "m cm mm kg g s ms min h N mN dyn Nm V mV A W Pa K Hz rad deg arcmin kn degC rpm 1".split(' ')
+    {
+        assert!(seen.contains(name), "{name}");
+    }
+}
+
+#[test]
+fn conversions() {
+    let cases = [
+        ("g*cm^2/s", 1.55e8, 15.5),
+        ("kn", 3600.0, 1852.0),
+        ("rpm", 60.0, 2.0 * std::f64::consts::PI),
+        ("arcmin", 60.0 * 180.0, std::f64::consts::PI),
+        ("dyn", 1e5, 1.0),
+        ("1/min", 60.0, 1.0),
+        ("cm^0.5", 4.0, 0.4),
+        ("mV/(m*s)", 2.0, 0.002),
+        ("kg^-1", 2.0, 2.0),
+        ("m^(3/2)", 2.0, 2.0),
+        ("degC", 0.0, 273.15),
+        ("degC/s", 1.0, 1.0),
+    ];
+    for (unit, value, si) in cases {
+        let got = u(unit).to_si(value);
+        assert!((got - si).abs() <= 1e-14 * si.abs(), "{unit}: {got} for {si}");
+        assert!((u(unit).from_si(si) - value).abs() <= 1e-12 * value.abs().max(1.0), "{unit}");
+    }
+}
+
+#[test]
+fn errors_name_the_nearest() {
+    for (text, near) in [("metre", "m"), ("Degc", "degC"), ("knots", "kn"), ("radd/s", "rad"), ("m/sec", "s")]
+    {
+        let e = Unit::parse(text).unwrap_err();
+        assert!(e.hint().unwrap().ends_with(&format!(" {near}")), "{text}: {e}");
+    }
+    assert_eq!(Unit::parse("m/foo").unwrap_err().column(), Some(3));
+    for bad in ["", "m^", "m^0.3", "m**s", "(m", "m s", "/s", "m^1/0"] {
+        assert!(Unit::parse(bad).is_err(), "{bad}");
+    }
+}
+
+#[test]
+fn dimensions_spell_short() {
+    for (unit, text) in [("kg*m/s^2", "N"), ("deg/s", "1/s"), ("V/s", "V/s"), ("N/m", "kg/s^2"), ("deg", "1")]
+    {
+        assert_eq!(u(unit).dimension().to_string(), text);
+        assert_eq!(u(text).dimension(), u(unit).dimension());
+    }
+}
+
+#[test]
+fn combinations_keep_their_names() {
+    assert_eq!(u("N").over(&u("m^2/s^2")).text(), "N*s^2/m^2");
+    assert_eq!(u("degC").over(&u("s")).text(), "K/s");
+    assert_eq!(u("g*cm/s^2").times(&u("1/cm")).text(), "g/s^2");
+    assert_eq!(u("m/s").power(-0.5).text(), "s^0.5/m^0.5");
+}
