@@ -105,6 +105,53 @@ impl Function {
         TABLE.iter().find(|row| row.0 == self).map_or(1, |row| row.2)
     }
 
+    /// How it is called, for messages: `clamp(x, lo, hi)`.
+    pub fn usage(self) -> &'static str {
+        match self {
+            Self::Atan2 => "atan2(y, x)",
+            Self::Min => "min(a, b)",
+            Self::Max => "max(a, b)",
+            Self::Clamp => "clamp(x, lo, hi)",
+            Self::Delay => "delay(x, T)",
+            Self::Lag => "lag(x, T)",
+            Self::Backlash => "backlash(x, gap)",
+            Self::Hysteresis => "hysteresis(x, gap)",
+            Self::Relay => "relay(x, gap)",
+            Self::RateLimit => "rate_limit(x, rate)",
+            _ => self.name(),
+        }
+    }
+
+    /// The value of a function without memory; of one with memory the value when at rest.
+    pub fn of(self, x: &[f64]) -> f64 {
+        let a = x.first().copied().unwrap_or(f64::NAN);
+        let b = x.get(1).copied().unwrap_or(f64::NAN);
+        match self {
+            Self::Sin => a.sin(),
+            Self::Cos => a.cos(),
+            Self::Tan => a.tan(),
+            Self::Asin => a.asin(),
+            Self::Acos => a.acos(),
+            Self::Atan => a.atan(),
+            Self::Atan2 => a.atan2(b),
+            Self::Sinh => a.sinh(),
+            Self::Cosh => a.cosh(),
+            Self::Tanh => a.tanh(),
+            Self::Exp => a.exp(),
+            Self::Ln => a.ln(),
+            Self::Sqrt => a.sqrt(),
+            Self::Abs => a.abs(),
+            Self::Sign => f64::from(i8::from(a > 0.0) - i8::from(a < 0.0)),
+            Self::Min => a.min(b),
+            Self::Max => a.max(b),
+            Self::Step => f64::from(u8::from(a >= 0.0)),
+            Self::Clamp => a.max(b).min(x.get(2).copied().unwrap_or(f64::NAN)),
+            Self::Delay | Self::Lag | Self::Backlash | Self::RateLimit => a,
+            Self::Hysteresis => 0.0,
+            Self::Relay => f64::from(i8::from(a > b / 2.0) - i8::from(a < -b / 2.0)),
+        }
+    }
+
     /// Whether its value depends on the past of its first argument.
     pub fn has_memory(self) -> bool {
         matches!(

@@ -1,0 +1,66 @@
+//! Prints an expression so that it reads back to the same tree.
+
+use super::{BinaryOp, Expr};
+use std::fmt::{self, Display, Formatter};
+
+/// How tightly a construct binds, loosest first.
+#[derive(PartialEq, PartialOrd, Clone, Copy)]
+enum Binding {
+    Sum,
+    Product,
+    Sign,
+    Power,
+    Atom,
+}
+
+fn binding(e: &Expr) -> Binding {
+    match e {
+        Expr::Number(x) if x.is_sign_negative() => Binding::Sign,
+        Expr::Number(_) | Expr::Name(_) | Expr::Call(..) => Binding::Atom,
+        Expr::Neg(_) => Binding::Sign,
+        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, ..) => Binding::Sum,
+        Expr::Binary(BinaryOp::Mul | BinaryOp::Div, ..) => Binding::Product,
+        Expr::Binary(BinaryOp::Pow, ..) => Binding::Power,
+    }
+}
+
+fn operand(e: &Expr, in_parentheses: bool, f: &mut Formatter<'_>) -> fmt::Result {
+    if in_parentheses { write!(f, "({e})") } else { e.fmt(f) }
+}
+
+fn number(x: f64, f: &mut Formatter<'_>) -> fmt::Result {
+    if x != 0.0 && !(1e-4..1e7).contains(&x.abs()) { write!(f, "{x:e}") } else { write!(f, "{x}") }
+}
+
+impl Display for Expr {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(x) => number(*x, f),
+            Self::Name(name) => f.write_str(name),
+            Self::Neg(a) => {
+                f.write_str("-")?;
+                operand(a, binding(a) < Binding::Sign, f)
+            }
+            Self::Binary(op, a, b) => {
+                let (symbol, left, right) = match op {
+                    BinaryOp::Add => (" + ", Binding::Sum, Binding::Product),
+                    BinaryOp::Sub => (" - ", Binding::Sum, Binding::Product),
+                    BinaryOp::Mul => ("*", Binding::Product, Binding::Power),
+                    BinaryOp::Div => ("/", Binding::Product, Binding::Power),
+                    BinaryOp::Pow => ("^", Binding::Atom, Binding::Sign),
+                };
+                operand(a, binding(a) < left, f)?;
+                f.write_str(symbol)?;
+                operand(b, binding(b) < right, f)
+            }
+            Self::Call(function, arguments) => {
+                write!(f, "{}(", function.name())?;
+                for (i, a) in arguments.iter().enumerate() {
+                    f.write_str(if i == 0 { "" } else { ", " })?;
+                    a.fmt(f)?;
+                }
+                f.write_str(")")
+            }
+        }
+    }
+}
