@@ -97,6 +97,13 @@ impl Error {
         self
     }
 
+    /// Says before the message what it is about: `states.v.rate`.
+    #[must_use]
+    pub fn about(mut self, what: &str) -> Self {
+        self.0.message = format!("{what}: {}", self.0.message);
+        self
+    }
+
     /// Names the line, counted from 1.
     #[must_use]
     pub fn with_line(mut self, line: usize) -> Self {

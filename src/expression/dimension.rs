@@ -161,14 +161,12 @@ fn power(base: Inferred, exponent: &Expr) -> Result<Inferred, Fault> {
     let Some(d) = base.filter(|d| !d.is_none()) else {
         return Ok(Some(Dimension::NONE));
     };
-    match exponent.constant().and_then(Ratio::from_f64) {
-        Some(ratio) => Ok(Some(d.power(ratio))),
-        None => {
-            let message = format!("the power of something with a unit ({d}) must be a fixed simple number");
-            let hint = Some("divide the base by a parameter of the same unit first".into());
-            within(1, Err(Fault { path: Vec::new(), message, hint }))
-        }
+    if let Some(ratio) = exponent.constant().and_then(Ratio::from_f64) {
+        return Ok(Some(d.power(ratio)));
     }
+    let message = format!("the power of something with a unit ({d}) must be a fixed simple number");
+    let hint = Some("divide the base by a parameter of the same unit first".into());
+    within(1, Err(Fault { path: Vec::new(), message, hint }))
 }
 
 fn of_call(function: Function, d: &[Inferred]) -> Result<Inferred, Fault> {

@@ -1,103 +1,32 @@
 //! The model file: expressions, dimensions, dual numbers, built-in models.
+//!
+//! ```
+//! use gyrospec::model::Model;
+//! let model = Model::parse(r#"
+//!     name = "a falling stone"
+//!     [parameters]
+//!     g = { value = 981, unit = "cm/s^2" }
+//!     [states]
+//!     z = { rate = "v", unit = "m", initial = 100 }
+//!     v = { rate = "-g", unit = "m/s", initial = 0 }
+//!     [outputs]
+//!     height = { equals = "z", unit = "m" }
+//! "#)?;
+//! assert_eq!(model.parameters[0].value, 9.81);
+//! assert_eq!(Model::parse(&model.to_toml())?, model);
+//! # Ok::<(), gyrospec::Error>(())
+//! ```
 
-use crate::expression::Expr;
-use crate::units::Unit;
+mod builtin;
+mod check;
+mod form;
+mod parts;
+mod places;
+mod read;
+mod write;
 
-/// A measured signal that drives the model.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Input {
-    /// Name, also of the recording's channel.
-    pub name: String,
-    /// Unit of the model file.
-    pub unit: Unit,
-    /// Words for the report.
-    pub meaning: Option<String>,
-}
+pub use builtin::BUILTIN;
+pub use parts::{Definition, Initial, Input, Model, Output, Parameter, State};
 
-/// A parameter; every value in SI.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Parameter {
-    /// Name in expressions.
-    pub name: String,
-    /// Value in SI.
-    pub value: f64,
-    /// Unit of the model file.
-    pub unit: Unit,
-    /// Whether a fit may move it.
-    pub fit: bool,
-    /// Lower bound in SI.
-    pub min: Option<f64>,
-    /// Upper bound in SI.
-    pub max: Option<f64>,
-    /// Words for the report.
-    pub meaning: Option<String>,
-}
-
-/// A named expression.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Definition {
-    /// Name in expressions.
-    pub name: String,
-    /// Its expression.
-    pub equals: Expr,
-    /// Unit of the model file.
-    pub unit: Unit,
-    /// Words for the report.
-    pub meaning: Option<String>,
-}
-
-/// Where a state starts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Initial {
-    /// A number, in SI.
-    Number(f64),
-    /// Fitted for each recording.
-    Fit,
-    /// The steady state of the model at the first inputs.
-    Steady,
-}
-
-/// A state and its rate.
-#[derive(Debug, Clone, PartialEq)]
-pub struct State {
-    /// Name in expressions.
-    pub name: String,
-    /// Its rate of change, in state unit per second.
-    pub rate: Expr,
-    /// Unit of the model file.
-    pub unit: Unit,
-    /// Where it starts.
-    pub initial: Initial,
-    /// Words for the report.
-    pub meaning: Option<String>,
-}
-
-/// A measured signal that the model predicts.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Output {
-    /// Name, also of the recording's channel.
-    pub name: String,
-    /// Its expression.
-    pub equals: Expr,
-    /// Unit of the model file.
-    pub unit: Unit,
-    /// Words for the report.
-    pub meaning: Option<String>,
-}
-
-/// A model; every list in the order of its file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Model {
-    /// Title.
-    pub name: String,
-    /// Measured signals that drive it.
-    pub inputs: Vec<Input>,
-    /// Parameters.
-    pub parameters: Vec<Parameter>,
-    /// Named expressions, in any order.
-    pub definitions: Vec<Definition>,
-    /// States.
-    pub states: Vec<State>,
-    /// Measured signals that it predicts.
-    pub outputs: Vec<Output>,
-}
+#[cfg(test)]
+mod tests;

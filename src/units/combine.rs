@@ -70,7 +70,7 @@ fn text(factors: &[(String, f64)]) -> String {
     let spell =
         |(name, p): &(String, f64)| if p.abs() == 1.0 { name.clone() } else { format!("{name}^{}", p.abs()) };
     let over: Vec<String> = factors.iter().filter(|f| f.1 > 0.0).map(spell).collect();
-    let under: String = factors.iter().filter(|f| f.1 < 0.0).map(|f| format!("/{}", spell(f))).collect();
+    let under: Vec<String> = factors.iter().filter(|f| f.1 < 0.0).map(spell).collect();
     let head = if over.is_empty() { "1".to_string() } else { over.join("*") };
-    head + &under
+    [vec![head], under].concat().join("/")
 }

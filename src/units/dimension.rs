@@ -168,8 +168,7 @@ impl Dimension {
         }
         let count = over.len() + under.len();
         let head = if over.is_empty() { "1".to_string() } else { over.join("*") };
-        let tail: String = under.iter().map(|u| format!("/{u}")).collect();
-        (count, head + &tail)
+        (count, [vec![head], under].concat().join("/"))
     }
 }
 

@@ -1,0 +1,21 @@
+//! The models that the program brings along.
+
+use crate::error::nearest;
+use crate::{Error, Result};
+
+/// Name and TOML text of every built-in model.
+pub const BUILTIN: [(&str, &str); 2] = [
+    ("gyrosphere", include_str!("builtin/gyrosphere.toml")),
+    ("gyrosphere-precession", include_str!("builtin/gyrosphere-precession.toml")),
+];
+
+/// The text of a built-in model.
+pub(super) fn text(name: &str) -> Result<&'static str> {
+    BUILTIN.iter().find(|(n, _)| *n == name).map(|(_, text)| *text).ok_or_else(|| {
+        let e = Error::bad_input(format!("there is no built-in model {name:?}"));
+        match nearest(name, BUILTIN.iter().map(|(n, _)| *n)) {
+            Some(near) => e.with_hint(format!("the nearest is {near}; `gyrospec models` lists them all")),
+            None => e.with_hint("`gyrospec models` lists them all"),
+        }
+    })
+}

@@ -1,0 +1,263 @@
+//! Reads a model file.
+//!
+//! A file that extends a built-in model starts from its lists; what the file gives for a name
+//! replaces what the built-in has for it, field by field.
+
+use super::form::{Form, toml};
+use super::places::{Places, Text};
+use super::{Definition, Initial, Input, Model, Output, Parameter, State, builtin};
+use crate::expression::{Expr, Function, is_name};
+use crate::units::Unit;
+use crate::{Error, Result};
+use std::ops::Range;
+use std::path::Path;
+
+impl Model {
+    /// Reads a model file.
+    ///
+    /// # Errors
+    /// Everything wrong with the file, with its line and column and what to do.
+    pub fn read(path: &Path) -> Result<Self> {
+        let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
+        let text = String::from_utf8(bytes).map_err(|e| {
+            let message = format!("byte {} is no UTF-8 text", e.utf8_error().valid_up_to());
+            Error::bad_input(message).with_file(path)
+        })?;
+        Self::parse(text.trim_start_matches('\u{feff}')).map_err(|e| e.with_file(path))
+    }
+
+    /// Reads the text of a model file.
+    ///
+    /// # Errors
+    /// As [`Model::read`].
+    pub fn parse(text: &str) -> Result<Self> {
+        let text = Text(text);
+        let table = toml(&text)?;
+        let root = Form::root(&table, &text);
+        root.allow(&["name", "extends", "inputs", "parameters", "definitions", "states", "outputs"])?;
+        let mut reader = Reader { model: start(&root)?, places: Places::default(), text: &text };
+        if let Some(name) = root.string("name")? {
+            reader.model.name = name.to_string();
+        }
+        for section in SECTIONS {
+            reader.section(&root, section)?;
+        }
+        if reader.model.outputs.is_empty() {
+            let e = Error::bad_input("the model has no outputs")
+                .with_hint("add [outputs] with the measured signals that it predicts");
+            return Err(e);
+        }
+        reader.model.check_at(&reader.places)?;
+        Ok(reader.model)
+    }
+}
+
+fn start(root: &Form<'_>) -> Result<Model> {
+    if let Some(name) = root.string("extends")? {
+        return Model::builtin(name).map_err(|e| root.error("extends", e));
+    }
+    match root.string("name")? {
+        Some(_) => Ok(Model::empty()),
+        None => Err(Error::bad_input("the model has no name").with_hint("add name = \"…\"")),
+    }
+}
+
+const SECTIONS: [&str; 5] = ["inputs", "parameters", "definitions", "states", "outputs"];
+
+struct Reader<'a> {
+    model: Model,
+    places: Places,
+    text: &'a Text<'a>,
+}
+
+impl Reader<'_> {
+    fn section(&mut self, root: &Form<'_>, name: &str) -> Result<()> {
+        let Some(section) = root.table(name)? else { return Ok(()) };
+        for (entry, span, fields) in section.tables()? {
+            self.name(entry, name, &span)?;
+            match name {
+                "inputs" => self.input(entry, &fields)?,
+                "parameters" => self.parameter(entry, &fields)?,
+                "definitions" => self.definition(entry, &fields)?,
+                "states" => self.state(entry, &fields)?,
+                _ => self.output(entry, &fields)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses what cannot be a name.
+    fn name(&self, name: &str, section: &str, span: &Range<usize>) -> Result<()> {
+        let problem = if !is_name(name) {
+            "a name is a letter or _, then letters, digits and _"
+        } else if section != "outputs" && ["pi", "t"].contains(&name) {
+            "pi and t (the time) have their meaning already"
+        } else if section != "outputs" && Function::named(name).is_some() {
+            "it is a function of the expression language"
+        } else {
+            return Ok(());
+        };
+        let e = Error::bad_input(format!("{name:?} cannot be a name of {section}: {problem}"));
+        Err(self.text.at(e, span))
+    }
+
+    fn unit(fields: &Form<'_>, old: Option<&Unit>) -> Result<Unit> {
+        match (fields.string("unit")?, old) {
+            (Some(text), _) => {
+                Unit::parse(text).map_err(|e| fields.error("unit", e.about(&fields.path_of("unit"))))
+            }
+            (None, Some(unit)) => Ok(unit.clone()),
+            (None, None) => Err(fields.missing("unit", "unit = \"…\" (\"1\" for none)")),
+        }
+    }
+
+    fn meaning(fields: &Form<'_>, old: Option<String>) -> Result<Option<String>> {
+        Ok(fields.string("meaning")?.map(str::to_string).or(old))
+    }
+
+    fn expression(&mut self, fields: &Form<'_>, key: &str, old: Option<&Expr>) -> Result<Expr> {
+        let Some(text) = fields.string(key)? else {
+            let example = format!("{key} = \"…\", an expression");
+            return old.cloned().ok_or_else(|| fields.missing(key, &example));
+        };
+        let path = fields.path_of(key);
+        if let Some(field) = fields.field(key) {
+            self.places.add(path.clone(), self.text, &field.span, text);
+        }
+        Expr::parse(text).map_err(|e| self.places.put(&path, e))
+    }
+
+    fn input(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
+        fields.allow(&["unit", "meaning"])?;
+        let old = self.model.inputs.iter().find(|x| x.name == name).cloned();
+        let entry = Input {
+            name: name.to_string(),
+            unit: Self::unit(fields, old.as_ref().map(|o| &o.unit))?,
+            meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
+        };
+        place(&mut self.model.inputs, entry, |x| &x.name);
+        Ok(())
+    }
+
+    fn parameter(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
+        fields.allow(&["value", "unit", "fit", "min", "max", "meaning"])?;
+        let old = self.model.parameters.iter().find(|x| x.name == name).cloned();
+        let unit = Self::unit(fields, old.as_ref().map(|o| &o.unit))?;
+        let si = |key: &str, old: Option<f64>| -> Result<Option<f64>> {
+            Ok(fields.number(key)?.map(|x| unit.to_si(x)).or(old))
+        };
+        let value = si("value", old.as_ref().map(|o| o.value))?;
+        let entry = Parameter {
+            name: name.to_string(),
+            value: value.ok_or_else(|| fields.missing("value", "value = …"))?,
+            fit: fields.flag("fit")?.unwrap_or(old.as_ref().is_some_and(|o| o.fit)),
+            min: si("min", old.as_ref().and_then(|o| o.min))?,
+            max: si("max", old.as_ref().and_then(|o| o.max))?,
+            meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
+            unit,
+        };
+        bounds(&entry).map_err(|e| fields.error("value", e.about(&fields.path)))?;
+        place(&mut self.model.parameters, entry, |x| &x.name);
+        Ok(())
+    }
+
+    fn definition(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
+        fields.allow(&["equals", "unit", "meaning"])?;
+        let old = self.model.definitions.iter().find(|x| x.name == name).cloned();
+        let entry = Definition {
+            name: name.to_string(),
+            equals: self.expression(fields, "equals", old.as_ref().map(|o| &o.equals))?,
+            unit: Self::unit(fields, old.as_ref().map(|o| &o.unit))?,
+            meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
+        };
+        place(&mut self.model.definitions, entry, |x| &x.name);
+        Ok(())
+    }
+
+    fn state(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
+        fields.allow(&["rate", "unit", "initial", "meaning"])?;
+        let old = self.model.states.iter().find(|x| x.name == name).cloned();
+        let unit = Self::unit(fields, old.as_ref().map(|o| &o.unit))?;
+        let entry = State {
+            name: name.to_string(),
+            rate: self.expression(fields, "rate", old.as_ref().map(|o| &o.rate))?,
+            initial: initial(fields, &unit, old.as_ref().map(|o| o.initial))?,
+            meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
+            unit,
+        };
+        place(&mut self.model.states, entry, |x| &x.name);
+        Ok(())
+    }
+
+    fn output(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
+        fields.allow(&["equals", "unit", "meaning"])?;
+        let old = self.model.outputs.iter().find(|x| x.name == name).cloned();
+        let entry = Output {
+            name: name.to_string(),
+            equals: self.expression(fields, "equals", old.as_ref().map(|o| &o.equals))?,
+            unit: Self::unit(fields, old.as_ref().map(|o| &o.unit))?,
+            meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
+        };
+        place(&mut self.model.outputs, entry, |x| &x.name);
+        Ok(())
+    }
+}
+
+/// Replaces the entry of that name, or adds it at the end.
+fn place<T>(list: &mut Vec<T>, entry: T, name: fn(&T) -> &String) {
+    match list.iter().position(|x| name(x) == name(&entry)) {
+        Some(i) => list[i] = entry,
+        None => list.push(entry),
+    }
+}
+
+fn initial(fields: &Form<'_>, unit: &Unit, old: Option<Initial>) -> Result<Initial> {
+    const EXAMPLE: &str = "initial = a number, \"fit\" or \"steady\"";
+    let Some(field) = fields.field("initial") else {
+        return old.ok_or_else(|| fields.missing("initial", EXAMPLE));
+    };
+    match fields.string(field.key) {
+        Ok(Some("fit")) => Ok(Initial::Fit),
+        Ok(Some("steady")) => Ok(Initial::Steady),
+        Ok(_) => {
+            let e = Error::bad_input(format!("{} is no known start", fields.path_of("initial")));
+            Err(fields.error("initial", e.with_hint(EXAMPLE)))
+        }
+        Err(_) => Ok(Initial::Number(fields.number("initial")?.map_or(0.0, |x| unit.to_si(x)))),
+    }
+}
+
+fn bounds(p: &Parameter) -> Result<()> {
+    let (min, max) = (p.min.unwrap_or(f64::NEG_INFINITY), p.max.unwrap_or(f64::INFINITY));
+    let shown = |x: f64| p.unit.decimal_from_si(x);
+    if min > max {
+        return Err(Error::bad_input(format!("min {} is above max {}", shown(min), shown(max))));
+    }
+    if p.value < min || p.value > max {
+        let (v, lo, hi) = (shown(p.value), shown(min), shown(max));
+        return Err(Error::bad_input(format!("the value {v} lies outside its bounds, {lo} to {hi}")));
+    }
+    Ok(())
+}
+
+impl Model {
+    /// A model without a name and without anything in it.
+    pub(super) fn empty() -> Self {
+        Self {
+            name: String::new(),
+            inputs: Vec::new(),
+            parameters: Vec::new(),
+            definitions: Vec::new(),
+            states: Vec::new(),
+            outputs: Vec::new(),
+        }
+    }
+
+    /// The built-in model of that name.
+    ///
+    /// # Errors
+    /// An unknown name, with the nearest known one.
+    pub fn builtin(name: &str) -> Result<Self> {
+        builtin::text(name).and_then(Self::parse)
+    }
+}

@@ -1,0 +1,87 @@
+//! Writes a model as a file that reads back to the same model.
+
+use super::{Initial, Model, Parameter};
+use crate::units::Unit;
+use std::fmt::Write;
+
+impl Model {
+    /// The text of the model's file; reading it gives the same model.
+    pub fn to_toml(&self) -> String {
+        let mut out = format!("name = {}\n", quoted(&self.name));
+        section(&mut out, "inputs", &self.inputs, |x| {
+            line(&x.name, vec![], &x.unit, vec![], x.meaning.as_ref())
+        });
+        section(&mut out, "parameters", &self.parameters, parameter);
+        section(&mut out, "definitions", &self.definitions, |x| {
+            line(
+                &x.name,
+                vec![("equals", quoted(&x.equals.to_string()))],
+                &x.unit,
+                vec![],
+                x.meaning.as_ref(),
+            )
+        });
+        section(&mut out, "states", &self.states, |x| {
+            let initial = match x.initial {
+                Initial::Number(value) => number(&x.unit, value),
+                Initial::Fit => "\"fit\"".into(),
+                Initial::Steady => "\"steady\"".into(),
+            };
+            let rate = vec![("rate", quoted(&x.rate.to_string()))];
+            line(&x.name, rate, &x.unit, vec![("initial", initial)], x.meaning.as_ref())
+        });
+        section(&mut out, "outputs", &self.outputs, |x| {
+            line(
+                &x.name,
+                vec![("equals", quoted(&x.equals.to_string()))],
+                &x.unit,
+                vec![],
+                x.meaning.as_ref(),
+            )
+        });
+        out
+    }
+}
+
+type Fields = Vec<(&'static str, String)>;
+
+fn section<T>(out: &mut String, name: &str, list: &[T], spell: impl Fn(&T) -> String) {
+    if !list.is_empty() {
+        let _ = writeln!(out, "\n[{name}]");
+        for entry in list {
+            out.push_str(&spell(entry));
+        }
+    }
+}
+
+fn line(name: &str, before: Fields, unit: &Unit, after: Fields, meaning: Option<&String>) -> String {
+    let unit = [("unit", quoted(unit.text()))];
+    let meaning = meaning.map(|m| ("meaning", quoted(m)));
+    let all = before.into_iter().chain(unit).chain(after).chain(meaning);
+    let fields: Vec<String> = all.map(|(key, value)| format!("{key} = {value}")).collect();
+    let key = if name.is_ascii() { name.to_string() } else { quoted(name) };
+    format!("{key} = {{ {} }}\n", fields.join(", "))
+}
+
+fn parameter(p: &Parameter) -> String {
+    let mut after = Fields::new();
+    if p.fit {
+        after.push(("fit", "true".into()));
+    }
+    for (key, bound) in [("min", p.min), ("max", p.max)] {
+        after.extend(bound.map(|b| (key, number(&p.unit, b))));
+    }
+    line(&p.name, vec![("value", number(&p.unit, p.value))], &p.unit, after, p.meaning.as_ref())
+}
+
+/// A TOML float that reads back to the same SI value.
+fn number(unit: &Unit, si: f64) -> String {
+    let value = unit.decimal_from_si(si);
+    let plain = value == 0.0 || (1e-4..1e7).contains(&value.abs());
+    if plain { format!("{value:?}") } else { format!("{value:e}") }
+}
+
+/// A TOML basic string.
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_string()).to_string()
+}
