@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
 pub mod output;
+pub mod table;
 
 use crate::{Error, ErrorKind, Result};
 use clap::{Parser, Subcommand};
@@ -26,12 +27,15 @@ pub struct Cli {
 /// The subcommands; one line each, the work is in the file of that name.
 #[derive(Subcommand)]
 enum Command {
+    /// Tables of I_n with letters.
+    Table(table::Table),
     /// Version and licence.
     About,
 }
 
 fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
+        Command::Table(call) => return table::run(&call),
         Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
     }
     Ok(Outcome::Done)

@@ -1,0 +1,111 @@
+//! `gyrospec table`: the tables of I_n.
+
+use super::{Outcome, output::Sink};
+use crate::symbolic::{HIGHEST_ORDER, TableFormat, folder, print_tables};
+use crate::{Error, Result};
+use clap::{Args, ValueEnum};
+use std::ops::RangeInclusive;
+use std::path::PathBuf;
+
+/// Print I_n with letters: numerator and denominator for H = a0 s^n + … + an, G = b0 s^(2n-2) + … + b(n-1).
+#[derive(Args)]
+pub struct Table {
+    /// Orders to print: one (7) or a range with both ends (1..10); from 1 to 14.
+    #[arg(long, required_unless_present = "folder")]
+    orders: Option<String>,
+    /// The form; Markdown and LaTeX show orders above 8 as shared minors, code shows every order so.
+    #[arg(long, value_enum, default_value = "json")]
+    format: Format,
+    /// Where the text goes; - is standard output.
+    #[arg(long, default_value = "-")]
+    out: PathBuf,
+    /// Instead of printing, write the whole set of tables into this existing folder.
+    #[arg(long, conflicts_with_all = ["orders", "out"])]
+    folder: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Json,
+    Markdown,
+    Latex,
+    Rust,
+    Python,
+    C,
+}
+
+impl From<Format> for TableFormat {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Json => Self::Json,
+            Format::Markdown => Self::Markdown,
+            Format::Latex => Self::Latex,
+            Format::Rust => Self::Rust,
+            Format::Python => Self::Python,
+            Format::C => Self::C,
+        }
+    }
+}
+
+/// Runs the subcommand.
+pub fn run(call: &Table) -> Result<Outcome> {
+    if let Some(place) = &call.folder {
+        for file in folder()? {
+            Sink::open(&place.join(file.name))?.finish(file.text.as_bytes())?;
+        }
+        return Ok(Outcome::Done);
+    }
+    let orders = orders(call.orders.as_deref().unwrap_or_default())?;
+    let sink = Sink::open(&call.out)?;
+    sink.finish(print_tables(orders, call.format.into())?.as_bytes())?;
+    Ok(Outcome::Done)
+}
+
+/// `7` or `1..10`, both ends included.
+fn orders(text: &str) -> Result<RangeInclusive<usize>> {
+    let wrong = |why: String| {
+        Error::usage(format!("--orders {text}: {why}")).with_hint(format!(
+            "write one order (7) or a range with both ends (1..10), from 1 to {HIGHEST_ORDER}"
+        ))
+    };
+    let number = |part: &str| {
+        let part = part.trim();
+        part.parse::<usize>().map_err(|_| wrong(format!("'{part}' is no order")))
+    };
+    let (first, last) = match text.split_once("..") {
+        Some((first, last)) => (number(first)?, number(last.strip_prefix('=').unwrap_or(last))?),
+        None => (number(text)?, number(text)?),
+    };
+    if first > last {
+        return Err(wrong("the first order is above the last".into()));
+    }
+    if let Some(outside) = [first, last].into_iter().find(|n| !(1..=HIGHEST_ORDER).contains(n)) {
+        return Err(wrong(format!("there is no table of order {outside}")));
+    }
+    Ok(first..=last)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_hold_both_ends_and_bad_ones_say_why() {
+        assert_eq!(orders("1..10").unwrap(), 1..=10);
+        assert_eq!(orders("7").unwrap(), 7..=7);
+        assert_eq!(orders("3..=5").unwrap(), 3..=5);
+        for (text, says) in [
+            ("0..3", "order 0"),
+            ("3..99", "order 99"),
+            ("5..2", "above the last"),
+            ("a..b", "'a' is no order"),
+            ("1..", "'' is no order"),
+            ("-1..3", "'-1'"),
+            ("", "'' is no order"),
+        ] {
+            let error = orders(text).unwrap_err();
+            assert_eq!(error.kind(), crate::ErrorKind::Usage);
+            assert!(error.message().contains(says), "{text}: {error}");
+        }
+    }
+}
