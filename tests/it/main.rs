@@ -1,3 +1,4 @@
 //! All integration tests, in one binary: one module a capability.
 
 mod house;
+mod symbolic;

@@ -142,7 +142,8 @@ fn expanded(program: &Program, style: Style) -> Result<Vec<Equation>> {
 /// A polynomial times a lead, in lines: what all its terms share stands before the bracket.
 fn bracketed(part: &Polynomial, lead: Monomial, first: bool, style: Style) -> Result<Vec<String>> {
     let ring = part.ring();
-    let (content, common) = (part.content(), part.common_monomial());
+    let common = part.common_monomial();
+    let (content, reversed) = readable_sign(part);
     let unit = Polynomial::term(ring, common, content.clone());
     let inside = part.divided_by(&unit)?.expect("the content divides");
     let before = item(ring, ring.product(lead, common)?, &content, style);
@@ -155,13 +156,23 @@ fn bracketed(part: &Polynomial, lead: Monomial, first: bool, style: Style) -> Re
     if inside.as_constant().is_some() {
         return Ok(vec![format!("{sign}{}", before.text)]);
     }
-    let items: Vec<Item> = inside.terms().iter().map(|(m, c)| item(ring, *m, c, style)).collect();
+    let mut items: Vec<Item> = inside.terms().iter().map(|(m, c)| item(ring, *m, c, style)).collect();
+    if reversed {
+        items.reverse();
+    }
     let mut measure = style.measure();
     measure.line -= before.width + measure.sign;
     let mut broken = lines(&items, &measure);
     broken[0] = format!("{sign}{} ({}", before.text, broken[0]);
     broken.last_mut().expect("a sum has a line").push(')');
     Ok(broken)
+}
+
+/// The content with the sign under which a bracket begins with plus, and whether its terms stand in reverse for that.
+fn readable_sign(part: &Polynomial) -> (Integer, bool) {
+    let content = part.content();
+    let ends_positive = part.terms().last().is_some_and(|(_, c)| !c.is_negative());
+    if content.is_negative() && ends_positive { (-&content, true) } else { (content, false) }
 }
 
 fn item(ring: &Ring, monomial: Monomial, coefficient: &Integer, style: Style) -> Item {
