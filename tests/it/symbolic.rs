@@ -55,7 +55,7 @@ fn exact_value(polynomial: &Polynomial, at: &[RBig]) -> RBig {
     let ring = polynomial.ring();
     let term = |(monomial, coefficient): &(_, gyrospec::symbolic::Integer)| {
         ring.powers(*monomial)
-            .fold(RBig::from(coefficient.to_big()), |product, (k, e)| product * at[k].pow(e as usize))
+            .fold(RBig::from(coefficient.to_big()), |product, (k, e)| product * at[k].pow(e as isize))
     };
     polynomial.terms().iter().map(term).fold(RBig::ZERO, |sum, x| sum + x)
 }
