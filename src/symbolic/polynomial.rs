@@ -96,7 +96,8 @@ impl Polynomial {
                     if !sum.is_zero() {
                         terms.push((*m, sum));
                     }
-                    (x.next(), y.next());
+                    x.next();
+                    y.next();
                 }
             }
         }
