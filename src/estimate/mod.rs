@@ -1,1 +1,10 @@
-//! Noise models, least squares, intervals.
+//! Noise models, least squares and fits: what the data say about a model, and how surely.
+
+mod coordinates;
+mod least_squares;
+pub mod noise;
+mod triangle;
+
+pub use coordinates::{Range, Side};
+pub use least_squares::{End, Minimum, Problem, Stopping, minimise};
+pub use triangle::Triangle;

@@ -1,0 +1,348 @@
+//! Bounded non-linear least squares.
+//!
+//! # Purpose
+//! Minimise ½‖r(x)‖² over a box, r given by a simulation that may fail or blow up at a trial point.
+//!
+//! # Method
+//! Levenberg and Marquardt with Moré's scaling, in the coordinates of [`Range`]. Unknowns that press
+//! against a bound are taken out, a step that leaves the box is cut at the bound and solved anew for
+//! the rest. A trial that is not finite counts as infinitely bad and shortens the next step.
+//!
+//! # References
+//! J. J. Moré, The Levenberg-Marquardt algorithm, Lecture Notes in Mathematics 630 (1978) 105-116;
+//! H. B. Nielsen, Damping parameter in Marquardt's method, IMM-REP-1999-05, Lyngby 1999.
+//!
+//! # Numerical aspects
+//! Steps come from the orthogonal factor of J, so that sensitivities are used to full precision.
+
+use super::coordinates::{Range, Side};
+use super::triangle::Triangle;
+use crate::{Error, Result};
+
+/// A residual vector r(x) with its sensitivities, streamed.
+pub trait Problem {
+    /// How many unknowns x has.
+    fn unknowns(&self) -> usize;
+
+    /// ‖r(x)‖², or an error or a number that is not finite where r cannot be computed.
+    fn sum_of_squares(&self, x: &[f64]) -> Result<f64>;
+
+    /// The triangle of [∂r/∂x | r] at x.
+    fn linearise(&self, x: &[f64]) -> Result<Triangle>;
+}
+
+/// When to stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stopping {
+    /// Steps that may be taken.
+    pub iterations: usize,
+    /// Relative fall of the sum of squares that is no longer worth a step.
+    pub reduction: f64,
+    /// Relative size of a step that is no longer one.
+    pub step: f64,
+}
+
+impl Default for Stopping {
+    fn default() -> Self {
+        Self { iterations: 60, reduction: 1e-9, step: 1e-10 }
+    }
+}
+
+/// Why the walk ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum End {
+    /// No step lowers the sum of squares by a part worth having.
+    Converged,
+    /// No shorter step helps, yet the slope is not zero: the residual is rough here.
+    Stalled,
+    /// The steps ran out.
+    OutOfSteps,
+}
+
+/// A minimum.
+#[derive(Debug, Clone)]
+pub struct Minimum {
+    /// The unknowns there.
+    pub x: Vec<f64>,
+    /// ‖r‖² there.
+    pub sum_of_squares: f64,
+    /// ‖r‖² at the start.
+    pub start_sum_of_squares: f64,
+    /// [∂r/∂x | r] there, as a triangle in x.
+    pub triangle: Triangle,
+    /// The bound each unknown sits at.
+    pub at_bound: Vec<Option<Side>>,
+    /// Why the walk ended.
+    pub end: End,
+    /// Steps taken.
+    pub iterations: usize,
+    /// Residuals computed.
+    pub evaluations: usize,
+}
+
+/// Walks from `start` to a minimum inside `ranges`.
+///
+/// # Errors
+/// Where the residuals cannot be computed at the start itself.
+///
+/// ```
+/// use gyrospec::estimate::{Problem, Range, Stopping, Triangle, minimise};
+/// struct Rosenbrock;
+/// impl Problem for Rosenbrock {
+///     fn unknowns(&self) -> usize { 2 }
+///     fn sum_of_squares(&self, x: &[f64]) -> gyrospec::Result<f64> {
+///         Ok((10.0 * (x[1] - x[0] * x[0])).powi(2) + (1.0 - x[0]).powi(2))
+///     }
+///     fn linearise(&self, x: &[f64]) -> gyrospec::Result<Triangle> {
+///         let mut t = Triangle::new(2);
+///         let r = [10.0 * (x[1] - x[0] * x[0]), 1.0 - x[0]];
+///         t.push(&[&[-20.0 * x[0], -1.0], &[10.0, 0.0]], &r);
+///         Ok(t)
+///     }
+/// }
+/// let least = minimise(&Rosenbrock, &[-1.2, 1.0], &[Range::FREE; 2], Stopping::default())?;
+/// assert!((least.x[0] - 1.0).abs() < 1e-6 && (least.x[1] - 1.0).abs() < 1e-6);
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+pub fn minimise<P: Problem + ?Sized>(
+    problem: &P,
+    start: &[f64],
+    ranges: &[Range],
+    stopping: Stopping,
+) -> Result<Minimum> {
+    let x: Vec<f64> = start.iter().zip(ranges).map(|(x, r)| r.clamp(*x)).collect();
+    let triangle = problem.linearise(&x)?;
+    let sum = triangle.sum_of_squares();
+    if !sum.is_finite() {
+        return Err(Error::not_computed("the residuals are not finite at the start of the fit")
+            .with_hint("start nearer, narrow the bounds, or check the units"));
+    }
+    let mut walk = Walk {
+        problem,
+        ranges,
+        scale: vec![0.0; x.len()],
+        x,
+        sum,
+        triangle,
+        damping: 1e-3,
+        growth: 2.0,
+        iterations: 0,
+        evaluations: 1,
+    };
+    let end = walk.run(stopping);
+    Ok(Minimum {
+        at_bound: walk.x.iter().zip(ranges).map(|(x, r)| r.at_bound(*x)).collect(),
+        x: walk.x,
+        sum_of_squares: walk.sum,
+        start_sum_of_squares: sum,
+        triangle: walk.triangle,
+        end,
+        iterations: walk.iterations,
+        evaluations: walk.evaluations,
+    })
+}
+
+/// Shortest worthwhile damping and the one at which no step is left.
+const DAMPING: (f64, f64) = (1e-12, 1e12);
+
+struct Walk<'a, P: ?Sized> {
+    problem: &'a P,
+    ranges: &'a [Range],
+    x: Vec<f64>,
+    sum: f64,
+    triangle: Triangle,
+    scale: Vec<f64>,
+    damping: f64,
+    growth: f64,
+    iterations: usize,
+    evaluations: usize,
+}
+
+/// A trial step in z, with the sum of squares that the linear problem promises.
+struct Step {
+    z: Vec<f64>,
+    promised: f64,
+}
+
+enum Taken {
+    Yes { fall: f64, relative_step: f64 },
+    No { promised_fall: f64 },
+}
+
+impl<P: Problem + ?Sized> Walk<'_, P> {
+    fn run(&mut self, stopping: Stopping) -> End {
+        while self.iterations < stopping.iterations {
+            self.iterations += 1;
+            let inner = self.inner_triangle();
+            loop {
+                let step = self.step(&inner);
+                match self.try_step(&step) {
+                    Taken::Yes { fall, relative_step } => {
+                        let refreshed = self.problem.linearise(&self.x);
+                        self.evaluations += 1;
+                        match refreshed {
+                            Ok(t) if t.sum_of_squares().is_finite() => self.triangle = t,
+                            _ => return End::Stalled,
+                        }
+                        if fall <= stopping.reduction || relative_step <= stopping.step {
+                            return End::Converged;
+                        }
+                        break;
+                    }
+                    Taken::No { promised_fall } if promised_fall <= stopping.reduction => {
+                        return End::Converged;
+                    }
+                    Taken::No { .. } if self.damping > DAMPING.1 => return End::Stalled,
+                    Taken::No { .. } => {}
+                }
+            }
+        }
+        End::OutOfSteps
+    }
+
+    /// The triangle in z, with the scale of each column brought up to date.
+    fn inner_triangle(&mut self) -> Triangle {
+        let slopes: Vec<f64> = self.x.iter().zip(self.ranges).map(|(x, r)| r.slope(*x)).collect();
+        let inner = self.triangle.clone().scaled(&slopes);
+        for (s, norm) in self.scale.iter_mut().zip(inner.column_norms()) {
+            *s = s.max(norm);
+        }
+        inner
+    }
+
+    /// The damped step, cut at the bounds and solved anew for the unknowns that stay inside.
+    fn step(&self, inner: &Triangle) -> Step {
+        let p = self.x.len();
+        let z: Vec<f64> = self.x.iter().zip(self.ranges).map(|(x, r)| r.inward(*x)).collect();
+        let gradient = inner.gradient();
+        let presses = |j: usize| {
+            let (low, high) = self.ranges[j].inner();
+            (z[j] <= low && gradient[j] > 0.0) || (z[j] >= high && gradient[j] < 0.0)
+        };
+        let mut free: Vec<usize> = (0..p).filter(|j| !presses(*j) && self.scale[*j] > 0.0).collect();
+        let mut delta = vec![0.0; p];
+        while !free.is_empty() {
+            let damping: Vec<f64> = free.iter().map(|j| self.damping.sqrt() * self.scale[*j]).collect();
+            let solved = inner.restricted(&free).solve(&damping);
+            let leaves = |k: usize| {
+                let j = free[k];
+                let (low, high) = self.ranges[j].inner();
+                !(low..=high).contains(&(z[j] + solved[k]))
+            };
+            let out: Vec<usize> = (0..free.len()).filter(|k| leaves(*k)).collect();
+            for (k, j) in free.iter().enumerate() {
+                let (low, high) = self.ranges[*j].inner();
+                delta[*j] = (z[*j] + solved[k]).clamp(low, high) - z[*j];
+            }
+            if out.is_empty() || out.len() == free.len() {
+                break;
+            }
+            let gone: Vec<usize> = out.iter().map(|k| free[*k]).collect();
+            free.retain(|j| !gone.contains(j));
+        }
+        Step { promised: inner.predicted(&delta), z: z.iter().zip(&delta).map(|(z, d)| z + d).collect() }
+    }
+
+    fn try_step(&mut self, step: &Step) -> Taken {
+        let trial: Vec<f64> = step.z.iter().zip(self.ranges).map(|(z, r)| r.outward(*z)).collect();
+        let promised_fall = (self.sum - step.promised) / self.sum.max(f64::MIN_POSITIVE);
+        if !trial.iter().all(|x| x.is_finite()) {
+            return self.refuse(1.0);
+        }
+        let sum = self.problem.sum_of_squares(&trial).unwrap_or(f64::INFINITY);
+        self.evaluations += 1;
+        if !(sum < self.sum) {
+            return self.refuse(promised_fall);
+        }
+        let gain = (self.sum - sum) / (self.sum - step.promised).max(f64::MIN_POSITIVE);
+        // λ ← λ·max(1/3, 1 − (2ϱ − 1)³)
+        let factor = (1.0 - (2.0 * gain.min(1.0) - 1.0).powi(3)).max(1.0 / 3.0);
+        self.damping = (self.damping * if gain > 0.9 { 0.1 } else { factor }).max(DAMPING.0);
+        self.growth = 2.0;
+        let relative = |(a, b): (&f64, &f64)| (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE);
+        let relative_step = self.x.iter().zip(&trial).map(relative).fold(0.0, f64::max);
+        let fall = (self.sum - sum) / self.sum.max(f64::MIN_POSITIVE);
+        self.x = trial;
+        self.sum = sum;
+        Taken::Yes { fall, relative_step }
+    }
+
+    fn refuse(&mut self, promised_fall: f64) -> Taken {
+        self.damping *= self.growth;
+        self.growth *= 2.0;
+        Taken::No { promised_fall }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// r_i = y_i − a e^(−b t_i), with a wall beyond which it cannot be computed.
+    struct Decay {
+        wall: f64,
+    }
+
+    impl Decay {
+        fn rows(&self, x: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
+            let time = (0..50).map(|i| 0.1 * f64::from(i));
+            let wall = self.wall;
+            let mut rows = (Vec::new(), Vec::new(), Vec::new());
+            for t in time {
+                let e = (-x[1] * t).exp();
+                let r = x[0] * e - 3.0 * (-0.7 * t).exp();
+                rows.0.push(if x[1] > wall { f64::NAN } else { r });
+                rows.1.push(e);
+                rows.2.push(-x[0] * t * e);
+            }
+            rows
+        }
+    }
+
+    impl Problem for Decay {
+        fn unknowns(&self) -> usize {
+            2
+        }
+        fn sum_of_squares(&self, x: &[f64]) -> Result<f64> {
+            Ok(self.rows(x).0.iter().map(|r| r * r).sum())
+        }
+        fn linearise(&self, x: &[f64]) -> Result<Triangle> {
+            let (r, a, b) = self.rows(x);
+            let mut t = Triangle::new(2);
+            t.push(&[&a, &b], &r);
+            Ok(t)
+        }
+    }
+
+    #[test]
+    fn finds_the_decay_past_a_wall_of_failures() {
+        let wide = Range { min: 1e-3, max: 1e3 };
+        let least =
+            minimise(&Decay { wall: 0.75 }, &[1.0, 0.02], &[Range::FREE, wide], Stopping::default()).unwrap();
+        assert!((least.x[0] - 3.0).abs() < 1e-6 && (least.x[1] - 0.7).abs() < 1e-6, "{least:?}");
+    }
+
+    #[test]
+    fn stops_at_a_bound_with_the_rest_at_its_conditional_optimum() {
+        let bounded = Range { min: 0.01, max: 0.5 };
+        let least = minimise(&Decay { wall: 9.0 }, &[1.0, 0.1], &[Range::FREE, bounded], Stopping::default())
+            .unwrap();
+        assert_eq!(least.at_bound, [None, Some(Side::Upper)]);
+        // With b = ½ the best a is Σ y e / Σ e².
+        let (mut ye, mut ee) = (0.0, 0.0);
+        for t in (0..50).map(|i| 0.1 * f64::from(i)) {
+            let e = (-0.5 * t).exp();
+            ye += 3.0 * (-0.7 * t).exp() * e;
+            ee += e * e;
+        }
+        assert!((least.x[0] - ye / ee).abs() < 1e-6, "{least:?}");
+    }
+
+    #[test]
+    fn a_start_that_cannot_be_computed_is_an_error() {
+        let wide = Range { min: 1e-3, max: 1e3 };
+        assert!(
+            minimise(&Decay { wall: 0.1 }, &[1.0, 0.5], &[Range::FREE, wide], Stopping::default()).is_err()
+        );
+    }
+}
