@@ -1,0 +1,77 @@
+//! What a fit is asked to do.
+
+use crate::estimate::least_squares::Stopping;
+use crate::estimate::noise::NoiseModel;
+
+/// Hears how far a long computation has come.
+pub trait Progress: Sync {
+    /// What is being done, and the share done so far where it is known.
+    fn says(&self, what: &str, share: Option<f64>);
+}
+
+/// Hears nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Silent;
+
+impl Progress for Silent {
+    fn says(&self, _what: &str, _share: Option<f64>) {}
+}
+
+/// How the residuals of several outputs, and of one output over time, are weighed.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Weighting {
+    /// The free-run error itself; each output over the size of its residual.
+    FreeRun,
+    /// Residuals whitened by frozen noise models, one an output in the model's order: generalised
+    /// least squares, for likelihood ratios between models.
+    Whitened(Vec<NoiseModel>),
+}
+
+/// How hard to look for the minimum.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effort {
+    /// From the values as they stand, nothing else: for refits near a known minimum.
+    Near,
+    /// All starts: given values, equation error, multiple shooting, drawn starts.
+    Full,
+}
+
+/// What a fit is asked to do.
+#[derive(Clone)]
+pub struct FitOptions<'a> {
+    /// How residuals are weighed.
+    pub weighting: Weighting,
+    /// How hard to look.
+    pub effort: Effort,
+    /// Starts that are drawn at random besides the reasoned ones.
+    pub drawn_starts: usize,
+    /// Seed of the drawn starts.
+    pub seed: u64,
+    /// When the walk stops.
+    pub stopping: Stopping,
+    /// Whether separate records are held out, so that fitted ones are used whole unless their file
+    /// says otherwise.
+    pub separate_holdout: bool,
+    /// Tolerance of the simulator over its own default, 1 for that.
+    pub tolerance: f64,
+    /// Initial states to start from: one list a recording, one value a state; empty for none.
+    pub initials: Vec<Vec<f64>>,
+    /// Who hears the progress.
+    pub progress: &'a dyn Progress,
+}
+
+impl Default for FitOptions<'_> {
+    fn default() -> Self {
+        Self {
+            weighting: Weighting::FreeRun,
+            effort: Effort::Full,
+            drawn_starts: 4,
+            seed: 1,
+            stopping: Stopping::default(),
+            separate_holdout: false,
+            tolerance: 1.0,
+            initials: Vec::new(),
+            progress: &Silent,
+        }
+    }
+}

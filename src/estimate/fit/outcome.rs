@@ -1,0 +1,154 @@
+//! What a fit finds.
+
+use crate::estimate::coordinates::Side;
+use crate::estimate::identify::Direction;
+use crate::estimate::least_squares::End;
+use crate::estimate::noise::NoiseModel;
+use crate::model::Model;
+use crate::units::Unit;
+use std::ops::Range;
+
+/// What became of a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Status {
+    /// Fitted, inside its bounds.
+    Fitted,
+    /// Fitted, and pressed against a bound.
+    AtBound(Side),
+    /// Kept as the model file gives it.
+    Fixed,
+    /// Given by a recording's constants.
+    Constant,
+}
+
+/// A parameter after the fit; SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// The parameter's name.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// Lower end of the 95 % interval; NaN where there is none.
+    pub low: f64,
+    /// Upper end of the 95 % interval; NaN where there is none.
+    pub high: f64,
+    /// Unit of the model file.
+    pub unit: Unit,
+    /// What became of it.
+    pub status: Status,
+}
+
+/// A fitted initial state; SI.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InitialEstimate {
+    /// Number of the recording.
+    pub recording: usize,
+    /// The state's name.
+    pub state: String,
+    /// Its value.
+    pub value: f64,
+    /// Lower end of the 95 % interval.
+    pub low: f64,
+    /// Upper end of the 95 % interval.
+    pub high: f64,
+    /// Unit of the model file.
+    pub unit: Unit,
+}
+
+/// Residuals of one output on one recording, in order of time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Number of the output in the model.
+    pub output: usize,
+    /// s of the recording's clock, or row numbers.
+    pub time: Vec<f64>,
+    /// Measured less predicted, SI; modulo a turn where the output wraps.
+    pub residual: Vec<f64>,
+    /// ∂prediction/∂unknown, one vector an unknown of the fit in its order; empty where not asked for.
+    pub sensitivities: Vec<Vec<f64>>,
+    /// Contiguous stretches: no gap, no jump of the clock inside.
+    pub stretches: Vec<Range<usize>>,
+}
+
+impl Series {
+    /// The stretches of the residual.
+    pub fn residual_stretches(&self) -> Vec<&[f64]> {
+        self.stretches.iter().map(|r| &self.residual[r.clone()]).collect()
+    }
+
+    /// The stretches of the sensitivity to one unknown.
+    pub fn sensitivity_stretches(&self, unknown: usize) -> Vec<&[f64]> {
+        self.stretches.iter().map(|r| &self.sensitivities[unknown][r.clone()]).collect()
+    }
+
+    /// Σ residual² and the number of samples.
+    pub fn energy(&self) -> (f64, usize) {
+        (self.residual.iter().map(|e| e * e).sum(), self.residual.len())
+    }
+}
+
+/// The fitted part of one recording.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordFit {
+    /// Name of the recording.
+    pub name: String,
+    /// Time at which the simulation starts, s.
+    pub start: f64,
+    /// All initial states in the model's order; NaN where the simulator finds them itself.
+    pub initials: Vec<f64>,
+    /// One series an output that the recording has.
+    pub series: Vec<Series>,
+}
+
+/// Something that a user should know; the fit went on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Warning {
+    /// What, and what to do.
+    pub says: String,
+}
+
+/// A fitted model.
+#[derive(Debug, Clone)]
+pub struct Fit {
+    /// The model with the fitted values in place.
+    pub model: Model,
+    /// All its parameters, in its order.
+    pub parameters: Vec<Estimate>,
+    /// The fitted initial states, by recording.
+    pub initials: Vec<InitialEstimate>,
+    /// Names of the unknowns, in the order of sensitivities and covariance: parameters, then initial
+    /// states as `state(0)`, with the recording's number where there are several.
+    pub unknowns: Vec<String>,
+    /// Their values, SI.
+    pub values: Vec<f64>,
+    /// Their covariance, unknowns × unknowns, for noise as coloured as the residual; rows of unseen or
+    /// bounded unknowns are NaN.
+    pub covariance: faer::Mat<f64>,
+    /// Residuals by recording.
+    pub records: Vec<RecordFit>,
+    /// The noise of each output, in the model's order.
+    pub noise: Vec<NoiseModel>,
+    /// Free-run root mean square of each output over the fitted parts, SI.
+    pub rmse: Vec<f64>,
+    /// The weighted sum of squares that was minimised.
+    pub sum_of_squares: f64,
+    /// Directions in parameter space that the data do not see.
+    pub unseen: Vec<Direction>,
+    /// What a user should know.
+    pub warnings: Vec<Warning>,
+    /// How the walk ended.
+    pub end: End,
+    /// Simulations done.
+    pub simulations: usize,
+}
+
+/// One output over all held-out parts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldOut {
+    /// Number of the output in the model.
+    pub output: usize,
+    /// Free-run root mean square, SI; NaN without held-out samples.
+    pub rmse: f64,
+    /// Residuals, one series a held-out span or record.
+    pub series: Vec<Series>,
+}
