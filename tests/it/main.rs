@@ -1,4 +1,5 @@
 //! All integration tests, in one binary: one module a capability.
 
 mod house;
+mod record;
 mod symbolic;

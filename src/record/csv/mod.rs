@@ -1,0 +1,100 @@
+//! Tables of text: one header line, then one row a sample, fields between commas.
+
+mod field;
+mod header;
+mod rows;
+
+use super::input::{self, Sink};
+use super::request::{Clock, Request, finished};
+use super::{Channel, Note, Source};
+use crate::{Error, Result};
+use header::Header;
+use rows::Rows;
+use std::path::Path;
+use std::sync::Arc;
+
+/// What a table gives.
+pub(super) struct Table {
+    pub channels: Vec<Channel>,
+    pub source: Source,
+    pub notes: Vec<Note>,
+}
+
+/// Reads a table (plain or gzip).
+///
+/// # Errors
+/// `BadInput` or `Units` with file, line and column for whatever is no such table.
+pub(super) fn read(path: &Path, request: &Request) -> Result<Table> {
+    let mut reader = Reader { request, line: 0, header: None, rows: None };
+    let source = input::read_lines(path, &mut reader).map_err(|e| place(e, path))?;
+    let (channels, notes) = reader.finish().map_err(|e| place(e, path))?;
+    let notes = notes.into_iter().map(|(line, says)| Note { file: path.to_owned(), line, says }).collect();
+    Ok(Table { channels, source, notes })
+}
+
+fn place(e: Error, path: &Path) -> Error {
+    if e.file().is_some() { e } else { e.with_file(path) }
+}
+
+struct Reader<'a> {
+    request: &'a Request,
+    line: usize,
+    header: Option<Header>,
+    rows: Option<Rows>,
+}
+
+impl Sink for Reader<'_> {
+    fn take(&mut self, block: &[u8]) -> Result<()> {
+        let mut rest = block;
+        while !rest.is_empty() {
+            let end = rest.iter().position(|b| *b == b'\n');
+            let line = &rest[..end.unwrap_or(rest.len())];
+            let line = line.strip_suffix(b"\r").unwrap_or(line);
+            self.line += 1;
+            match &mut self.rows {
+                None => self.begin(line)?,
+                Some(rows) => rows.line(line, self.line, end.is_some())?,
+            }
+            rest = &rest[end.map_or(rest.len(), |at| at + 1)..];
+        }
+        if let Some(rows) = &mut self.rows {
+            rows.remember_shape(block);
+        }
+        Ok(())
+    }
+
+    fn lines(&self) -> usize {
+        self.line
+    }
+}
+
+type Notes = Vec<(Option<usize>, String)>;
+
+impl Reader<'_> {
+    fn begin(&mut self, line: &[u8]) -> Result<()> {
+        let header = Header::parse(line, self.request).map_err(|e| e.with_line(1))?;
+        self.rows = Some(Rows::new(&header, self.request.rows));
+        self.header = Some(header);
+        Ok(())
+    }
+
+    fn finish(self) -> Result<(Vec<Channel>, Notes)> {
+        let (Some(header), Some(rows)) = (self.header, self.rows) else {
+            return Err(Error::bad_input("the file is empty")
+                .with_hint("a recording begins with a header line such as `t [s],roll [deg]`"));
+        };
+        let (mut columns, mut notes) = rows.finish()?;
+        notes.extend(header.notes.iter().map(|says| (Some(1), says.clone())));
+        let first = self.request.rows.map_or(0, |r| r.0);
+        let count = columns.first().map_or(0, Vec::len);
+        let time: Arc<[f64]> = match (&header.time, &self.request.clock) {
+            (Some(time), _) => columns.remove(0).into_iter().map(|t| time.unit.to_si(t)).collect(),
+            (None, Clock::Regular { start, step }) => (0..count).map(|i| start + i as f64 * step).collect(),
+            (None, _) => (first..first + count).map(|i| i as f64).collect(),
+        };
+        let pairs = header.channels.iter().zip(columns);
+        let table = self.request.table;
+        let channels = pairs.map(|(c, v)| finished(&c.wanted, c.unit.clone(), table, &time, v)).collect();
+        Ok((channels, notes))
+    }
+}

@@ -1,0 +1,254 @@
+//! Purpose: the data rows of a table of text, checked as they come.
+//!
+//! Method: fields between commas are parsed straight from the block into growing columns;
+//! whatever is wrong is looked at again, slowly, to say what and where.
+//!
+//! Numerical aspects: decimal to double by the standard library, correctly rounded.
+
+use super::Notes;
+use super::field::{self, Field, number};
+use super::header::Header;
+use crate::{Error, Result};
+
+/// Bytes of the last whole lines that are kept to judge a last line without its end.
+const SHAPE_BYTES: usize = 4096;
+/// So many lines with equal decimals make a fixed format.
+const LINES_FOR_SHAPE: usize = 50;
+
+pub(super) struct Rows {
+    names: Vec<String>,
+    /// For each column of the file, the columns of `data` that want it.
+    slots: Vec<Vec<usize>>,
+    /// The file's column of time; it is column 0 of `data`.
+    time: Option<usize>,
+    data: Vec<Vec<f64>>,
+    previous: f64,
+    /// Number of the next data row.
+    row: usize,
+    first: usize,
+    last: usize,
+    blank: Option<usize>,
+    shape: Vec<u8>,
+    notes: Notes,
+}
+
+impl Rows {
+    pub(super) fn new(header: &Header, rows: Option<(usize, usize)>) -> Self {
+        let columns = header.time.iter().chain(&header.channels);
+        let mut slots = vec![Vec::new(); header.names.len()];
+        for (slot, column) in columns.enumerate() {
+            slots[column.index].push(slot);
+        }
+        let (first, last) = rows.unwrap_or((0, usize::MAX));
+        Self {
+            names: header.names.clone(),
+            data: vec![Vec::new(); header.channels.len() + usize::from(header.time.is_some())],
+            time: header.time.as_ref().map(|t| t.index),
+            slots,
+            previous: f64::NEG_INFINITY,
+            row: 0,
+            first,
+            last,
+            blank: None,
+            shape: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// Takes a line without its end; `ended` tells whether it had one.
+    pub(super) fn line(&mut self, line: &[u8], number: usize, ended: bool) -> Result<()> {
+        if line.is_empty() && self.names.len() > 1 {
+            self.blank.get_or_insert(number);
+            return Ok(());
+        }
+        if let Some(blank) = self.blank {
+            return Err(Error::bad_input("the line is empty, and rows follow it")
+                .with_line(blank)
+                .with_column(1)
+                .with_hint("remove it, or write its commas where the row is a gap"));
+        }
+        let row = self.row;
+        self.row += 1;
+        if (self.first..=self.last).contains(&row) {
+            self.parse(line).map_err(|e| self.explain(e, line, ended).with_line(number))?;
+            if !ended {
+                self.last_line(line, number)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The fast path.
+    fn parse(&mut self, line: &[u8]) -> Result<(), usize> {
+        if line.contains(&b'"') {
+            return self.parse_quoted(line);
+        }
+        let mut index = 0;
+        for text in line.split(|b| *b == b',') {
+            self.store(index, text)?;
+            index += 1;
+        }
+        if index == self.names.len() { Ok(()) } else { Err(index) }
+    }
+
+    fn parse_quoted(&mut self, line: &[u8]) -> Result<(), usize> {
+        let fields = field::split(line).ok_or(0_usize)?;
+        for (index, field) in fields.iter().enumerate() {
+            self.store(index, &field.text)?;
+        }
+        if fields.len() == self.names.len() { Ok(()) } else { Err(fields.len()) }
+    }
+
+    /// Puts a field where it is wanted; the number of the column where it cannot.
+    fn store(&mut self, index: usize, text: &[u8]) -> Result<(), usize> {
+        let Some(slots) = self.slots.get(index) else { return Err(index) };
+        if slots.is_empty() {
+            return Ok(());
+        }
+        let value = number(text).ok_or(index)?;
+        for slot in slots {
+            self.data[*slot].push(value);
+        }
+        if self.time == Some(index) {
+            // A NaN fails this comparison as well.
+            if !(value > self.previous) {
+                return Err(index);
+            }
+            self.previous = value;
+        }
+        Ok(())
+    }
+
+    /// Why a line could not be taken.
+    fn explain(&self, index: usize, line: &[u8], ended: bool) -> Error {
+        let Some(fields) = field::split(line) else {
+            return Error::bad_input("a double quote is not closed").with_column(1);
+        };
+        let cut = "the file seems to be cut short: copy it again from where it was made";
+        let error = if fields.len() == self.names.len() {
+            self.explain_field(index, &fields[index.min(fields.len() - 1)])
+        } else if !ended && fields.len() < self.names.len() {
+            Error::bad_input(format!(
+                "the file ends in mid-line: {} of {} fields are there",
+                fields.len(),
+                self.names.len()
+            ))
+            .with_column(line.len() + 1)
+        } else {
+            self.explain_count(&fields)
+        };
+        if ended { error } else { error.with_hint(cut) }
+    }
+
+    fn explain_count(&self, fields: &[Field]) -> Error {
+        let (got, want) = (fields.len(), self.names.len());
+        let column = fields.get(want).or(fields.last()).map_or(1, |f| f.at + 1);
+        let error =
+            Error::bad_input(format!("the row has {got} fields, the header {want}")).with_column(column);
+        if got > want {
+            error.with_hint(
+                "numbers need decimal points: a decimal comma (1,5) splits a number into two fields",
+            )
+        } else {
+            error.with_hint("leave the field empty between its commas where a value is missing")
+        }
+    }
+
+    fn explain_field(&self, index: usize, field: &Field) -> Error {
+        let name = self.names.get(index).map_or("", String::as_str);
+        let place = format!("column {} `{name}`", index + 1);
+        let shown = field.shown();
+        let error = match number(&field.text) {
+            None => self.explain_text(&place, &shown),
+            Some(t) if t.is_nan() => Error::bad_input(format!("{place}: the time is empty"))
+                .with_hint("remove rows without a time; values may be empty, times may not"),
+            Some(t) if t == self.previous => {
+                Error::bad_input(format!("{place}: the time {shown} stands there twice")).with_hint(
+                    "keep one row for each time; where the clock of the log is too coarse, give \
+                     time = { start = …, step = … } in a TOML recording",
+                )
+            }
+            Some(_) => Error::bad_input(format!(
+                "{place}: time runs backwards, from {} to {shown}",
+                self.previous
+            ))
+            .with_hint(
+                "split the table where its clock was set back, or pick one part by rows = [first, last]",
+            ),
+        };
+        error.with_column(field.at + 1)
+    }
+
+    fn explain_text(&self, place: &str, shown: &str) -> Error {
+        let error = Error::bad_input(format!("{place} holds `{shown}`, which is no number"));
+        let comma = shown.split_once(',').is_some_and(|(a, b)| {
+            number(a.as_bytes()).is_some() && b.bytes().all(|c| c.is_ascii_digit()) && !b.is_empty()
+        });
+        if comma {
+            error.with_hint("write decimal points: 1.5, not 1,5")
+        } else if shown.contains(';') || shown.contains('\t') {
+            error.with_hint("separate the columns by commas in every row")
+        } else if shown.parse::<f64>().is_ok_and(f64::is_infinite) {
+            Error::bad_input(format!("{place} holds `{shown}`, which is no finite number"))
+                .with_hint("leave the field empty where the value is missing")
+        } else {
+            error.with_hint(
+                "leave the field empty where the value is missing, and remove words from the column",
+            )
+        }
+    }
+
+    /// Keeps the last whole lines, by which a last line without its end is judged.
+    pub(super) fn remember_shape(&mut self, block: &[u8]) {
+        if block.ends_with(b"\n") {
+            self.shape.clear();
+            self.shape.extend_from_slice(&block[block.len().saturating_sub(SHAPE_BYTES)..]);
+        }
+    }
+
+    /// A last line without its end has all its fields; its last number may be cut still.
+    fn last_line(&mut self, line: &[u8], number: usize) -> Result<()> {
+        let lines: Vec<&[u8]> = self.shape.split(|b| *b == b'\n').skip(1).filter(|l| !l.is_empty()).collect();
+        let usual = lines.first().map_or(0, |l| decimals(l));
+        let constant = lines.len() >= LINES_FOR_SHAPE && lines.iter().all(|l| decimals(l) == usual);
+        if constant && decimals(line) < usual {
+            return Err(Error::bad_input(
+                "the file ends in mid-line: the last number has fewer decimals than those above it",
+            )
+            .with_line(number)
+            .with_column(line.len() + 1)
+            .with_hint(
+                "the file seems to be cut short: copy it again; if it is whole, end its last line with a line end",
+            ));
+        }
+        self.notes.push((
+            Some(number),
+            "the last line has no line end; if the file was cut short, its last number may be too".into(),
+        ));
+        Ok(())
+    }
+
+    /// The columns, time first if it is one, and what was noticed.
+    pub(super) fn finish(self) -> Result<(Vec<Vec<f64>>, Notes)> {
+        if self.row == 0 {
+            return Err(Error::bad_input("there are no rows below the header").with_line(2).with_column(1));
+        }
+        let wanted = if self.last == usize::MAX { self.first } else { self.last };
+        if wanted >= self.row {
+            return Err(Error::bad_input(format!(
+                "rows = [{}, {}] asks for more than the {} rows that there are",
+                self.first, self.last, self.row
+            ))
+            .with_line(self.row + 1)
+            .with_hint(format!("rows count from 0; the last is {}", self.row - 1)));
+        }
+        Ok((self.data, self.notes))
+    }
+}
+
+/// The number of decimals of the last field of a line; an empty field has none.
+fn decimals(line: &[u8]) -> usize {
+    let line = line.trim_ascii_end();
+    let last = line.rsplit(|b| *b == b',').next().unwrap_or_default();
+    last.iter().position(|b| *b == b'.').map_or(0, |at| last.len() - at - 1)
+}

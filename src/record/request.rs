@@ -1,0 +1,57 @@
+//! What a recording asks of one of its files.
+
+use super::{Channel, Hold};
+use crate::units::Unit;
+use std::sync::Arc;
+
+/// Where the times of a table come from.
+#[derive(Debug, Clone)]
+pub(super) enum Clock {
+    /// The first column, whose unit stands in the header.
+    FirstColumn,
+    /// A column by name; its unit if it is not in the header.
+    Column { name: String, unit: Option<Unit> },
+    /// The first used row is at `start`, the others follow each `step`; s.
+    Regular { start: f64, step: f64 },
+    /// The rows are trials: their numbers.
+    RowNumbers,
+}
+
+/// A channel that is wanted of a table.
+#[derive(Debug, Clone)]
+pub(super) struct Wanted {
+    pub name: String,
+    pub column: String,
+    pub unit: Option<Unit>,
+    pub wraps: bool,
+    pub hold: Hold,
+}
+
+/// What is wanted of a table of text.
+#[derive(Debug, Clone)]
+pub(super) struct Request {
+    pub clock: Clock,
+    /// Nothing means every column but the time.
+    pub wanted: Vec<Wanted>,
+    /// First and last data row, from 0.
+    pub rows: Option<(usize, usize)>,
+    /// Number of the table in the recording.
+    pub table: usize,
+}
+
+/// Turns numbers as read into a channel in SI, unwrapped where its angle wraps.
+pub(super) fn finished(
+    wanted: &Wanted,
+    unit: Unit,
+    table: usize,
+    time: &Arc<[f64]>,
+    mut values: Vec<f64>,
+) -> Channel {
+    values.iter_mut().for_each(|v| *v = unit.to_si(*v));
+    if wanted.wraps {
+        super::wrap::unwrap(&mut values);
+    }
+    values.shrink_to_fit();
+    let (name, wraps, hold) = (wanted.name.clone(), wanted.wraps, wanted.hold);
+    Channel { name, unit, wraps, hold, table, time: Arc::clone(time), values }
+}
