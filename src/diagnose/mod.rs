@@ -1,1 +1,3 @@
 //! Locate the mismatch, name what was left out, prove it.
+
+pub mod catalogue;

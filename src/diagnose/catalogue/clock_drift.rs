@@ -1,0 +1,42 @@
+//! # What it is
+//! The clock of one table runs at another rate than that of the others.
+//!
+//! # Signature in a recording
+//! A time shift that grows through the recording.
+//!
+//! # Equation
+//!     u(t) -> u(t + rate (t - t0)) for each channel of the table
+//!
+//! # What else looks like this
+//! clock-offset in a short recording, clock-jump.
+//!
+//! # Reference
+//! D. L. Mills, Computer Network Time Synchronization, 2nd ed. (2010).
+//!
+//! # Example
+//! A logger with its own quartz, 100 parts in a million fast, over a day.
+
+use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use crate::units::Unit;
+
+/// A clock that runs fast or slow.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("clock-drift", "a clock that runs fast or slow", Group::Output, include_str!("clock_drift.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    if scene.trials {
+        return Vec::new();
+    }
+    scene.clocks().iter().filter_map(|t| at(scene, t)).collect()
+}
+
+fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
+    let first = inputs.first()?;
+    let mut d = Draft::new(scene, "clock-drift", SiteKind::Input, first);
+    let rate = d.amplitude("rate", &Unit::one(), (-0.2, 0.2), "relative error of the clock's rate");
+    let start = d.constant("t0", &Unit::parse("s").ok()?, scene.from, "beginning of the recording");
+    for input in inputs {
+        d.replace(input, &format!("delay({input}, -{rate}*(t - {start}))"), |_| true);
+    }
+    d.start(&[20.0 * scene.step / scene.length()]);
+    d.done(&format!("the clock of {} runs relatively {{0}} slow against the others", scene.words(first)))
+}

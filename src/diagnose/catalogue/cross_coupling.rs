@@ -1,0 +1,111 @@
+//! # What it is
+//! A signal that the model does not use, or not there, acts on an equation: pitch on a roll
+//! equation, wind, a neighbouring axis.
+//!
+//! # Signature in a recording
+//! The residual is coherent with that signal.
+//!
+//! # Equation
+//!     s' = … + c u,  perhaps c u sin(heading) or c u cos(heading)
+//!
+//! # What else looks like this
+//! output-cross-axis (the sensor alone feels it), misalignment, parameter-dependence (a product,
+//! not a sum).
+//!
+//! # Reference
+//! J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), ch. 7 on coherence.
+//!
+//! # Example
+//! A gyrocompass model that knows roll alone while the ship pitches.
+
+use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, edit};
+
+/// Another recorded motion acts.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("cross-coupling", "another recorded motion acts", Group::Ignored, include_str!("cross_coupling.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    let mut all = Vec::new();
+    let signals: Vec<&Signal> =
+        scene.moving(&[SignalKind::Channel, SignalKind::Input, SignalKind::State]).collect();
+    if scene.trials {
+        return harmonics(scene);
+    }
+    let motions = scene.motions();
+    for signal in signals {
+        for factor in scene.factors(signal) {
+            all.extend(motions.iter().filter_map(|m| at(scene, m, signal, &factor)));
+            let definitions = scene.moving(&[SignalKind::Definition]);
+            all.extend(definitions.filter_map(|d| in_definition(scene, d, signal, &factor)));
+        }
+    }
+    all
+}
+
+fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Proposal> {
+    let state = scene.model.states.iter().find(|s| s.name == m.state)?;
+    let kinematic = m.position.as_ref() == Some(&signal.name) || m.speed.as_ref() == Some(&signal.name);
+    if factor.is_empty() && (kinematic || edit::reaches(scene.model, &state.rate, &signal.name) && signal.kind != SignalKind::Input) {
+        return None;
+    }
+    let mut d = Draft::at(scene, "cross-coupling", m);
+    let c = d.amplitude("c", &m.force.over(&signal.unit), ANY, "coupling");
+    d.uses(&signal.name);
+    d.force(&m.state, &format!("{c}*{}{factor}", signal.name));
+    d.start(&[m.size / signal.size()]);
+    d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(&m.state)))
+}
+
+fn in_definition(scene: &Scene, definition: &Signal, signal: &Signal, factor: &str) -> Option<Proposal> {
+    if signal.kind == SignalKind::State {
+        return None;
+    }
+    let mut d = Draft::new(scene, "cross-coupling", SiteKind::Definition, &definition.name);
+    let c = d.amplitude("c", &definition.unit.over(&signal.unit), ANY, "coupling");
+    d.uses(&signal.name);
+    d.define(&definition.name, &format!("{c}*{}{factor}", signal.name));
+    d.start(&[definition.spread / signal.size()]);
+    d.done(&format!("{}{factor} enters {}, {{0}}", scene.words(&signal.name), scene.words(&definition.name)))
+}
+
+/// In a table of trials: harmonics of the heading, alone and times another recorded quantity.
+fn harmonics(scene: &Scene) -> Vec<Proposal> {
+    let mut all = Vec::new();
+    for o in &scene.model.outputs {
+        for h in scene.headings() {
+            for order in [1, 2, 4] {
+                all.extend(harmonic(scene, &o.name, &h.name, order));
+            }
+        }
+        for s in scene.moving(&[SignalKind::Channel, SignalKind::Input]).filter(|s| !s.is_heading()) {
+            for factor in std::iter::once(String::new()).chain(scene.factors(s)) {
+                all.extend(beside(scene, &o.name, s, &factor));
+            }
+        }
+    }
+    all.dedup_by(|a, b| a.term == b.term);
+    all
+}
+
+fn harmonic(scene: &Scene, output: &str, heading: &str, order: u32) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "cross-coupling", SiteKind::Output, output);
+    let size = scene.signal(output)?.spread;
+    let unit = scene.unit(output);
+    let s = d.amplitude("h_sin", &unit, ANY, "sine part of the harmonic");
+    let c = d.amplitude("h_cos", &unit, ANY, "cosine part of the harmonic");
+    let angle = if order == 1 { heading.to_string() } else { format!("{order}*{heading}") };
+    d.output(output, &format!("{{}} + {s}*sin({angle}) + {c}*cos({angle})"));
+    d.uses(heading);
+    d.start(&[size, size]);
+    d.done(&format!("{} has a part with {order} times {}, {{0}} (sine) and {{1}} (cosine)", scene.words(output), scene.words(heading)))
+}
+
+fn beside(scene: &Scene, output: &str, signal: &Signal, factor: &str) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "cross-coupling", SiteKind::Output, output);
+    let c = d.amplitude("c", &scene.unit(output).over(&signal.unit), ANY, "coupling");
+    d.uses(&signal.name);
+    let mean = d.constant(&format!("{}_mean", signal.name), &signal.unit, signal.mean, "mean of the recording");
+    let part = if factor.is_empty() { format!("({} - {mean})", signal.name) } else { format!("{}{factor}", signal.name) };
+    d.output(output, &format!("{{}} + {c}*{part}"));
+    d.start(&[scene.signal(output)?.spread / signal.spread]);
+    d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(output)))
+}

@@ -1,0 +1,304 @@
+//! A mechanism being placed in a model.
+
+use super::edit::{self, Place};
+use super::scene::{Motion, Scene};
+use crate::expression::Expr;
+use crate::model::{Initial, Model, Parameter, State};
+use crate::units::Unit;
+
+/// What a site is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum SiteKind {
+    /// The rate of a state.
+    State,
+    /// An input, as the thing feels it.
+    Input,
+    /// An output, as the sensor gives it.
+    Output,
+    /// A parameter.
+    Parameter,
+    /// A definition.
+    Definition,
+}
+
+impl SiteKind {
+    /// The word in reports.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::State => "state",
+            Self::Input => "input",
+            Self::Output => "output",
+            Self::Parameter => "parameter",
+            Self::Definition => "definition",
+        }
+    }
+}
+
+/// Where a mechanism sits.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Site {
+    /// What it is.
+    pub kind: SiteKind,
+    /// Its name in the model.
+    pub name: String,
+}
+
+/// A parameter that a mechanism brings; SI.
+#[derive(Debug, Clone)]
+pub struct Added {
+    /// Name in the extended model.
+    pub name: String,
+    /// Unit for people.
+    pub unit: Unit,
+}
+
+/// A model with one mechanism more.
+#[derive(Debug, Clone)]
+pub struct Proposal {
+    /// Code of the mechanism.
+    pub code: &'static str,
+    /// Where it sits.
+    pub site: Site,
+    /// The extended model.
+    pub model: Model,
+    /// What it adds to the fitted parameters.
+    pub added: Vec<Added>,
+    /// Values of the added parameters to start from; each has a visible effect.
+    pub starts: Vec<Vec<f64>>,
+    /// Which added parameters scale the effect: at 0 there is none.
+    pub amplitudes: Vec<usize>,
+    /// The term as it stands in the equation.
+    pub term: String,
+    /// A sentence with `{name}` for the values of the added parameters.
+    pub says: String,
+    /// Signals that it brings in.
+    pub depends: Vec<String>,
+}
+
+/// Limits of an added parameter, SI.
+pub type Limits = (f64, f64);
+
+/// Any value.
+pub const ANY: Limits = (f64::NEG_INFINITY, f64::INFINITY);
+/// Zero and above.
+pub const POSITIVE: Limits = (0.0, f64::INFINITY);
+
+/// A proposal in the making; a step that fails makes [`Draft::done`] give nothing.
+pub struct Draft<'a> {
+    scene: &'a Scene<'a>,
+    proposal: Proposal,
+    failed: bool,
+}
+
+impl<'a> Draft<'a> {
+    /// Begins a mechanism at a site.
+    pub fn new(scene: &'a Scene<'a>, code: &'static str, kind: SiteKind, name: &str) -> Self {
+        let proposal = Proposal {
+            code,
+            site: Site { kind, name: name.to_string() },
+            model: scene.model.clone(),
+            added: Vec::new(),
+            starts: Vec::new(),
+            amplitudes: Vec::new(),
+            term: String::new(),
+            says: String::new(),
+            depends: Vec::new(),
+        };
+        Self { scene, proposal, failed: false }
+    }
+
+    /// Begins a mechanism in the sum of forces at a state.
+    pub fn at(scene: &'a Scene<'a>, code: &'static str, motion: &Motion) -> Self {
+        Self::new(scene, code, SiteKind::State, &motion.state)
+    }
+
+    fn free_name(&self, wanted: &str) -> String {
+        let m = &self.proposal.model;
+        let taken = |n: &str| {
+            n == "t"
+                || n == "pi"
+                || m.parameters.iter().any(|p| p.name == n)
+                || m.states.iter().any(|s| s.name == n)
+                || m.inputs.iter().any(|i| i.name == n)
+                || m.definitions.iter().any(|d| d.name == n)
+                || m.outputs.iter().any(|o| o.name == n)
+                || self.scene.signal(n).is_some()
+        };
+        let later = (2..).map(|i| format!("{wanted}_{i}"));
+        std::iter::once(wanted.to_string()).chain(later).find(|n| !taken(n)).unwrap_or_default()
+    }
+
+    /// Adds a fitted parameter; returns its name in the model.
+    pub fn parameter(&mut self, wanted: &str, unit: &Unit, limits: Limits, meaning: &str) -> String {
+        let name = self.free_name(wanted);
+        let finite = |x: f64| x.is_finite().then_some(x);
+        let unit = unit.of_differences();
+        self.proposal.model.parameters.push(Parameter {
+            name: name.clone(),
+            value: 0.0,
+            unit: unit.clone(),
+            fit: true,
+            min: finite(limits.0),
+            max: finite(limits.1),
+            meaning: Some(meaning.to_string()),
+        });
+        self.proposal.added.push(Added { name: name.clone(), unit });
+        name
+    }
+
+    /// Adds a fitted parameter that scales the effect.
+    pub fn amplitude(&mut self, wanted: &str, unit: &Unit, limits: Limits, meaning: &str) -> String {
+        self.proposal.amplitudes.push(self.proposal.added.len());
+        self.parameter(wanted, unit, limits, meaning)
+    }
+
+    /// Adds a parameter that is not fitted; returns its name.
+    pub fn constant(&mut self, wanted: &str, unit: &Unit, value: f64, meaning: &str) -> String {
+        let name = self.free_name(wanted);
+        self.proposal.model.parameters.push(Parameter {
+            name: name.clone(),
+            value,
+            unit: unit.of_differences(),
+            fit: false,
+            min: None,
+            max: None,
+            meaning: Some(meaning.to_string()),
+        });
+        name
+    }
+
+    /// Adds a state that starts at a number; returns its name.
+    pub fn state(&mut self, wanted: &str, unit: &Unit, initial: Initial, meaning: &str) -> String {
+        let name = self.free_name(wanted);
+        self.proposal.model.states.push(State {
+            name: name.clone(),
+            rate: Expr::Number(0.0),
+            unit: unit.of_differences(),
+            initial,
+            meaning: Some(meaning.to_string()),
+        });
+        name
+    }
+
+    /// Brings a recorded channel into the model as an input, if it is not there yet.
+    pub fn uses(&mut self, signal: &str) {
+        use super::SignalKind;
+        self.proposal.depends.push(signal.to_string());
+        let Some(s) = self.scene.signal(signal).filter(|s| s.kind == SignalKind::Channel) else { return };
+        if self.proposal.model.inputs.iter().all(|i| i.name != s.name) {
+            self.proposal.model.inputs.push(crate::model::Input {
+                name: s.name.clone(),
+                unit: s.unit.clone(),
+                meaning: None,
+            });
+        }
+    }
+
+    fn read(&mut self, text: &str) -> Option<Expr> {
+        let read = Expr::parse(text).ok();
+        self.failed |= read.is_none();
+        read
+    }
+
+    /// Sets the rate of a state that was added.
+    pub fn rate(&mut self, state: &str, text: &str) {
+        let Some(e) = self.read(text) else { return };
+        match self.proposal.model.states.iter_mut().find(|s| s.name == state) {
+            Some(s) => s.rate = e,
+            None => self.failed = true,
+        }
+    }
+
+    /// Adds a term to the innermost sum of a state's rate.
+    pub fn force(&mut self, state: &str, text: &str) {
+        let Some(e) = self.read(text) else { return };
+        let model = &self.proposal.model;
+        let Some(i) = model.states.iter().position(|s| s.name == state) else {
+            self.failed = true;
+            return;
+        };
+        let old = model.states[i].rate.clone();
+        let new = edit::with_sum(model, &old, &|sum| edit::plus(sum, &e));
+        if self.proposal.term.is_empty() {
+            self.proposal.term = edit::with_sum(model, &old, &|_| e.clone()).to_string();
+        }
+        self.proposal.model.states[i].rate = new;
+    }
+
+    /// Adds a term to a definition.
+    pub fn define(&mut self, definition: &str, text: &str) {
+        let Some(e) = self.read(text) else { return };
+        match self.proposal.model.definitions.iter_mut().find(|d| d.name == definition) {
+            Some(d) => d.equals = edit::plus(&d.equals, &e),
+            None => self.failed = true,
+        }
+        self.term(text);
+    }
+
+    /// Replaces an output's expression; `{}` in the text stands for the old one.
+    pub fn output(&mut self, output: &str, text: &str) {
+        let Some(o) = self.proposal.model.outputs.iter().find(|o| o.name == output) else {
+            self.failed = true;
+            return;
+        };
+        let new = text.replace("{}", &format!("({})", o.equals));
+        let Some(e) = self.read(&new) else { return };
+        if let Some(o) = self.proposal.model.outputs.iter_mut().find(|o| o.name == output) {
+            o.equals = e;
+        }
+        self.term(&text.replace("{}", output));
+    }
+
+    /// Replaces a name by an expression wherever `here` allows; fails if it stands nowhere.
+    pub fn replace(&mut self, name: &str, text: &str, here: impl Fn(Place<'_>) -> bool) {
+        let Some(e) = self.read(text) else { return };
+        let mut found = false;
+        edit::for_each(&mut self.proposal.model, |place, expression| {
+            if here(place) && edit::mentions(expression, name) {
+                *expression = expression.substitute(name, &e);
+                found = true;
+            }
+        });
+        self.failed |= !found;
+        self.term(text);
+    }
+
+    /// Rewrites subtrees of every expression; fails if nothing changed.
+    pub fn rewrite(&mut self, with: &dyn Fn(Expr) -> Expr) {
+        let mut found = false;
+        edit::for_each(&mut self.proposal.model, |_, expression| {
+            let new = edit::rebuilt(expression, with);
+            found |= new != *expression;
+            *expression = new;
+        });
+        self.failed |= !found;
+    }
+
+    /// Replaces the lag factor 1 + w²T² of a formula for trials.
+    pub fn lag_factor(&mut self, text: &str) {
+        let Some(new) = self.read(text) else { return };
+        self.rewrite(&|e| if super::scene::lag_square(&e).is_some() { new.clone() } else { e });
+        self.term(text);
+    }
+
+    /// Sets the term that reports show, unless it is set already.
+    pub fn term(&mut self, text: &str) {
+        if self.proposal.term.is_empty() {
+            self.proposal.term = text.to_string();
+        }
+    }
+
+    /// Adds a start of the added parameters, SI.
+    pub fn start(&mut self, values: &[f64]) {
+        if values.iter().all(|v| v.is_finite()) {
+            self.proposal.starts.push(values.to_vec());
+        }
+    }
+
+    /// The proposal with its sentence, unless a step failed.
+    pub fn done(mut self, says: &str) -> Option<Proposal> {
+        self.proposal.says = says.to_string();
+        let whole = self.proposal.starts.iter().all(|s| s.len() == self.proposal.added.len());
+        (!self.failed && whole && !self.proposal.starts.is_empty()).then_some(self.proposal)
+    }
+}

@@ -1,0 +1,48 @@
+//! # What it is
+//! A force of constant size that acts against the motion, whatever its speed. At rest it holds the
+//! part until the other forces exceed it.
+//!
+//! # Signature in a recording
+//! Decay of a free motion is a straight line, not an exponential; small motions stop short. The
+//! residual force jumps when the speed changes its sign, and depends on the speed by its sign
+//! alone.
+//!
+//! # Equation
+//!     M v' = … - Fc sign(v),  Fc >= 0
+//!
+//! # What else looks like this
+//! stribeck-friction (more at rest than in motion), asymmetric-friction (other size each way),
+//! backlash, hysteresis; at one amplitude only, linear-damping.
+//!
+//! # Reference
+//! C. Canudas de Wit et al., A new model for control of systems with friction, IEEE Trans. Autom.
+//! Control 40 (1995) 419.
+//!
+//! # Example
+//! A positioning axis modelled with viscous friction alone; 20 N of dry friction in its guides.
+
+use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+
+/// Dry (Coulomb) friction.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("dry-friction", "dry (Coulomb) friction", Group::Friction, include_str!("dry_friction.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
+    all.extend(scene.richer_lag("dry-friction").and_then(|(mut d, lag)| {
+        let f = d.amplitude("Fc_T", &lag.acceleration_unit(scene), POSITIVE, "dry friction over stiffness");
+        let (w, a) = (&lag.frequency, lag.amplitude.as_ref()?);
+        d.lag_factor(&format!("1 + (sqrt({}) + {f}/({a}*{w}^2))^2", lag.square));
+        d.start(&[0.3 * scene.size(a) * scene.size(w).powi(2)]);
+        d.done(&format!("dry friction in the giving part, {{0}}, adds most to its lag at small {a}"))
+    }));
+    all
+}
+
+fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let v = m.speed.as_ref()?;
+    let mut d = Draft::at(scene, "dry-friction", m);
+    let f = d.amplitude("Fc", &m.force, POSITIVE, "dry friction");
+    d.force(&m.state, &format!("-{f}*sign({v})"));
+    d.start(&[m.size]);
+    d.done(&format!("dry friction of {{0}} acts against {}", scene.words(v)))
+}

@@ -1,0 +1,213 @@
+//! Edits of a model: where forces enter, how a signal is replaced, which unit an expression has.
+
+use crate::expression::{BinaryOp, Expr, Function};
+use crate::model::Model;
+use crate::units::{Dimension, Unit};
+
+/// The unit of a product, quotient, power or call, spelled from the units of its names.
+pub fn unit_of(e: &Expr, of_name: &dyn Fn(&str) -> Option<Unit>) -> Unit {
+    match e {
+        Expr::Number(_) => Unit::one(),
+        Expr::Name(n) => of_name(n).unwrap_or_else(Unit::one).of_differences(),
+        Expr::Neg(a) => unit_of(a, of_name),
+        Expr::Binary(op, a, b) => match op {
+            BinaryOp::Add | BinaryOp::Sub => unit_of(a, of_name),
+            BinaryOp::Mul => unit_of(a, of_name).times(&unit_of(b, of_name)),
+            BinaryOp::Div => unit_of(a, of_name).over(&unit_of(b, of_name)),
+            BinaryOp::Pow => match &**b {
+                Expr::Number(p) => unit_of(a, of_name).power(*p),
+                _ => Unit::one(),
+            },
+        },
+        Expr::Call(f, args) => match f {
+            Function::Sqrt => unit_of(&args[0], of_name).power(0.5),
+            Function::Abs
+            | Function::Min
+            | Function::Max
+            | Function::Clamp
+            | Function::Delay
+            | Function::Lag
+            | Function::Backlash
+            | Function::Hysteresis
+            | Function::RateLimit => unit_of(&args[0], of_name),
+            _ => Unit::one(),
+        },
+    }
+}
+
+/// The unit of a name of the model; `t` is in seconds.
+pub fn unit_of_name(model: &Model, name: &str) -> Option<Unit> {
+    let second = || Unit::of(Dimension::TIME);
+    let input = || model.inputs.iter().find(|i| i.name == name).map(|i| i.unit.clone());
+    let parameter = || model.parameters.iter().find(|p| p.name == name).map(|p| p.unit.clone());
+    let definition = || model.definitions.iter().find(|d| d.name == name).map(|d| d.unit.clone());
+    let state = || model.states.iter().find(|s| s.name == name).map(|s| s.unit.clone());
+    if name == "t" {
+        return Some(second());
+    }
+    input().or_else(parameter).or_else(definition).or_else(state)
+}
+
+/// Whether a unit is one of speed: a length or an angle a second.
+pub fn is_rate(unit: &Unit) -> bool {
+    let metres = Unit::parse("m/s").is_ok_and(|u| u.dimension() == unit.dimension());
+    metres || is_frequency(unit)
+}
+
+/// Whether an expression is a name, or a name times or over something that is no sum.
+pub fn is_multiple_of(e: &Expr, name: &str) -> bool {
+    match e {
+        Expr::Name(n) => n == name,
+        Expr::Binary(BinaryOp::Div, a, _) => is_multiple_of(a, name),
+        Expr::Binary(BinaryOp::Mul, a, b) => is_multiple_of(a, name) || is_multiple_of(b, name),
+        _ => false,
+    }
+}
+
+fn is_sum(e: &Expr) -> bool {
+    matches!(e, Expr::Binary(BinaryOp::Add | BinaryOp::Sub, _, _))
+}
+
+fn leads_to_sum(model: &Model, e: &Expr) -> bool {
+    match e {
+        Expr::Name(n) => model.definitions.iter().any(|d| d.name == *n && leads_to_sum(model, &d.equals)),
+        Expr::Binary(BinaryOp::Mul, a, b) => leads_to_sum(model, a) || leads_to_sum(model, b),
+        Expr::Binary(BinaryOp::Div, a, _) => leads_to_sum(model, a),
+        other => is_sum(other),
+    }
+}
+
+/// The innermost sum that forms a rate: under its products and quotients.
+pub fn sum_of<'e>(model: &Model, e: &'e Expr) -> &'e Expr {
+    match e {
+        Expr::Binary(BinaryOp::Mul, a, b) if leads_to_sum(model, e) => {
+            if leads_to_sum(model, a) { sum_of(model, a) } else { sum_of(model, b) }
+        }
+        Expr::Binary(BinaryOp::Div, a, _) if leads_to_sum(model, a) => sum_of(model, a),
+        other => other,
+    }
+}
+
+/// The terms of a sum, definitions opened, without their signs.
+pub fn terms_of(model: &Model, sum: &Expr) -> Vec<Expr> {
+    match sum {
+        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
+            let mut terms = terms_of(model, a);
+            terms.extend(terms_of(model, b));
+            terms
+        }
+        Expr::Neg(a) => terms_of(model, a),
+        Expr::Name(n) => match model.definitions.iter().find(|d| d.name == *n && is_sum(&d.equals)) {
+            Some(d) => terms_of(model, &d.equals),
+            None => vec![sum.clone()],
+        },
+        other => vec![other.clone()],
+    }
+}
+
+/// The rate with its innermost sum replaced by `with(sum)`.
+pub fn with_sum(model: &Model, e: &Expr, with: &dyn Fn(&Expr) -> Expr) -> Expr {
+    let boxed = |x: Expr| Box::new(x);
+    match e {
+        Expr::Binary(BinaryOp::Mul, a, b) if leads_to_sum(model, e) => {
+            if leads_to_sum(model, a) {
+                Expr::Binary(BinaryOp::Mul, boxed(with_sum(model, a, with)), b.clone())
+            } else {
+                Expr::Binary(BinaryOp::Mul, a.clone(), boxed(with_sum(model, b, with)))
+            }
+        }
+        Expr::Binary(BinaryOp::Div, a, b) if leads_to_sum(model, a) => {
+            Expr::Binary(BinaryOp::Div, boxed(with_sum(model, a, with)), b.clone())
+        }
+        other => with(other),
+    }
+}
+
+/// a + b, with a leading minus of b written as a subtraction.
+pub fn plus(a: &Expr, b: &Expr) -> Expr {
+    let sub = |x: &Expr| Expr::Binary(BinaryOp::Sub, Box::new(a.clone()), Box::new(x.clone()));
+    match leading_minus(b) {
+        Some(positive) => sub(&positive),
+        None => Expr::Binary(BinaryOp::Add, Box::new(a.clone()), Box::new(b.clone())),
+    }
+}
+
+fn leading_minus(e: &Expr) -> Option<Expr> {
+    match e {
+        Expr::Neg(a) if !is_sum(a) => Some((**a).clone()),
+        Expr::Binary(op @ (BinaryOp::Mul | BinaryOp::Div), a, b) => {
+            Some(Expr::Binary(*op, Box::new(leading_minus(a)?), b.clone()))
+        }
+        _ => None,
+    }
+}
+
+/// Every expression of the model in which a signal may stand.
+pub fn for_each(model: &mut Model, mut edit: impl FnMut(Place<'_>, &mut Expr)) {
+    for d in &mut model.definitions {
+        edit(Place::Definition(&d.name.clone()), &mut d.equals);
+    }
+    for s in &mut model.states {
+        edit(Place::Rate(&s.name.clone()), &mut s.rate);
+    }
+    for o in &mut model.outputs {
+        edit(Place::Output(&o.name.clone()), &mut o.equals);
+    }
+}
+
+/// Where an expression stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place<'a> {
+    /// In a definition.
+    Definition(&'a str),
+    /// In the rate of a state.
+    Rate(&'a str),
+    /// In an output.
+    Output(&'a str),
+}
+
+/// Whether a name occurs in an expression.
+pub fn mentions(e: &Expr, name: &str) -> bool {
+    match e {
+        Expr::Number(_) => false,
+        Expr::Name(n) => n == name,
+        Expr::Neg(a) => mentions(a, name),
+        Expr::Binary(_, a, b) => mentions(a, name) || mentions(b, name),
+        Expr::Call(_, args) => args.iter().any(|a| mentions(a, name)),
+    }
+}
+
+/// Whether a name occurs in an expression or in a definition that it uses.
+pub fn reaches(model: &Model, e: &Expr, name: &str) -> bool {
+    mentions(e, name)
+        || model.definitions.iter().any(|d| d.name != name && mentions(e, &d.name) && reaches(model, &d.equals, name))
+}
+
+/// An expression with every subtree passed through `with`, from the leaves up.
+pub fn rebuilt(e: &Expr, with: &dyn Fn(Expr) -> Expr) -> Expr {
+    let inner = match e {
+        Expr::Number(_) | Expr::Name(_) => e.clone(),
+        Expr::Neg(a) => Expr::Neg(Box::new(rebuilt(a, with))),
+        Expr::Binary(op, a, b) => Expr::Binary(*op, Box::new(rebuilt(a, with)), Box::new(rebuilt(b, with))),
+        Expr::Call(f, args) => Expr::Call(*f, args.iter().map(|a| rebuilt(a, with)).collect()),
+    };
+    with(inner)
+}
+
+/// The first subtree, from the root down, of which something holds.
+pub fn find<'e>(e: &'e Expr, holds: &dyn Fn(&Expr) -> bool) -> Option<&'e Expr> {
+    if holds(e) {
+        return Some(e);
+    }
+    match e {
+        Expr::Number(_) | Expr::Name(_) => None,
+        Expr::Neg(a) => find(a, holds),
+        Expr::Binary(_, a, b) => find(a, holds).or_else(|| find(b, holds)),
+        Expr::Call(_, args) => args.iter().find_map(|a| find(a, holds)),
+    }
+}
+
+/// Whether a unit is one over time, or an angle over time.
+pub fn is_frequency(unit: &Unit) -> bool {
+    unit.dimension() == Dimension::NONE.over(Dimension::TIME)
+}

@@ -1,0 +1,78 @@
+//! # What it is
+//! A second oscillating part: a flexible shaft, a sloshing tank, a swinging load.
+//!
+//! # Signature in a recording
+//! A peak and a notch in the response where the model is smooth; ringing at a frequency that no
+//! equation has.
+//!
+//! # Equation
+//!     z'' + 2 zeta W z' + W^2 z = W^2 q,  M v' = … - c (q - z)    or    q -> z where it is used
+//!
+//! # What else looks like this
+//! periodic-force (a line without cause in the input), memory, extra-lag (far below the peak).
+//!
+//! # Reference
+//! J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), ch. 3.
+//!
+//! # Example
+//! A crane with a swinging load, modelled as a trolley alone.
+
+use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene, edit::Place};
+use crate::model::Initial;
+use crate::units::Unit;
+
+/// A resonance that the model lacks.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("extra-resonance", "a resonance that the model lacks", Group::Dynamics, include_str!("extra_resonance.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    let mut all: Vec<Proposal> = Vec::new();
+    for m in scene.motions() {
+        all.extend([beside(scene, &m), after(scene, &m)].into_iter().flatten());
+    }
+    all
+}
+
+struct Absorber {
+    shift: String,
+    frequency: String,
+}
+
+fn absorber(d: &mut Draft, scene: &Scene, q: &str) -> Option<Absorber> {
+    let turn = Unit::parse("rad/s").ok()?;
+    let fastest = std::f64::consts::PI / scene.step;
+    let w = d.parameter("Wr", &turn, (1.0 / scene.length(), fastest), "angular frequency of the resonance");
+    let zeta = d.parameter("zr", &Unit::one(), (1e-4, 3.0), "damping ratio of the resonance");
+    let z = d.state("zr_shift", &scene.unit(q), Initial::Number(0.0), "shift of the second part");
+    let r = d.state("zr_rate", &scene.unit(q).times(&turn), Initial::Number(0.0), "its rate");
+    d.rate(&z, &r);
+    d.rate(&r, &format!("{w}^2*({q} - {z}) - 2*{zeta}*{w}*{r}"));
+    Some(Absorber { shift: z, frequency: w })
+}
+
+fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let q = m.position.as_ref()?;
+    m.speed.as_ref()?;
+    let mut d = Draft::at(scene, "extra-resonance", m);
+    let c = d.amplitude("c", &m.force.over(&scene.unit(q)), POSITIVE, "stiffness of the coupling");
+    let part = absorber(&mut d, scene, q)?;
+    d.force(&m.state, &format!("-{c}*({q} - {})", part.shift));
+    for w in scene.frequencies() {
+        d.start(&[m.size / scene.size(q), w, 0.1]);
+    }
+    d.done(&format!("a second part hangs on {} and swings at {{1}}", scene.words(q)))
+}
+
+fn after(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let s = &m.state;
+    let mut d = Draft::at(scene, "extra-resonance", m);
+    let part = absorber(&mut d, scene, s)?;
+    let own = [part.shift.clone(), format!("{}_rate", "zr")];
+    d.replace(s, &part.shift, |p| {
+        p != Place::Rate(s) && !matches!(p, Place::Output(_)) && !own.iter().any(|n| p == Place::Rate(n))
+    });
+    d.term(&format!("{s} through a resonance at {}", part.frequency));
+    for w in scene.frequencies() {
+        d.start(&[w, 0.5]);
+    }
+    d.done(&format!("{} acts on the rest through a resonance at {{0}}", scene.words(s)))
+}

@@ -1,0 +1,35 @@
+//! # What it is
+//! What acts differs from what is recorded by a constant: an amplifier's offset, a shifted zero.
+//!
+//! # Signature in a recording
+//! The response drifts or rests off its place even at zero input.
+//!
+//! # Equation
+//!     u -> u + b
+//!
+//! # What else looks like this
+//! constant-force, output-offset: the same thing where the model is linear.
+//!
+//! # Reference
+//! L. Ljung, System Identification, 2nd ed. (1999), 14.1.
+//!
+//! # Example
+//! A drive whose zero volts push a little.
+
+use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+
+/// An offset of the input.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("input-offset", "an offset of the input", Group::Input, include_str!("input_offset.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());
+    inputs.filter_map(|u| at(scene, u)).collect()
+}
+
+fn at(scene: &Scene, u: &Signal) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "input-offset", SiteKind::Input, &u.name);
+    let b = d.amplitude("b", &u.unit, ANY, "offset of the input");
+    d.replace(&u.name, &format!("({} + {b})", u.name), |_| true);
+    d.start(&[0.3 * u.spread]);
+    d.done(&format!("what acts differs from {} by {{0}}", scene.words(&u.name)))
+}

@@ -1,0 +1,51 @@
+//! # What it is
+//! Beyond a level the thing feels no more of what is recorded: a full-open valve, a current limit.
+//!
+//! # Signature in a recording
+//! The residual appears at large inputs alone, and follows their tops.
+//!
+//! # Equation
+//!     u -> clamp(u, -L, L)    or    min(u, L)    or    max(u, L)
+//!
+//! # What else looks like this
+//! output-saturation, end-stop, input-square (softly).
+//!
+//! # Reference
+//! T. Hu, Z. Lin, Control Systems with Actuator Saturation (2001).
+//!
+//! # Example
+//! A rudder machine commanded to forty degrees that stops at thirty-five.
+
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+
+/// An input that saturates.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("input-saturation", "an input that saturates", Group::Input, include_str!("input_saturation.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    if scene.trials {
+        return Vec::new();
+    }
+    let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading() && u.levels > 2);
+    inputs.flat_map(|u| [at(scene, u, 0), at(scene, u, 1), at(scene, u, -1)]).flatten().collect()
+}
+
+fn at(scene: &Scene, u: &Signal, side: i8) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "input-saturation", SiteKind::Input, &u.name);
+    let (top, name) = (u.max.abs().max(u.min.abs()), &u.name);
+    let limits = if side == 0 { (0.02 * top, top) } else { (u.min, u.max) };
+    let level = d.parameter("L", &u.unit, limits, "level beyond which nothing more acts");
+    let text = match side {
+        0 => format!("clamp({name}, -{level}, {level})"),
+        1 => format!("min({name}, {level})"),
+        _ => format!("max({name}, {level})"),
+    };
+    d.replace(name, &text, |_| true);
+    for fraction in [0.35, 0.6, 0.85] {
+        d.start(&[match side {
+            0 => fraction * top,
+            1 => u.mean + fraction * (u.max - u.mean),
+            _ => u.mean + fraction * (u.min - u.mean),
+        }]);
+    }
+    d.done(&format!("beyond {{0}} no more of {} reaches the thing", scene.words(name)))
+}

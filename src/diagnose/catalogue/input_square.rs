@@ -1,0 +1,46 @@
+//! # What it is
+//! The effect goes with the square of what is recorded: power with voltage, thrust with
+//! revolutions, drag with wind.
+//!
+//! # Signature in a recording
+//! Large inputs do more, small ones less than the model says; with two levels of the input alone it
+//! cannot be seen.
+//!
+//! # Equation
+//!     u -> u + a u^2    or    u -> u |u|/u_ref
+//!
+//! # What else looks like this
+//! input-saturation (the other bend), parameter-dependence of the gain on the input.
+//!
+//! # Reference
+//! G. Giri, E.-W. Bai (eds.), Block-oriented Nonlinear System Identification (2010).
+//!
+//! # Example
+//! A halogen lamp driven by its voltage, modelled as if the heat went with the voltage.
+
+use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+use crate::units::Unit;
+
+/// An effect with the square of the input.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("input-square", "an effect with the square of the input", Group::Input, include_str!("input_square.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());
+    inputs.flat_map(|u| [part(scene, u), whole(scene, u)]).flatten().collect()
+}
+
+fn part(scene: &Scene, u: &Signal) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "input-square", SiteKind::Input, &u.name);
+    let a = d.amplitude("a", &Unit::one().over(&u.unit), ANY, "share of the square");
+    d.replace(&u.name, &format!("({} + {a}*{}^2)", u.name, u.name), |_| true);
+    d.start(&[1.0 / u.size()]);
+    d.done(&format!("the effect of {} has a part with its square, {{0}}", scene.words(&u.name)))
+}
+
+fn whole(scene: &Scene, u: &Signal) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "input-square", SiteKind::Input, &u.name);
+    let scale = d.constant(&format!("{}_ref", u.name), &u.unit, u.size(), "scale of the input, not fitted");
+    d.replace(&u.name, &format!("({}*abs({})/{scale})", u.name, u.name), |_| true);
+    d.start(&[]);
+    d.done(&format!("the effect goes with the square of {}", scene.words(&u.name)))
+}

@@ -1,0 +1,52 @@
+//! # What it is
+//! A sensor shows a part of another motion: a tilted accelerometer, a crosstalk, a lever arm.
+//!
+//! # Signature in a recording
+//! The residual is proportional to the other signal at once, without the thing's own dynamics.
+//!
+//! # Equation
+//!     y -> y + c u
+//!
+//! # What else looks like this
+//! cross-coupling (through the dynamics), misalignment.
+//!
+//! # Reference
+//! IEEE Std 1293-2018, on cross-axis sensitivity of accelerometers.
+//!
+//! # Example
+//! A roll sensor mounted with two degrees of yaw shows some pitch.
+
+use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, edit};
+
+/// A sensor that feels another motion.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("output-cross-axis", "a sensor that feels another motion", Group::Output, include_str!("output_cross_axis.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    if scene.trials {
+        return Vec::new();
+    }
+    let signals: Vec<&Signal> =
+        scene.moving(&[SignalKind::Channel, SignalKind::Input, SignalKind::State]).collect();
+    let mut all = Vec::new();
+    for o in &scene.model.outputs {
+        for s in &signals {
+            for factor in scene.factors(s) {
+                all.extend(at(scene, &o.name, s, &factor));
+            }
+        }
+    }
+    all
+}
+
+fn at(scene: &Scene, output: &str, s: &Signal, factor: &str) -> Option<Proposal> {
+    let own = scene.model.outputs.iter().find(|o| o.name == output)?;
+    if factor.is_empty() && edit::is_multiple_of(&own.equals, &s.name) || s.is_heading() && s.spread > 0.3 {
+        return None;
+    }
+    let mut d = Draft::new(scene, "output-cross-axis", SiteKind::Output, output);
+    let c = d.amplitude("c", &scene.unit(output).over(&s.unit), ANY, "part of the other motion");
+    d.uses(&s.name);
+    d.output(output, &format!("{{}} + {c}*{}{factor}", s.name));
+    d.start(&[scene.signal(output)?.spread / s.size()]);
+    d.done(&format!("the sensor of {} also feels {}{factor}, {{0}}", scene.words(output), scene.words(&s.name)))
+}

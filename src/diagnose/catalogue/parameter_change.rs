@@ -1,0 +1,43 @@
+//! # What it is
+//! From one moment on a parameter has another value: something broke, was switched or shifted.
+//!
+//! # Signature in a recording
+//! The residual is small before and large after one time, or the other way; two fits on both sides
+//! differ.
+//!
+//! # Equation
+//!     p -> p (1 + a step(t - tc))
+//!
+//! # What else looks like this
+//! clock-jump, parameter-drift, parameter-dependence on a switched signal, frozen-channel.
+//!
+//! # Reference
+//! M. Basseville, I. Nikiforov, Detection of Abrupt Changes (1993).
+//!
+//! # Example
+//! A damper that loses its oil in the middle of the trial.
+
+use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use crate::units::Unit;
+
+/// A parameter that jumps.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("parameter-change", "a parameter that jumps", Group::Ignored, include_str!("parameter_change.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    if scene.trials {
+        return Vec::new();
+    }
+    scene.acting_parameters().iter().filter_map(|p| at(scene, p)).collect()
+}
+
+fn at(scene: &Scene, p: &str) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "parameter-change", SiteKind::Parameter, p);
+    let a = d.amplitude("a", &Unit::one(), (-3.0, 10.0), "relative jump of the parameter");
+    let time = d.parameter("tc", &Unit::parse("s").ok()?, (scene.from, scene.to), "time of the jump");
+    d.replace(p, &format!("({p}*(1 + {a}*step(t - {time})))"), |_| true);
+    let parts = 10;
+    for i in 1..parts {
+        d.start(&[0.3, scene.from + scene.length() * f64::from(i) / f64::from(parts)]);
+    }
+    d.done(&format!("{} jumps relatively by {{0}} at {{1}}", scene.words(p)))
+}

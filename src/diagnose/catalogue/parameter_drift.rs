@@ -1,0 +1,41 @@
+//! # What it is
+//! A parameter grows or falls steadily: wear, warming, a leak.
+//!
+//! # Signature in a recording
+//! Fits on successive parts of the recording give values on a line.
+//!
+//! # Equation
+//!     p -> p (1 + a (t - t0)),  t0 the middle of the fitted part
+//!
+//! # What else looks like this
+//! parameter-dependence on a signal that drifts, drift-force (a sum, not a product), parameter-
+//! change.
+//!
+//! # Reference
+//! P. C. Young, Recursive Estimation and Time-Series Analysis (2011), ch. 4.
+//!
+//! # Example
+//! Grease that warms up in the first hour.
+
+use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use crate::units::Unit;
+
+/// A parameter that drifts with time.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("parameter-drift", "a parameter that drifts with time", Group::Ignored, include_str!("parameter_drift.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    if scene.trials {
+        return Vec::new();
+    }
+    scene.acting_parameters().iter().filter_map(|p| at(scene, p)).collect()
+}
+
+fn at(scene: &Scene, p: &str) -> Option<Proposal> {
+    let second = Unit::parse("s").ok()?;
+    let mut d = Draft::new(scene, "parameter-drift", SiteKind::Parameter, p);
+    let a = d.amplitude("a", &Unit::one().over(&second), ANY, "relative drift of the parameter");
+    let middle = d.constant("t_mid", &second, 0.5 * (scene.from + scene.to), "middle of the fitted part");
+    d.replace(p, &format!("({p}*(1 + {a}*(t - {middle})))"), |_| true);
+    d.start(&[1.0 / scene.length()]);
+    d.done(&format!("{} drifts, relatively by {{0}}", scene.words(p)))
+}

@@ -1,0 +1,66 @@
+//! # What it is
+//! A force that repeats with time (an engine, a pump, a wave) or with position (cogging, teeth, a
+//! bent shaft).
+//!
+//! # Signature in a recording
+//! A line in the spectrum of the residual, or a residual force that repeats with the position.
+//!
+//! # Equation
+//!     M v' = … + A sin(w t) + B cos(w t)    or    + A sin(n q) + B cos(n q)
+//!
+//! # What else looks like this
+//! extra-resonance (a line that the input excites), drift-force at very long periods, gravity-
+//! pendulum (once a turn).
+//!
+//! # Reference
+//! S. Kay, Fundamentals of Statistical Signal Processing I (1993), example 4.2.
+//!
+//! # Example
+//! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame.
+
+use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use crate::units::Unit;
+
+/// A periodic force.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("periodic-force", "a periodic force", Group::Force, include_str!("periodic_force.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    let motions = scene.motions();
+    let timed = motions.iter().flat_map(|m| scene.peaks.iter().map(move |w| (m, *w)));
+    let mut all: Vec<Proposal> = timed.filter_map(|(m, w)| with_time(scene, m, w)).collect();
+    all.extend(motions.iter().filter(|m| m.speed.is_some()).filter_map(|m| with_place(scene, m)));
+    all
+}
+
+fn with_time(scene: &Scene, m: &Motion, peak: f64) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "periodic-force", m);
+    let a = d.amplitude("A_sin", &m.force, ANY, "sine part of the periodic force");
+    let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
+    let width = 6.0 / scene.length();
+    let w = d.parameter("w", &Unit::parse("rad/s").ok()?, ((peak - width).max(0.0), peak + width), "angular frequency");
+    d.force(&m.state, &format!("{a}*sin({w}*t) + {b}*cos({w}*t)"));
+    d.start(&[m.size, m.size, peak]);
+    d.done(&format!("a force of {{0}} and {{1}} (sine and cosine) acts on {} at {{2}}", scene.words(&m.state)))
+}
+
+fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let q = m.position.as_ref()?;
+    let signal = scene.signal(q)?;
+    let mut d = Draft::at(scene, "periodic-force", m);
+    let a = d.amplitude("A_sin", &m.force, ANY, "sine part of the periodic force");
+    let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
+    let range = signal.max - signal.min;
+    let unit = Unit::parse("rad").ok()?.over(&signal.unit);
+    let n = d.parameter("n", &unit, (3.0 / range, 400.0 / range), "angle of the force for a unit of the position");
+    d.force(&m.state, &format!("{a}*sin({n}*{q}) + {b}*cos({n}*{q})"));
+    let turns = [1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
+    for turn in turns {
+        d.start(&[m.size, m.size, turn * std::f64::consts::TAU / range]);
+    }
+    if scene.is_angle(q) {
+        for teeth in 1..=12 {
+            d.start(&[m.size, m.size, f64::from(teeth)]);
+        }
+    }
+    d.done(&format!("a force repeats with {}, {{0}} and {{1}} (sine and cosine) at {{2}}", scene.words(q)))
+}

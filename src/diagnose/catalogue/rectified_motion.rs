@@ -1,0 +1,108 @@
+//! # What it is
+//! Two fast motions multiply, one of them through a lag or a resonance; their product has a mean,
+//! and the mean pushes a slow equation. The rolling error of a gyrocompass is one: the acceleration
+//! along the meridian acts on a centre of mass that the acceleration along the parallel has
+//! shifted.
+//!
+//! # Signature in a recording
+//! A slow error that grows with the square of the motion, changes sign from quadrant to quadrant
+//! (sine of twice the heading) and vanishes in calm water, with no line of its own in the spectrum.
+//!
+//! # Equation
+//!     s' = … + k A lag(B, T)     (gyrosphere: A = W2, B = W1, k = P^2/(g^2 C0 H), mean by I_n)
+//!
+//! # What else looks like this
+//! constant-force where the motion never changes; cross-coupling (linear, no mean), misalignment.
+//!
+//! # Reference
+//! W. Potemkin (1978), (2.1) to (3.13); Isserlis (1918) for the mean of the product.
+//!
+//! # Example
+//! The heading of a gyrocompass with an elastic suspension on irregular roll, modelled by the
+//! precession theory alone.
+
+use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene, SignalKind, SiteKind};
+use crate::units::Unit;
+
+/// A slow effect of the product of two fast motions.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("rectified-motion", "a slow effect of the product of two fast motions", Group::Rectified, include_str!("rectified_motion.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    let atoms = atoms(scene);
+    let mut all = Vec::new();
+    if scene.trials {
+        return all;
+    }
+    for m in scene.motions() {
+        for a in &atoms {
+            for b in &atoms {
+                all.extend(at(scene, &m, a, b));
+            }
+        }
+    }
+    for o in &scene.model.outputs {
+        let pairs = atoms.iter().flat_map(|a| atoms.iter().map(move |b| (a, b)));
+        all.extend(pairs.filter_map(|(a, b)| seen(scene, &o.name, a, b)));
+    }
+    all
+}
+
+/// A fast signal, perhaps with the sine or cosine of the heading.
+struct Atom {
+    text: String,
+    signal: String,
+    unit: Unit,
+    size: f64,
+    pace: f64,
+}
+
+fn atoms(scene: &Scene) -> Vec<Atom> {
+    let headings = scene.headings();
+    let mut atoms = Vec::new();
+    for s in scene.moving(&[SignalKind::Input, SignalKind::Channel]) {
+        let fast = s.pace < 0.02 * scene.length() && s.mean.abs() < s.spread;
+        if !fast || s.is_heading() {
+            continue;
+        }
+        let atom = |text: String| Atom { text, signal: s.name.clone(), unit: s.unit.clone(), size: s.spread, pace: s.pace };
+        match headings.iter().find(|h| h.spread > 0.1) {
+            Some(h) => {
+                atoms.push(atom(format!("{}*sin({})", s.name, h.name)));
+                atoms.push(atom(format!("{}*cos({})", s.name, h.name)));
+            }
+            None => atoms.push(atom(s.name.clone())),
+        }
+    }
+    atoms
+}
+
+fn product(d: &mut Draft, unit: &Unit, a: &Atom, b: &Atom, size: f64) -> Option<String> {
+    let k = d.amplitude("k_rect", &unit.over(&a.unit.times(&b.unit)), ANY, "strength of the rectified product");
+    let lag = d.parameter("T_rect", &Unit::parse("s").ok()?, (0.0, 100.0 * b.pace), "lag of the shifted part");
+    for s in [&a.signal, &b.signal] {
+        d.uses(s);
+    }
+    for times in [0.1, 0.5, 2.0] {
+        d.start(&[size / (a.size * b.size), times * b.pace]);
+    }
+    Some(format!("{k}*{}*lag({}, {lag})", a.text, b.text))
+}
+
+fn at(scene: &Scene, m: &Motion, a: &Atom, b: &Atom) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "rectified-motion", m);
+    let text = product(&mut d, &m.force, a, b, m.size)?;
+    d.force(&m.state, &text);
+    d.done(&format!(
+        "the product of {} with {} behind a lag of {{1}} pushes {}: a rectified motion of strength {{0}}",
+        scene.words(&a.text), scene.words(&b.text), scene.words(&m.state)
+    ))
+}
+
+fn seen(scene: &Scene, output: &str, a: &Atom, b: &Atom) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "rectified-motion", SiteKind::Output, output);
+    let size = scene.signal(output)?.spread;
+    let text = product(&mut d, &scene.unit(output), a, b, size)?;
+    d.output(output, &format!("{{}} + {text}"));
+    d.term(&text);
+    d.done(&format!("{} shows the product of {} with {} behind a lag of {{1}}, times {{0}}", scene.words(output), a.text, b.text))
+}

@@ -1,0 +1,52 @@
+//! # What it is
+//! A liquid leaves through an opening with the root of its level (Torricelli), a gas with that of
+//! the pressure.
+//!
+//! # Signature in a recording
+//! High levels fall more slowly, low ones faster than a linear outflow says; time constants grow
+//! with the level.
+//!
+//! # Equation
+//!     s -> sqrt(max(s, 0) s_ref)  wherever s drives a flow;  s_ref is only a scale
+//!
+//! # What else looks like this
+//! parameter-dependence on the level; cubic-stiffness (softening) over a narrow range.
+//!
+//! # Reference
+//! E. Torricelli, De motu gravium (1643); M. Schoukens et al., Cascaded tanks benchmark (2016).
+//!
+//! # Example
+//! Two tanks above each other, modelled with linear outflow.
+
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, edit::Place};
+
+/// Flow with the root of the level.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("square-root-flow", "flow with the root of the level", Group::Flow, include_str!("square_root_flow.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    let motions = scene.motions();
+    let levels: Vec<&Motion> = motions.iter().filter(|m| is_level(scene, m)).collect();
+    let mut all: Vec<Proposal> = levels.iter().filter_map(|m| at(scene, &[m])).collect();
+    if levels.len() > 1 {
+        all.extend(at(scene, &levels));
+    }
+    all
+}
+
+fn is_level(scene: &Scene, m: &Motion) -> bool {
+    let mostly_positive = |s: &Signal| s.mean > 0.5 * s.spread && s.max > 0.0;
+    m.speed.is_none() && scene.signal(&m.state).is_some_and(mostly_positive)
+}
+
+fn at(scene: &Scene, levels: &[&Motion]) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "square-root-flow", levels.last()?);
+    for m in levels {
+        let s = &m.state;
+        let signal = scene.signal(s)?;
+        let scale = d.constant(&format!("{s}_ref"), &signal.unit, signal.max, "scale of the level, not fitted");
+        d.replace(s, &format!("sqrt(max({s}, 0*{scale})*{scale})"), |p| !matches!(p, Place::Output(_)));
+    }
+    d.start(&[]);
+    let names: Vec<String> = levels.iter().map(|m| scene.words(&m.state)).collect();
+    d.done(&format!("the flow goes with the root of {}", names.join(" and of ")))
+}

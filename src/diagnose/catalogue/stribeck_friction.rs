@@ -1,0 +1,42 @@
+//! # What it is
+//! Dry friction that falls from its break-away value to a smaller one as a lubricating film builds
+//! up.
+//!
+//! # Signature in a recording
+//! Stick and slip at low speed; the residual force has a peak on both sides of zero speed.
+//!
+//! # Equation
+//!     M v' = … - (Fc + Fs exp(-(v/vs)^2)) sign(v),  Fc, Fs >= 0
+//!
+//! # What else looks like this
+//! dry-friction (no peak), quadratic-damping with dry friction; they part at very low speed.
+//!
+//! # Reference
+//! B. Armstrong-Helouvry, P. Dupont, C. Canudas de Wit, A survey of models of friction, Automatica
+//! 30 (1994) 1083.
+//!
+//! # Example
+//! A rudder actuator that creeps in jerks when moved slowly.
+
+use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+
+/// Dry friction that is larger near rest.
+pub(super) const MECHANISM: Mechanism = Mechanism::new("stribeck-friction", "dry friction that is larger near rest", Group::Friction, include_str!("stribeck_friction.rs"), propose);
+
+fn propose(scene: &Scene) -> Vec<Proposal> {
+    scene.motions().iter().filter_map(|m| at(scene, m)).collect()
+}
+
+fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let v = m.speed.as_ref()?;
+    let mut d = Draft::at(scene, "stribeck-friction", m);
+    let c = d.amplitude("Fc", &m.force, POSITIVE, "dry friction in fast motion");
+    let s = d.amplitude("Fs", &m.force, POSITIVE, "excess of the friction near rest");
+    let size = scene.size(v);
+    let vs = d.parameter("vs", &scene.unit(v), (1e-3 * size, 3.0 * size), "speed at which the excess is gone");
+    d.force(&m.state, &format!("-({c} + {s}*exp(-({v}/{vs})^2))*sign({v})"));
+    for fraction in [0.1, 0.4] {
+        d.start(&[m.size, m.size, fraction * size]);
+    }
+    d.done(&format!("dry friction against {} is {{0}} and by {{1}} more below {{2}}", scene.words(v)))
+}
