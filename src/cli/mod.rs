@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand.
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
+pub mod explain;
 pub mod output;
 pub mod table;
 
@@ -29,6 +30,8 @@ pub struct Cli {
 enum Command {
     /// Tables of I_n with letters.
     Table(table::Table),
+    /// What can be missing: the pages of the catalogue.
+    Explain(explain::Explain),
     /// Version and licence.
     About,
 }
@@ -36,6 +39,7 @@ enum Command {
 fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
         Command::Table(call) => return table::run(&call),
+        Command::Explain(call) => return explain::run(&call),
         Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
     }
     Ok(Outcome::Done)

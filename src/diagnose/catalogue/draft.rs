@@ -254,7 +254,7 @@ impl<'a> Draft<'a> {
         let Some(e) = self.read(text) else { return };
         let mut found = false;
         edit::for_each(&mut self.proposal.model, |place, expression| {
-            if here(place) && edit::mentions(expression, name) {
+            if here(place) && expression.mentions(name) {
                 *expression = expression.substitute(name, &e);
                 found = true;
             }

@@ -81,7 +81,11 @@ fn leads_to_sum(model: &Model, e: &Expr) -> bool {
 pub fn sum_of<'e>(model: &Model, e: &'e Expr) -> &'e Expr {
     match e {
         Expr::Binary(BinaryOp::Mul, a, b) if leads_to_sum(model, e) => {
-            if leads_to_sum(model, a) { sum_of(model, a) } else { sum_of(model, b) }
+            if leads_to_sum(model, a) {
+                sum_of(model, a)
+            } else {
+                sum_of(model, b)
+            }
         }
         Expr::Binary(BinaryOp::Div, a, _) if leads_to_sum(model, a) => sum_of(model, a),
         other => other,
@@ -166,31 +170,18 @@ pub enum Place<'a> {
     Output(&'a str),
 }
 
-/// Whether a name occurs in an expression.
-pub fn mentions(e: &Expr, name: &str) -> bool {
-    match e {
-        Expr::Number(_) => false,
-        Expr::Name(n) => n == name,
-        Expr::Neg(a) => mentions(a, name),
-        Expr::Binary(_, a, b) => mentions(a, name) || mentions(b, name),
-        Expr::Call(_, args) => args.iter().any(|a| mentions(a, name)),
-    }
-}
-
 /// Whether a name occurs in an expression or in a definition that it uses.
 pub fn reaches(model: &Model, e: &Expr, name: &str) -> bool {
-    mentions(e, name)
-        || model.definitions.iter().any(|d| d.name != name && mentions(e, &d.name) && reaches(model, &d.equals, name))
+    e.mentions(name)
+        || model
+            .definitions
+            .iter()
+            .any(|d| d.name != name && e.mentions(&d.name) && reaches(model, &d.equals, name))
 }
 
 /// An expression with every subtree passed through `with`, from the leaves up.
 pub fn rebuilt(e: &Expr, with: &dyn Fn(Expr) -> Expr) -> Expr {
-    let inner = match e {
-        Expr::Number(_) | Expr::Name(_) => e.clone(),
-        Expr::Neg(a) => Expr::Neg(Box::new(rebuilt(a, with))),
-        Expr::Binary(op, a, b) => Expr::Binary(*op, Box::new(rebuilt(a, with)), Box::new(rebuilt(b, with))),
-        Expr::Call(f, args) => Expr::Call(*f, args.iter().map(|a| rebuilt(a, with)).collect()),
-    };
+    let inner = e.map_children(&mut |child| rebuilt(child, with));
     with(inner)
 }
 
@@ -199,12 +190,7 @@ pub fn find<'e>(e: &'e Expr, holds: &dyn Fn(&Expr) -> bool) -> Option<&'e Expr> 
     if holds(e) {
         return Some(e);
     }
-    match e {
-        Expr::Number(_) | Expr::Name(_) => None,
-        Expr::Neg(a) => find(a, holds),
-        Expr::Binary(_, a, b) => find(a, holds).or_else(|| find(b, holds)),
-        Expr::Call(_, args) => args.iter().find_map(|a| find(a, holds)),
-    }
+    e.children().into_iter().find_map(|child| find(child, holds))
 }
 
 /// Whether a unit is one over time, or an angle over time.

@@ -86,7 +86,7 @@ impl Mechanism {
         let mut page = format!("{}: {}\n", self.code, self.title);
         for line in self.source.lines().map_while(|l| l.strip_prefix("//!")) {
             let line = line.strip_prefix(' ').unwrap_or(line);
-            if line.starts_with("# ") {
+            if line.starts_with("# ") && !page.ends_with("\n\n") {
                 page.push('\n');
             }
             page.push_str(line);

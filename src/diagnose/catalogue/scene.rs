@@ -252,12 +252,16 @@ impl Scene<'_> {
             let input = self.model.inputs.iter().find(|i| i.name == name);
             input.is_some_and(|i| edit::is_frequency(&i.unit))
         };
-        let square = edit::find(&output.equals, &|e| lag_square(e).is_some_and(|x| {
-            self.model.inputs.iter().any(|i| is_frequency(&i.name) && edit::mentions(x, &i.name))
-        }))?;
+        let square = edit::find(&output.equals, &|e| {
+            lag_square(e).is_some_and(|x| {
+                self.model.inputs.iter().any(|i| is_frequency(&i.name) && x.mentions(&i.name))
+            })
+        })?;
         let square = lag_square(square)?.clone();
-        let frequency = self.model.inputs.iter().find(|i| is_frequency(&i.name) && edit::mentions(&square, &i.name))?;
-        let squared = |e: &Expr, n: &str| matches!(e, Expr::Binary(BinaryOp::Pow, a, _) if **a == Expr::Name(n.into()));
+        let frequency =
+            self.model.inputs.iter().find(|i| is_frequency(&i.name) && square.mentions(&i.name))?;
+        let squared =
+            |e: &Expr, n: &str| matches!(e, Expr::Binary(BinaryOp::Pow, a, _) if **a == Expr::Name(n.into()));
         let amplitude = self.model.inputs.iter().find(|i| {
             i.name != frequency.name && edit::find(&output.equals, &|e| squared(e, &i.name)).is_some()
         });
