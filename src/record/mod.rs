@@ -9,6 +9,7 @@ mod file;
 mod form;
 mod input;
 mod nmea;
+pub mod quality;
 mod recording;
 mod request;
 mod spans;

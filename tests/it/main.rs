@@ -1,5 +1,6 @@
 //! All integration tests, in one binary: one module a capability.
 
 mod house;
+mod quality;
 mod record;
 mod symbolic;

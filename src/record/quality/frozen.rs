@@ -1,0 +1,144 @@
+//! Purpose: spans in which a channel repeats one value while it should move.
+//!
+//! Method: the runs of equal samples that are far longer than all others are frozen where
+//! 1. stretches half as long, elsewhere in the channel, (almost) never stand still: this leaves
+//!    out signals that are switched between levels, and slow ones of coarse resolution;
+//! 2. stretches as long usually move by several quanta;
+//! 3. right before and after the run the channel moves about as much as usual: this leaves out a
+//!    motion that dies away, and one that has not begun.
+//!
+//! It is sure where besides the value is neither zero (a thing switched off) nor an end of the
+//! range (a sensor at its limit), and where a real rest would look otherwise: the channel has
+//! noise above its resolution, which never stands still, or it leaps when each run ends.
+//!
+//! References: the plateau test of oceanographic quality control, IOC Manuals and Guides 26
+//! (1993), made relative to the channel's own motion.
+
+use super::{Fault, FaultKind, quantile, quantum};
+use crate::record::{Channel, Span};
+
+const SHORTEST: usize = 12;
+const WINDOWS: usize = 400;
+const FEWEST_WINDOWS: usize = 12;
+/// Share of windows elsewhere that may stand still.
+const STILL: f64 = 0.005;
+const QUANTA: f64 = 4.0;
+const LIVELY: f64 = 0.3;
+const FAR_LONGER: f64 = 3.0;
+const MOST_RUNS: usize = 20;
+/// Differences of noise grow with their order (1.87 from third to fourth for white noise); those
+/// of smooth motion shrink.
+const NOISE_GROWS: f64 = 1.2;
+/// Rounding alone gives fourth differences of about two quanta.
+const QUANTA_OF_NOISE: f64 = 10.0;
+/// Against the 99th percentile of all other steps.
+const LEAP: f64 = 2.0;
+
+/// A run of equal samples, ends included.
+#[derive(Clone, Copy)]
+struct Run {
+    first: usize,
+    last: usize,
+}
+
+impl Run {
+    fn length(self) -> usize {
+        self.last - self.first + 1
+    }
+}
+
+/// Frozen spans; `size` is the held value of the longest, SI.
+pub fn frozen(channel: &Channel) -> Option<Fault> {
+    let samples: Vec<(f64, f64)> = channel.samples().collect();
+    let values: Vec<f64> = samples.iter().map(|s| s.1).collect();
+    let long = far_longer(runs(&values));
+    let step = quantum(channel).unwrap_or(0.0);
+    let found: Vec<Run> = long.iter().copied().filter(|r| is_frozen(&values, *r, &long, step)).collect();
+    let (low, high) = ends(&values);
+    let odd: Vec<Run> =
+        found.iter().copied().filter(|r| ![0.0, low, high].contains(&values[r.first])).collect();
+    let sure = certain(&values, &long, &odd, step);
+    let kept = if sure { odd } else { found };
+    let size = values[kept.first()?.first];
+    let mut spans: Vec<Span> =
+        kept.iter().map(|r| Span::new(samples[r.first].0, samples[r.last].0)).collect();
+    spans.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let samples = kept.iter().map(|r| r.length()).sum();
+    Some(Fault { samples, size, sure, ..Fault::of(FaultKind::Frozen, channel, spans) })
+}
+
+/// The few runs that are set apart from all others by their length, longest first.
+fn far_longer(mut runs: Vec<Run>) -> Vec<Run> {
+    runs.sort_by_key(|r| std::cmp::Reverse(r.length()));
+    let length = |i: usize| runs.get(i).map_or(1, |r| r.length());
+    let ratio = |k: usize| length(k - 1) as f64 / length(k) as f64;
+    let most = MOST_RUNS.min(runs.len());
+    let Some(count) = (1..=most).max_by(|a, b| ratio(*a).total_cmp(&ratio(*b))) else { return runs };
+    if ratio(count) < FAR_LONGER || length(count - 1) < SHORTEST {
+        return Vec::new();
+    }
+    runs.truncate(count);
+    runs
+}
+
+/// Tells whether frozen runs can be no real rests.
+fn certain(values: &[f64], long: &[Run], found: &[Run], quantum: f64) -> bool {
+    let free = |i: &usize| !long.iter().any(|r| r.first < *i && *i <= r.last + 5);
+    let at: Vec<usize> = (4..values.len()).filter(free).collect();
+    let size = |d: fn(&[f64]) -> f64, share: f64| {
+        let mut sizes: Vec<f64> = at.iter().map(|i| d(&values[i - 4..=*i]).abs()).collect();
+        quantile(&mut sizes, share).unwrap_or(0.0)
+    };
+    let third = size(|x| x[4] - 3.0 * x[3] + 3.0 * x[2] - x[1], 0.5);
+    let fourth = size(|x| x[4] - 4.0 * x[3] + 6.0 * x[2] - 4.0 * x[1] + x[0], 0.5);
+    let resolution = (QUANTA_OF_NOISE * quantum).max(1e-9 * range(values));
+    let noisy = fourth > resolution && fourth >= NOISE_GROWS * third;
+    let large = size(|x| x[4] - x[3], 0.99);
+    let leaps = |r: &Run| values.get(r.last + 1).is_some_and(|v| (v - values[r.first]).abs() >= LEAP * large);
+    !found.is_empty() && (noisy || found.iter().all(leaps))
+}
+
+fn runs(values: &[f64]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (i, value) in values.iter().enumerate() {
+        match runs.last_mut() {
+            Some(run) if values[run.first] == *value => run.last = i,
+            _ => runs.push(Run { first: i, last: i }),
+        }
+    }
+    runs
+}
+
+fn is_frozen(values: &[f64], run: Run, long: &[Run], quantum: f64) -> bool {
+    let apart =
+        |first: usize, length: usize| long.iter().all(|r| first > r.last || first + length <= r.first);
+    let short = ranges(values, run.length() / 2, apart);
+    let still = short.iter().filter(|r| **r == 0.0).count();
+    if short.len() < FEWEST_WINDOWS || still as f64 > STILL * short.len() as f64 {
+        return false;
+    }
+    let as_long = ranges(values, run.length(), apart);
+    let (mut usual, window) =
+        if as_long.len() < FEWEST_WINDOWS { (short, run.length() / 2) } else { (as_long, run.length()) };
+    let Some(usual) = quantile(&mut usual, 0.5) else { return false };
+    let before = &values[run.first.saturating_sub(window)..run.first];
+    let after = &values[run.last + 1..(run.last + 1 + window).min(values.len())];
+    // Too short a rest at an end of the channel tells nothing.
+    let mut beside = [before, after].into_iter().filter(|v| 4 * v.len() >= window).peekable();
+    usual > QUANTA * quantum && beside.peek().is_some() && beside.all(|v| range(v) >= LIVELY * usual)
+}
+
+fn ranges(values: &[f64], length: usize, apart: impl Fn(usize, usize) -> bool) -> Vec<f64> {
+    let every = ((values.len().saturating_sub(length)) / WINDOWS).max(1);
+    let starts = (0..values.len().saturating_sub(length)).step_by(every);
+    starts.filter(|s| apart(*s, length)).map(|s| range(&values[s..s + length])).collect()
+}
+
+fn ends(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)))
+}
+
+fn range(values: &[f64]) -> f64 {
+    let (low, high) = ends(values);
+    high - low
+}

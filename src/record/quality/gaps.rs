@@ -1,0 +1,47 @@
+//! Purpose: where samples are missing.
+//!
+//! Method: runs of NaN, and steps of time that are long against the others: more than 2.5 times
+//! the median and twice the ninetieth percentile, so that a clock which is merely uneven has no
+//! gaps.
+
+use super::{Fault, FaultKind, quantile};
+use crate::record::{Channel, Span};
+
+const LONG_AGAINST_MEDIAN: f64 = 2.5;
+const LONG_AGAINST_UNEVEN: f64 = 2.0;
+
+/// The gaps of a channel: spans from the last sample before to the first after; `size` is the
+/// longest, s. Sure where more than a tenth of the samples is lost.
+pub fn gaps(channel: &Channel) -> Option<Fault> {
+    let time = &channel.time;
+    let mut steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).collect();
+    let usual = quantile(&mut steps, 0.5)?;
+    let uneven = quantile(&mut steps, 0.9)?;
+    let long = (LONG_AGAINST_MEDIAN * usual).max(LONG_AGAINST_UNEVEN * uneven);
+    let mut spans = Vec::new();
+    let mut missing = 0;
+    let mut last: Option<usize> = None;
+    for (i, value) in channel.values.iter().enumerate() {
+        if value.is_nan() {
+            continue;
+        }
+        let from = last.map_or(time[0], |l| time[l]);
+        let empty = i - last.map_or(0, |l| l + 1);
+        if empty > 0 || time[i] - from > long {
+            spans.push(Span::new(from, time[i]));
+            missing += empty.max(((time[i] - from) / usual).round() as usize - 1);
+        }
+        last = Some(i);
+    }
+    let end = last.map_or(0, |l| l + 1);
+    if end < time.len() {
+        spans.push(Span::new(time[end.saturating_sub(1)], time[time.len() - 1]));
+        missing += time.len() - end;
+    }
+    if spans.is_empty() {
+        return None;
+    }
+    let size = spans.iter().map(Span::length).fold(0.0, f64::max);
+    let sure = missing * 10 > time.len();
+    Some(Fault { samples: missing, size, sure, ..Fault::of(FaultKind::Gap, channel, spans) })
+}

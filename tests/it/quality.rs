@@ -1,0 +1,233 @@
+//! Faults of recordings: made ones are found where they are, honest signals have none.
+
+use gyrospec::record::quality::{self, Fault, FaultKind};
+use gyrospec::record::{Channel, Recording, Span};
+use gyrospec::units::Unit;
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha12Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+const STEP: f64 = 0.1;
+
+fn channel(unit: &str, values: Vec<f64>) -> Channel {
+    let time: Vec<f64> = (0..values.len()).map(|i| i as f64 * STEP).collect();
+    Channel::new("x", Unit::parse(unit).unwrap(), time, values)
+}
+
+fn faults(c: Channel) -> Vec<Fault> {
+    quality::faults(&Recording::from_channels("made", vec![c]).unwrap())
+}
+
+fn normal(rng: &mut ChaCha12Rng) -> f64 {
+    StandardNormal.sample(rng)
+}
+
+/// x_i = a x_(i-1) + e_i
+fn autoregressive(rng: &mut ChaCha12Rng, n: usize, a: f64) -> Vec<f64> {
+    let mut x = 0.0;
+    (0..n)
+        .map(|_| {
+            x = a * x + normal(rng);
+            x
+        })
+        .collect()
+}
+
+/// Honest signals of many sorts.
+fn honest(rng: &mut ChaCha12Rng, sort: usize, n: usize) -> Vec<f64> {
+    let noise = 10f64.powf(rng.random_range(-4.0..-1.0));
+    let quantum = 10f64.powf(rng.random_range(-4.0..-1.5));
+    let rate: f64 = rng.random_range(0.002..0.3);
+    let rounded = |x: f64| (x / quantum).round() * quantum;
+    match sort {
+        0 => autoregressive(rng, n, 0.0),
+        1 => autoregressive(rng, n, 0.98),
+        2 => (0..n).map(|i| (rate * i as f64).sin() + noise * normal(rng)).collect(),
+        3 => (0..n).map(|i| rounded((rate * i as f64).sin() + noise * normal(rng))).collect(),
+        // Switched between two levels at random.
+        4 => {
+            let mut level = 3.41;
+            (0..n)
+                .map(|_| {
+                    if rng.random_bool(0.1) {
+                        level = 9.82 - level;
+                    }
+                    level
+                })
+                .collect()
+        }
+        // A motion that dies away under its own resolution.
+        5 => (0..n).map(|i| rounded((-(i as f64) / 300.0).exp() * (rate * i as f64).cos())).collect(),
+        // At rest, then a step, then at rest.
+        6 => {
+            (0..n).map(|i| if i < n / 3 { 0.0 } else { 1.0 - (-((i - n / 3) as f64) / 50.0).exp() }).collect()
+        }
+        // Trapezoids with dwells on several levels, as of a positioning axis.
+        7 => {
+            let corners: Vec<f64> = (0..12).map(|_| f64::from(rng.random_range(0..5))).collect();
+            (0..n)
+                .map(|i| {
+                    let (k, s) = ((i / 200) % 11, ((i % 200) as f64 / 120.0).min(1.0));
+                    corners[k] + (corners[k + 1] - corners[k]) * s
+                })
+                .collect()
+        }
+        // Heavy tails: squares of a motion, and rare pulses several samples long.
+        8 => autoregressive(rng, n, 0.9).into_iter().map(|x| x * x.abs()).collect(),
+        _ => (0..n).map(|i| if i % 400 > 390 { 5.0 } else { 0.0 }).collect(),
+    }
+}
+
+#[test]
+fn honest_signals_have_no_sure_faults() {
+    let mut rng = ChaCha12Rng::seed_from_u64(11);
+    let (mut sure, mut suspected, mut total) = (Vec::new(), 0, 0);
+    for case in 0..600 {
+        let sort = case % 10;
+        let n = rng.random_range(600..4000);
+        let found = faults(channel("m", honest(&mut rng, sort, n)));
+        // Coarse resolution of a slow signal is what it is, not a false alarm.
+        let wrong = found.into_iter().filter(|f| f.kind != FaultKind::Quantisation);
+        for fault in wrong {
+            if fault.sure { sure.push((sort, fault)) } else { suspected += 1 }
+        }
+        total += 1;
+    }
+    assert!(sure.len() * 200 <= total, "{} of {total}: {sure:?}", sure.len());
+    // Rests of commanded motions are looked at by people.
+    assert!(suspected * 3 <= total, "{suspected} suspicions in {total}");
+}
+
+#[test]
+fn stuck_spans_are_found_where_they_are() {
+    let mut rng = ChaCha12Rng::seed_from_u64(12);
+    let mut missed = 0;
+    for case in 0..60 {
+        // Noisy ones, smooth slow ones, and noise alone; one or two stuck spans.
+        let sort = [2, 1, 0][case % 3];
+        let mut values = honest(&mut rng, sort, 3000);
+        let length = rng.random_range(80..250);
+        let starts = if case % 2 == 0 { vec![1000] } else { vec![700, 2000] };
+        for start in &starts {
+            let held = values[*start];
+            values[*start..start + length].fill(held);
+        }
+        let found = faults(channel("m", values));
+        let Some(fault) = found.iter().find(|f| f.kind == FaultKind::Frozen && f.sure) else {
+            // A smooth motion may come back to where it was held.
+            missed += 1;
+            continue;
+        };
+        assert_eq!(fault.spans.len(), starts.len(), "case {case}: {fault:?}");
+        for (span, start) in fault.spans.iter().zip(&starts) {
+            assert!((span.from - *start as f64 * STEP).abs() < 1.5 * STEP);
+            assert!((span.to - (start + length - 1) as f64 * STEP).abs() < 1.5 * STEP);
+        }
+    }
+    assert!(missed <= 3, "{missed} of 60 missed");
+}
+
+#[test]
+fn a_channel_stuck_to_its_end_is_found() {
+    let mut rng = ChaCha12Rng::seed_from_u64(13);
+    let mut values = honest(&mut rng, 1, 3000);
+    let held = values[1800];
+    values[1800..].fill(held);
+    let found = faults(channel("m", values));
+    assert!(found.iter().any(|f| f.kind == FaultKind::Frozen && f.sure && f.samples >= 1199), "{found:?}");
+}
+
+#[test]
+fn outliers_are_found_and_masked() {
+    let mut rng = ChaCha12Rng::seed_from_u64(14);
+    for sort in [0, 1, 2, 3] {
+        let mut values = honest(&mut rng, sort, 2000);
+        let mut spread: Vec<f64> = values.windows(2).map(|w| (w[1] - w[0]).abs()).collect();
+        spread.sort_by(f64::total_cmp);
+        let places = [100, 555, 1400];
+        for at in places {
+            values[at] += 30.0 * spread[1900].max(0.1);
+        }
+        let c = channel("m", values);
+        let r = Recording::from_channels("made", vec![c]).unwrap();
+        let found = quality::faults(&r);
+        let fault = found.iter().find(|f| f.kind == FaultKind::Outliers).expect("outliers");
+        let at: Vec<usize> = fault.spans.iter().map(|s| (s.from / STEP).round() as usize).collect();
+        assert_eq!(at, places, "sort {sort}");
+        let clean = quality::masked(&r, &found);
+        assert!(places.iter().all(|p| clean.channels[0].values[*p].is_nan()));
+        assert!(clean.channels[0].samples().count() == 1997 || sort == 3);
+    }
+}
+
+#[test]
+fn gaps_are_holes_in_values_or_times() {
+    let mut c = channel("m", (0..1000).map(|i| f64::from(i).sin()).collect());
+    c.values[100..110].fill(f64::NAN);
+    let time: Vec<f64> = c.time.iter().map(|t| if *t > 50.0 { t + 5.0 } else { *t }).collect();
+    c.time = time.into();
+    let gaps = quality::gaps(&c).unwrap();
+    assert_eq!(gaps.samples, 10 + 50);
+    assert!((gaps.spans[0].from - 9.9).abs() < 1e-9 && (gaps.spans[0].to - 11.0).abs() < 1e-9);
+    assert!((gaps.size - 5.1).abs() < 1e-9 && !gaps.sure);
+    let mut rng = ChaCha12Rng::seed_from_u64(15);
+    let mut t = 0.0;
+    let time: Vec<f64> = (0..1000)
+        .map(|_| {
+            t += rng.random_range(0.2..2.0);
+            t
+        })
+        .collect();
+    assert_eq!(quality::gaps(&Channel::new("x", Unit::one(), time, vec![1.0; 1000])), None);
+}
+
+#[test]
+fn an_angle_that_jumps_by_a_turn_is_found_unless_marked() {
+    let heading =
+        |i: usize| (350.0 + 0.1 * i as f64 + 3.0 * (0.05 * i as f64).sin()).rem_euclid(360.0).to_radians();
+    let mut c = channel("deg", (0..2000).map(heading).collect());
+    let fault = quality::wrapped_angle(&c).unwrap();
+    assert!(fault.sure && fault.spans.iter().all(|s: &Span| s.length() < 2.0 * STEP));
+    assert_eq!(
+        quality::faults(&Recording::from_channels("made", vec![c.clone()]).unwrap())[0].kind,
+        FaultKind::WrappedAngle
+    );
+    c.wraps = true;
+    assert_eq!(quality::wrapped_angle(&c), None);
+    // A real leap of less than a turn is none.
+    let leap = channel("deg", (0..500).map(|i| if i < 250 { 0.1 } else { 5.0 }).collect());
+    assert_eq!(quality::wrapped_angle(&leap), None);
+}
+
+#[test]
+fn the_quantum_is_the_step_of_the_file() {
+    let mut rng = ChaCha12Rng::seed_from_u64(16);
+    for quantum in [1.0_f64, 0.1, 0.01, 0.25] {
+        let values = (0..3000).map(|i| {
+            ((10.0 * (0.01 * f64::from(i)).sin() + 0.3 * normal(&mut rng)) / quantum).round() * quantum
+        });
+        let c = channel("deg", values.map(f64::to_radians).collect());
+        let q = quality::quantum(&c).unwrap().to_degrees();
+        assert!((q - quantum).abs() < 1e-9, "{q} for {quantum}");
+    }
+    assert_eq!(quality::quantum(&channel("m", autoregressive(&mut rng, 1000, 0.5))), None);
+    let stairs = (0..3000).map(|i| (5.0 * (0.005 * f64::from(i)).sin()).round()).collect();
+    assert!(quality::coarse_steps(&channel("m", stairs)).is_some());
+}
+
+#[test]
+fn a_rate_that_changes_is_suspected_and_jitter_is_not() {
+    let mut rng = ChaCha12Rng::seed_from_u64(17);
+    for change in [0.0, 0.01] {
+        let mut t = 0.0;
+        let time: Vec<f64> = (0..4000)
+            .map(|i| {
+                t += if i > 2000 { 0.1 * (1.0 + change) } else { 0.1 };
+                t + 0.002 * normal(&mut rng)
+            })
+            .collect();
+        let c = Channel::new("x", Unit::one(), time, autoregressive(&mut rng, 4000, 0.5));
+        let found = faults(c);
+        assert_eq!(found.iter().any(|f| f.kind == FaultKind::ClockDrift), change > 0.0, "{found:?}");
+    }
+}
