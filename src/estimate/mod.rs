@@ -1,13 +1,17 @@
 //! Noise models, least squares and fits: what the data say about a model, and how surely.
 
+mod bootstrap;
 mod coordinates;
+mod covariance;
 pub mod fit;
 mod identify;
 mod least_squares;
 pub mod noise;
 mod triangle;
 
+pub use bootstrap::{Interval, improvement};
 pub use coordinates::{Range, Side};
+pub use covariance::{Stretch, coloured_covariance, half_width, independent_samples, inverse_square};
 pub use fit::{Fit, FitOptions, fit, holdout};
 pub use identify::{Direction, unseen};
 pub use least_squares::{End, Minimum, Problem, Stopping, minimise};
