@@ -4,22 +4,92 @@
 //! states until the free run of the model lies nearest to the measurements. [`holdout`] runs the
 //! fitted model over what was held out.
 
+mod assemble;
+mod equation_error;
+mod held_out;
 mod options;
 mod outcome;
+mod problem;
+mod rig;
+mod search;
+mod seen;
+mod setup;
+mod shooting;
+mod simulated;
 
 pub use options::{Effort, FitOptions, Progress, Silent, Weighting};
 pub use outcome::{Estimate, Fit, HeldOut, InitialEstimate, RecordFit, Series, Status, Warning};
 
+use crate::Result;
+use crate::estimate::least_squares::{Minimum, minimise};
 use crate::model::Model;
 use crate::record::Recording;
-use crate::{Error, Result};
+use assemble::Assembly;
+use problem::FreeRun;
+use rig::Record;
+
+/// Rounds in which the weights of several outputs are brought in line with their residuals.
+const ROUNDS: usize = 4;
 
 /// Fits a model to the fitted parts of recordings.
 ///
 /// # Errors
 /// Where a channel is missing, no sample is left to fit, or no start can be simulated.
-pub fn fit(_model: &Model, _recordings: &[Recording], _options: &FitOptions) -> Result<Fit> {
-    Err(Error::not_computed("fitting needs the simulator"))
+pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<Fit> {
+    let records = records(model, recordings, options)?;
+    let parameters = model.parameters.iter().map(|p| p.value).collect();
+    let mut problem = search::problem(model, &records, parameters, options);
+    let ranges = setup::ranges(model, &problem.free, &records);
+    let given = search::given(&problem);
+    let mut found = search::Search::new(model, recordings, options, &problem, &ranges).run(&given)?;
+    if problem.whitening.is_none() && model.outputs.len() > 1 {
+        balance(&mut problem, &mut found.minimum, &ranges, options)?;
+    }
+    Assembly {
+        model,
+        problem: &problem,
+        minimum: &found.minimum,
+        ranges: &ranges,
+        start: &given,
+        simulations: found.simulations,
+        warnings: found.warnings,
+    }
+    .finish()
+}
+
+/// One record a recording.
+fn records(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<Vec<Record>> {
+    recordings
+        .iter()
+        .enumerate()
+        .map(|(number, recording)| {
+            let spans = setup::spans(model, recording, options);
+            setup::record(model, recording, number, &spans.fit, options)
+        })
+        .collect()
+}
+
+/// Weighs every output by its own residual and walks on, until the weights stand.
+fn balance(
+    problem: &mut FreeRun<'_>,
+    minimum: &mut Minimum,
+    ranges: &[super::Range],
+    options: &FitOptions<'_>,
+) -> Result<()> {
+    for _ in 0..ROUNDS {
+        let squares = problem.mean_squares(&minimum.x)?;
+        let mut change: f64 = 0.0;
+        for (weight, square) in problem.weights.iter_mut().zip(squares) {
+            let new = 1.0 / square.max(1e-12 / *weight);
+            change = change.max((new / *weight).ln().abs());
+            *weight = new;
+        }
+        *minimum = minimise(problem, &minimum.x, ranges, options.stopping)?;
+        if change < 0.05 {
+            break;
+        }
+    }
+    Ok(())
 }
 
 /// Runs a fitted model over the held-out parts: spans of the fitted `recordings` that follow a fitted
@@ -29,10 +99,10 @@ pub fn fit(_model: &Model, _recordings: &[Recording], _options: &FitOptions) -> 
 /// # Errors
 /// Where a channel is missing or the fitted model cannot be run.
 pub fn holdout(
-    _fit: &Fit,
-    _recordings: &[Recording],
-    _separate: &[Recording],
-    _options: &FitOptions,
+    fit: &Fit,
+    recordings: &[Recording],
+    separate: &[Recording],
+    options: &FitOptions<'_>,
 ) -> Result<Vec<HeldOut>> {
-    Err(Error::not_computed("fitting needs the simulator"))
+    held_out::held_out(fit, recordings, separate, options)
 }

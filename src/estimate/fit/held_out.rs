@@ -1,0 +1,120 @@
+//! The fitted model on what was held out.
+
+use super::assemble::root_mean_square;
+use super::options::FitOptions;
+use super::outcome::{Fit, HeldOut, Series};
+use super::rig::{Record, Track};
+use super::search::{given, problem};
+use super::setup;
+use crate::Result;
+use crate::estimate::coordinates::Range;
+use crate::estimate::least_squares::minimise;
+use crate::model::Model;
+use crate::record::{Recording, Span};
+
+/// All held-out series of a fit: spans that follow a fitted span run on from it, the others have their
+/// free initial states fitted.
+pub fn held_out(
+    fit: &Fit,
+    recordings: &[Recording],
+    separate: &[Recording],
+    options: &FitOptions<'_>,
+) -> Result<Vec<HeldOut>> {
+    let mut series = Vec::new();
+    for (number, recording) in recordings.iter().enumerate() {
+        let spans = setup::spans(&fit.model, recording, options);
+        let first = spans.fit.first().map_or(f64::INFINITY, |s| s.from);
+        let (follows, apart): (Vec<Span>, Vec<Span>) = spans.holdout.iter().partition(|s| s.from >= first);
+        if !follows.is_empty() {
+            let mut together: Vec<Span> = spans.fit.iter().chain(&follows).copied().collect();
+            together.sort_by(|a, b| a.from.total_cmp(&b.from));
+            let record = setup::record(&fit.model, recording, number, &together, options)?;
+            let initials = fit.records.get(number).map_or(record.initials.clone(), |r| r.initials.clone());
+            series.extend(run(&fit.model, &record, &initials, &|t| spans.holds_out(t))?);
+        }
+        for span in apart {
+            series.extend(alone(&fit.model, recording, number, &[span], options)?);
+        }
+    }
+    for recording in separate {
+        let whole =
+            setup::spans(&fit.model, recording, &FitOptions { separate_holdout: true, ..options.clone() });
+        let spans = if whole.holdout.is_empty() { whole.fit } else { whole.holdout };
+        series.extend(alone(&fit.model, recording, recordings.len(), &spans, options)?);
+    }
+    Ok(pooled(&fit.model, series))
+}
+
+/// A record of its own: its free initial states are fitted, nothing else.
+fn alone(
+    model: &Model,
+    recording: &Recording,
+    number: usize,
+    spans: &[Span],
+    options: &FitOptions<'_>,
+) -> Result<Vec<Series>> {
+    let mut frozen = model.clone();
+    frozen.parameters.iter_mut().for_each(|p| p.fit = false);
+    let options =
+        FitOptions { initials: Vec::new(), weighting: super::Weighting::FreeRun, ..options.clone() };
+    let records = [setup::record(&frozen, recording, number, spans, &options)?];
+    let parameters = frozen.parameters.iter().map(|p| p.value).collect();
+    let p = problem(&frozen, &records, parameters, &options);
+    let start = given(&p);
+    let initials = if start.is_empty() {
+        records[0].initials.clone()
+    } else {
+        let minimum = minimise(&p, &start, &vec![Range::FREE; start.len()], options.stopping)?;
+        p.spread(&minimum.x).1.swap_remove(0)
+    };
+    run(&frozen, &records[0], &initials, &|_| true)
+}
+
+/// The residual series of one run at the times wanted.
+fn run(
+    model: &Model,
+    record: &Record,
+    initials: &[f64],
+    wanted: &dyn Fn(f64) -> bool,
+) -> Result<Vec<Series>> {
+    let parameters: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+    let run = record.run(&parameters, initials, &[])?;
+    Ok(record.tracks.iter().zip(&run.predictions).map(|(t, f)| part(t, f, wanted)).collect())
+}
+
+/// The part of a track at the times wanted.
+fn part(track: &Track, predicted: &[f64], wanted: &dyn Fn(f64) -> bool) -> Series {
+    let residual = track.residual(predicted);
+    let mut series = Series {
+        output: track.output,
+        time: Vec::new(),
+        residual: Vec::new(),
+        sensitivities: Vec::new(),
+        stretches: Vec::new(),
+    };
+    for stretch in &track.stretches {
+        let mut from = series.time.len();
+        for i in stretch.clone() {
+            if wanted(track.time[i]) {
+                series.time.push(track.time[i]);
+                series.residual.push(residual[i]);
+            } else if series.time.len() > from {
+                series.stretches.push(from..series.time.len());
+                from = series.time.len();
+            }
+        }
+        if series.time.len() > from {
+            series.stretches.push(from..series.time.len());
+        }
+    }
+    series
+}
+
+fn pooled(model: &Model, series: Vec<Series>) -> Vec<HeldOut> {
+    (0..model.outputs.len())
+        .map(|output| {
+            let own: Vec<Series> = series.iter().filter(|s| s.output == output).cloned().collect();
+            HeldOut { output, rmse: root_mean_square(own.iter()), series: own }
+        })
+        .collect()
+}

@@ -1,0 +1,218 @@
+//! The search for the best minimum.
+//!
+//! # Purpose
+//! Free-run fits have side minima: dry friction of the wrong sign, a period too many. One walk from
+//! one start is not trusted.
+//!
+//! # Method
+//! Walks from the given values and from the equation-error estimate; where the two end in the same
+//! minimum that is it. Else multiple shooting, from many short segments to one long run, and starts
+//! drawn about the best so far, until two walks agree on the best.
+//!
+//! # References
+//! H. G. Bock, Recent advances in parameter identification for ODEs, Birkhäuser 1983 (multiple
+//! shooting); A. H. G. Rinnooy Kan, G. T. Timmer, Mathematical Programming 39 (1987) 27-56.
+//!
+//! # Numerical aspects
+//! Drawn starts come from a seeded generator; the best of equal minima is the first found.
+
+use super::equation_error::equation_error;
+use super::options::{Effort, FitOptions};
+use super::outcome::Warning;
+use super::problem::FreeRun;
+use super::setup;
+use super::shooting::shoot;
+use crate::estimate::coordinates::Range;
+use crate::estimate::least_squares::{Minimum, Problem, minimise};
+use crate::model::Model;
+use crate::record::Recording;
+use crate::{Error, Result};
+use rand::SeedableRng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// Two sums of squares this near to each other, relatively, are one minimum.
+const SAME: f64 = 1e-3;
+
+/// A search and what it has found so far.
+pub struct Search<'a> {
+    model: &'a Model,
+    recordings: &'a [Recording],
+    options: &'a FitOptions<'a>,
+    problem: &'a FreeRun<'a>,
+    ranges: &'a [Range],
+    found: Vec<Minimum>,
+    failure: Option<Error>,
+    simulations: usize,
+    warnings: Vec<Warning>,
+}
+
+/// What a search ends with.
+pub struct Found {
+    /// The best minimum.
+    pub minimum: Minimum,
+    /// Simulations done.
+    pub simulations: usize,
+    /// What a user should know.
+    pub warnings: Vec<Warning>,
+}
+
+impl<'a> Search<'a> {
+    /// A search over a problem.
+    pub fn new(
+        model: &'a Model,
+        recordings: &'a [Recording],
+        options: &'a FitOptions<'a>,
+        problem: &'a FreeRun<'a>,
+        ranges: &'a [Range],
+    ) -> Self {
+        Self {
+            model,
+            recordings,
+            options,
+            problem,
+            ranges,
+            found: Vec::new(),
+            failure: None,
+            simulations: 0,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Searches from x.
+    ///
+    /// # Errors
+    /// Where no start at all can be simulated.
+    pub fn run(mut self, given: &[f64]) -> Result<Found> {
+        self.walk("from the given values", given);
+        if self.found.is_empty() {
+            self.warnings.push(Warning {
+                says: "from the values given in the model file the simulation does not stay finite; \
+                       the fit began elsewhere: give values nearer to the instrument's"
+                    .into(),
+            });
+        }
+        if self.options.effort == Effort::Full && self.problem.unknowns() > 0 {
+            self.search(given);
+        }
+        self.finish()
+    }
+
+    fn search(&mut self, given: &[f64]) {
+        let has_states = !self.model.states.is_empty();
+        if has_states {
+            if let Some(values) = equation_error(self.model, self.recordings, self.options) {
+                self.walk("from the equation error", &self.with_parameters(given, &values));
+            }
+        }
+        if self.agreed() {
+            return;
+        }
+        if has_states {
+            let near = self.best().map_or(given.to_vec(), |m| m.x.clone());
+            for base in [given.to_vec(), near] {
+                if let Some(values) = shoot(self.model, self.recordings, self.options, &self.all(&base)) {
+                    self.walk("from multiple shooting", &self.with_parameters(given, &values));
+                }
+                if self.agreed() {
+                    return;
+                }
+            }
+        }
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(self.options.seed);
+        for _ in 0..self.options.drawn_starts {
+            let near = self.best().map_or(given.to_vec(), |m| m.x.clone());
+            let drawn = self.draw(&near, &mut rng);
+            self.walk("from drawn values", &drawn);
+            if self.agreed() {
+                return;
+            }
+        }
+    }
+
+    /// All parameters of the model at x.
+    fn all(&self, x: &[f64]) -> Vec<f64> {
+        self.problem.spread(x).0
+    }
+
+    /// x with its free parameters taken from a full list.
+    fn with_parameters(&self, x: &[f64], parameters: &[f64]) -> Vec<f64> {
+        let mut own = x.to_vec();
+        for (at, k) in self.problem.free.iter().enumerate() {
+            own[at] = parameters[*k];
+        }
+        own
+    }
+
+    fn walk(&mut self, says: &str, start: &[f64]) {
+        self.options.progress.says(&format!("fitting {says}"), None);
+        match minimise(self.problem, start, self.ranges, self.options.stopping) {
+            Ok(minimum) => {
+                self.simulations += minimum.evaluations;
+                self.found.push(minimum);
+            }
+            Err(e) => {
+                self.failure.get_or_insert(e);
+            }
+        }
+    }
+
+    fn best(&self) -> Option<&Minimum> {
+        self.found.iter().min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares))
+    }
+
+    /// Whether two walks ended in the best minimum.
+    fn agreed(&self) -> bool {
+        let Some(best) = self.best() else { return false };
+        let near = |m: &&Minimum| m.sum_of_squares <= best.sum_of_squares * (1.0 + SAME);
+        self.found.iter().filter(near).count() > 1
+    }
+
+    /// Parameters drawn about x: factors for those of one sign, shifts by their size for the others.
+    fn draw(&self, x: &[f64], rng: &mut rand_chacha::ChaCha8Rng) -> Vec<f64> {
+        let mut drawn = x.to_vec();
+        for at in 0..self.problem.free.len() {
+            let z: f64 = StandardNormal.sample(rng);
+            let range = self.ranges[at];
+            drawn[at] = if range.min >= 0.0 && x[at] > 0.0 { x[at] * z.exp() } else { x[at] * (1.0 + z) };
+            drawn[at] = range.clamp(drawn[at]);
+        }
+        drawn
+    }
+
+    fn finish(mut self) -> Result<Found> {
+        let best = self.best().cloned();
+        let Some(minimum) = best else {
+            return Err(self
+                .failure
+                .take()
+                .unwrap_or_else(|| Error::not_computed("nothing could be fitted")));
+        };
+        Ok(Found { minimum, simulations: self.simulations, warnings: self.warnings })
+    }
+}
+
+/// The unknowns as the model file and the first guesses give them.
+pub fn given(problem: &FreeRun<'_>) -> Vec<f64> {
+    let parameters = problem.free.iter().map(|k| problem.parameters[*k]);
+    let initials = problem.records.iter().flat_map(|r| r.free_initials.iter().map(|s| r.initials[*s]));
+    parameters.chain(initials).collect()
+}
+
+/// A problem over some records with the weights of their signals.
+pub fn problem<'a>(
+    model: &Model,
+    records: &'a [super::rig::Record],
+    parameters: Vec<f64>,
+    options: &'a FitOptions<'_>,
+) -> FreeRun<'a> {
+    FreeRun {
+        free: setup::free_parameters(model, records),
+        parameters,
+        records,
+        weights: setup::signal_weights(model, records),
+        whitening: match &options.weighting {
+            super::options::Weighting::FreeRun => None,
+            super::options::Weighting::Whitened(noise) => Some(noise),
+        },
+    }
+}
