@@ -2,7 +2,9 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
 pub mod explain;
+pub mod fit;
 pub mod output;
+pub mod progress;
 pub mod table;
 
 use crate::{Error, ErrorKind, Result};
@@ -32,6 +34,8 @@ enum Command {
     Table(table::Table),
     /// What can be missing: the pages of the catalogue.
     Explain(explain::Explain),
+    /// Fit a model to recordings.
+    Fit(fit::Call),
     /// Version and licence.
     About,
 }
@@ -40,6 +44,7 @@ fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
         Command::Table(call) => return table::run(&call),
         Command::Explain(call) => return explain::run(&call),
+        Command::Fit(call) => return fit::run(&call),
         Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
     }
     Ok(Outcome::Done)
@@ -59,6 +64,11 @@ pub fn main() -> ExitCode {
         Ok(Outcome::Found) => ExitCode::from(1),
         Err(e) => fail(&e),
     }
+}
+
+/// Says something that a user should know, on standard error.
+pub fn warn(says: &str) {
+    eprintln!("warning: {says}");
 }
 
 fn fail(e: &Error) -> ExitCode {

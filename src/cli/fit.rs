@@ -1,0 +1,85 @@
+//! `gyrospec fit`: a model fitted to recordings.
+
+use super::output::{Sink, print};
+use super::progress::Meter;
+use super::{Outcome, warn};
+use crate::Result;
+use crate::estimate::fit::{self, Fit, FitOptions, HeldOut};
+use crate::model::Model;
+use crate::record::Recording;
+use std::path::PathBuf;
+
+mod json;
+mod text;
+
+/// Fits the free parameters and initial states of a model to recordings, by simulation.
+#[derive(clap::Args)]
+pub struct Call {
+    /// The model file.
+    model: PathBuf,
+    /// Recordings: CSV or TOML files; parameters are shared, initial states are each one's own.
+    #[arg(required = true)]
+    recordings: Vec<PathBuf>,
+    /// Recordings that are kept out of the fit and only compared afterwards.
+    #[arg(long, num_args = 1.., value_name = "RECORDING")]
+    holdout: Vec<PathBuf>,
+    /// Writes the result as JSON; `-` is standard output.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Writes the model with the fitted values in place.
+    #[arg(long, value_name = "FILE")]
+    model_out: Option<PathBuf>,
+    /// Seed of the starts that are drawn at random.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+/// A fit with all that a report of it says.
+struct Told<'a> {
+    fit: &'a Fit,
+    held_out: &'a [HeldOut],
+    recordings: &'a [Recording],
+    separate: &'a [Recording],
+    seed: u64,
+}
+
+pub fn run(call: &Call) -> Result<Outcome> {
+    let json = call.json.as_deref().map(Sink::open).transpose()?;
+    let model_out = call.model_out.as_deref().map(Sink::open).transpose()?;
+    let model = Model::read(&call.model)?;
+    let read = |files: &[PathBuf]| files.iter().map(|f| Recording::read(f)).collect::<Result<Vec<_>>>();
+    let (recordings, separate) = (read(&call.recordings)?, read(&call.holdout)?);
+    let meter = Meter::new();
+    let options = FitOptions {
+        seed: call.seed,
+        separate_holdout: !separate.is_empty(),
+        progress: &meter,
+        ..FitOptions::default()
+    };
+    let fitted = fit::fit(&model, &recordings, &options)?;
+    let held_out = fit::holdout(&fitted, &recordings, &separate, &options)?;
+    drop(meter);
+    for warning in &fitted.warnings {
+        warn(&warning.says);
+    }
+    let told = Told {
+        fit: &fitted,
+        held_out: &held_out,
+        recordings: &recordings,
+        separate: &separate,
+        seed: call.seed,
+    };
+    if let Some(sink) = model_out {
+        sink.finish(fitted.model.to_toml().as_bytes())?;
+    }
+    match json {
+        Some(sink) => {
+            if call.json.as_deref() != Some(std::path::Path::new("-")) {
+                print(text::render(&told).as_bytes())?;
+            }
+            sink.finish(json::render(&told)?.as_bytes())?;
+        }
+        None => print(text::render(&told).as_bytes())?,
+    }
+    Ok(if fitted.unseen.is_empty() { Outcome::Done } else { Outcome::Found })
+}

@@ -1,0 +1,100 @@
+//! The result of a fit as JSON; the schema is documented with the rest of the forms.
+
+use super::Told;
+use crate::estimate::Side;
+use crate::estimate::fit::{Estimate, Status};
+use crate::estimate::independent_samples;
+use crate::units::Unit;
+use crate::{Error, Result};
+use serde_json::{Value, json};
+
+/// A number, or null where it is not finite.
+fn number(x: f64) -> Value {
+    if x.is_finite() { json!(x) } else { Value::Null }
+}
+
+pub fn render(told: &Told<'_>) -> Result<String> {
+    let fit = told.fit;
+    let value = json!({
+        "schema": "gyrospec.fit/1",
+        "model": fit.model.name,
+        "parameters": fit.parameters.iter().map(parameter).collect::<Vec<_>>(),
+        "initial_states": initial_states(told),
+        "outputs": (0..fit.model.outputs.len()).map(|o| output(told, o)).collect::<Vec<_>>(),
+        "not_identifiable": fit.unseen.iter().map(|d| json!({
+            "direction": d.weights.iter().map(|(name, w)| json!({"name": name, "weight": number(*w)})).collect::<Vec<_>>(),
+            "relative_deviation": number(d.deviation),
+        })).collect::<Vec<_>>(),
+        "warnings": fit.warnings.iter().map(|w| w.says.clone()).collect::<Vec<_>>(),
+        "end": end(told),
+        "simulations": fit.simulations,
+        "made": {
+            "program": concat!("gyrospec ", env!("CARGO_PKG_VERSION")),
+            "seed": told.seed,
+            "inputs": told.recordings.iter().chain(told.separate).flat_map(|r| &r.sources).map(|s| json!({
+                "file": s.file.display().to_string(), "sha256": s.sha256,
+            })).collect::<Vec<_>>(),
+        },
+    });
+    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn parameter(p: &Estimate) -> Value {
+    let status = match p.status {
+        Status::Fitted => "fitted",
+        Status::AtBound(Side::Lower) => "at-lower-bound",
+        Status::AtBound(Side::Upper) => "at-upper-bound",
+        Status::Fixed => "fixed",
+        Status::Constant => "constant-of-the-recording",
+    };
+    with_interval(json!({"name": p.name, "status": status}), [p.value, p.low, p.high], &p.unit)
+}
+
+fn with_interval(mut entry: Value, values: [f64; 3], unit: &Unit) -> Value {
+    for (name, x) in ["value", "low", "high"].into_iter().zip(values) {
+        entry[name] = number(unit.decimal_from_si(x));
+    }
+    entry["unit"] = json!(unit.text());
+    entry
+}
+
+fn initial_states(told: &Told<'_>) -> Vec<Value> {
+    told.fit
+        .initials
+        .iter()
+        .map(|i| {
+            let entry = json!({"recording": told.recordings[i.recording].name, "state": i.state});
+            with_interval(entry, [i.value, i.low, i.high], &i.unit)
+        })
+        .collect()
+}
+
+fn output(told: &Told<'_>, at: usize) -> Value {
+    let output = &told.fit.model.outputs[at];
+    let noise = &told.fit.noise[at];
+    let unit = |x: f64| number(output.unit.difference_from_si(x));
+    let held_out = told.held_out.get(at).map_or(f64::NAN, |h| h.rmse);
+    json!({
+        "output": output.name,
+        "unit": output.unit.text(),
+        "rmse_fit": unit(told.fit.rmse[at]),
+        "rmse_holdout": unit(held_out),
+        "residual": {
+            "deviation": unit(noise.autoregression.variance().sqrt()),
+            "averaged_samples": noise.decimation,
+            "autoregression": noise.autoregression.coefficients(),
+            "independent_share": number(independent_samples(noise, 1)),
+        },
+    })
+}
+
+fn end(told: &Told<'_>) -> &'static str {
+    use crate::estimate::End;
+    match told.fit.end {
+        End::Converged => "converged",
+        End::Stalled => "stalled",
+        End::OutOfSteps => "out-of-steps",
+    }
+}
