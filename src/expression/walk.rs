@@ -86,13 +86,26 @@ impl Expr {
 
     /// The value of an expression of numbers alone; `None` where a name or a memory stands.
     pub fn constant(&self) -> Option<f64> {
+        self.value(&|_| None)
+    }
+
+    /// The value with the names looked up; `None` where a name is unknown or a memory stands.
+    ///
+    /// ```
+    /// use gyrospec::expression::Expr;
+    /// let e = Expr::parse("2*x^2")?;
+    /// assert_eq!(e.value(&|name| (name == "x").then_some(3.0)), Some(18.0));
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    pub fn value(&self, lookup: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
         match self {
             Self::Number(x) => Some(*x),
-            Self::Name(name) => (name == "pi").then_some(std::f64::consts::PI),
-            Self::Neg(a) => a.constant().map(|x| -x),
-            Self::Binary(op, a, b) => Some(op.of(a.constant()?, b.constant()?)),
+            Self::Name(name) if name == "pi" => Some(std::f64::consts::PI),
+            Self::Name(name) => lookup(name),
+            Self::Neg(a) => a.value(lookup).map(|x| -x),
+            Self::Binary(op, a, b) => Some(op.of(a.value(lookup)?, b.value(lookup)?)),
             Self::Call(f, arguments) if !f.has_memory() => {
-                let values: Option<Vec<f64>> = arguments.iter().map(Self::constant).collect();
+                let values: Option<Vec<f64>> = arguments.iter().map(|a| a.value(lookup)).collect();
                 values.map(|v| f.of(&v))
             }
             Self::Call(..) => None,

@@ -22,11 +22,14 @@ mod check;
 mod form;
 mod parts;
 mod places;
+pub(crate) mod program;
 mod read;
+mod scalar;
 mod write;
 
 pub use builtin::BUILTIN;
 pub use parts::{Definition, Initial, Input, Model, Output, Parameter, State};
+pub use scalar::{Dual, Scalar};
 
 #[cfg(test)]
 mod tests;

@@ -1,1 +1,27 @@
 //! A model on a recording.
+//!
+//! A [`Simulator`] is built once from a model and a recording: it compiles the expressions, lays
+//! the mesh of the inputs, and chooses method and steps so that halving the step moves no output
+//! by more than a stated share of its spread. Runs with other parameters and initial states, with
+//! sensitivities if wanted, are then as quick as the arithmetic.
+
+mod events;
+mod faults;
+mod history;
+mod linear;
+mod machine;
+mod mesh;
+mod plan;
+mod probe;
+mod run;
+mod signals;
+mod simulator;
+mod start;
+mod static_run;
+mod steps;
+mod trace;
+
+pub use signals::OutputSignal;
+pub use simulator::{Options, Simulator, Trajectory, Unknown};
+pub use steps::Method;
+pub use trace::Trace;

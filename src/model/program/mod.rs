@@ -1,0 +1,90 @@
+//! A model compiled to register code, generic over plain and dual numbers.
+//!
+//! Every node of the graph has a register. The code stands in segments by how often it must run:
+//! once a run, once a time, once a state; further segments give outputs, the motion of guards and
+//! the Jacobian when they are asked for.
+
+mod build;
+mod code;
+mod derive;
+mod emit;
+mod graph;
+
+pub(crate) use code::{Op, Switching, execute};
+
+use super::Model;
+use crate::Result;
+
+/// Number of a register.
+pub(crate) type Register = u16;
+
+/// A switch that the simulation must watch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Watch {
+    /// The sign register.
+    pub sign: Register,
+    /// What must keep that sign.
+    pub guard: Register,
+    /// Its rate of change (segment `motion`).
+    pub motion: Register,
+    /// Whether it depends on the time and the inputs alone.
+    pub timed: bool,
+    /// The sign where the guard is exactly 0.
+    pub at_zero: f64,
+    /// Whether it may slide: its guard's motion depends on its own sign.
+    pub may_slide: bool,
+}
+
+/// A column of input data.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct InputColumn {
+    pub input: usize,
+    /// Register of the delay, s.
+    pub delay: Option<Register>,
+    pub value: Register,
+    pub slope: Register,
+}
+
+/// What has memory, in the order in which it can start.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Remembered {
+    /// A hidden state starts at the value of a register.
+    Hidden { state: usize, start: Register },
+    /// A held register starts at one register and takes another's value after every step.
+    Held { held: Register, next: Register, start: Register },
+    /// The past of a signal.
+    Past { signal: Register, motion: Register, delay: Register, value: Register, slope: Register },
+}
+
+/// A model as register code.
+#[derive(Debug, Clone)]
+pub(crate) struct Program {
+    pub registers: usize,
+    pub constants: Vec<(Register, f64)>,
+    pub parameters: Vec<Register>,
+    pub time: Register,
+    pub states: Vec<Register>,
+    pub columns: Vec<InputColumn>,
+    pub watches: Vec<Watch>,
+    pub remembered: Vec<Remembered>,
+    pub rates: Vec<Register>,
+    pub outputs: Vec<Register>,
+    pub definitions: Vec<Register>,
+    /// ∂rateᵢ/∂stateⱼ row by row, and ∂rateᵢ/∂t.
+    pub jacobian: Vec<Register>,
+    pub explicit_time: Vec<Register>,
+    pub once: Vec<Op>,
+    pub per_time: Vec<Op>,
+    pub per_state: Vec<Op>,
+    pub motion_code: Vec<Op>,
+    pub jacobian_code: Vec<Op>,
+    pub output_code: Vec<Op>,
+}
+
+impl Model {
+    /// Checks the model and compiles it.
+    pub(crate) fn compile(&self) -> Result<Program> {
+        self.check()?;
+        emit::program(self, build::build(self)?)
+    }
+}

@@ -1,0 +1,177 @@
+//! # Purpose
+//! Switches during a run: where one changes, what it changes to, and what that does to tangents.
+//!
+//! # Method
+//! Within a step every switch keeps its sign, so the rates are smooth. At the step's end each
+//! guard must still agree with its sign; where one does not, the earliest crossing is located on
+//! the cubic through the step, the step is repeated up to it, and the switch changes there. A sign
+//! whose both sides push towards the surface slides (Filippov): it takes the value between -1 and
+//! 1 for which its guard stands still, until that value leaves the interval. Dry friction sticks so.
+//!
+//! # References
+//! A. F. Filippov, Differential Equations with Discontinuous Righthand Sides, Kluwer 1988, §4.
+//! R. I. Leine, H. Nijmeijer, Dynamics and Bifurcations of Non-Smooth Mechanical Systems,
+//! Springer 2004, chapter 7 (saltation).
+//!
+//! # Numerical aspects
+//! With dual numbers the event time moves with the parameters: δ = −g/ġ has no value but the right
+//! tangents, and x + (f⁻ − f⁺)·δ carries them into the state.
+
+use super::machine::{Machine, tangents_only};
+use super::probe::{Stretch, between};
+use crate::model::Scalar;
+
+/// Bisections until the event is known to a fraction of the step below rounding of its effect.
+const HALVINGS: usize = 50;
+
+impl<T: Scalar> Machine<'_, T> {
+    fn sign(&self, k: usize) -> f64 {
+        self.r[usize::from(self.program.watches[k].sign)].value()
+    }
+
+    fn guard(&self, k: usize) -> T {
+        self.r[usize::from(self.program.watches[k].guard)]
+    }
+
+    fn set_sign(&mut self, k: usize, sign: f64) {
+        self.r[usize::from(self.program.watches[k].sign)] = T::constant(sign);
+    }
+
+    /// How far a switch is from having to change; negative when it should have changed already.
+    fn margin(&self, k: usize) -> f64 {
+        let sign = self.sign(k);
+        if self.sliding.contains(&k) {
+            return 1.0 - sign.abs();
+        }
+        let g = self.guard(k).value();
+        if sign == 0.0 { -g.abs() } else { g * sign }
+    }
+
+    /// The worst margin of all switches at the loaded time and state.
+    pub fn worst_margin(&self) -> (usize, f64) {
+        let margins = (0..self.program.watches.len()).map(|k| (k, self.margin(k)));
+        margins.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::INFINITY))
+    }
+
+    /// The earliest time in a stretch at which a switch must change, and the switch.
+    pub fn locate(&mut self, s: &Stretch<'_, T>, room: &mut [T]) -> (f64, usize) {
+        let (mut low, mut high) = (s.from, s.to);
+        let mut switch = self.worst_margin().0;
+        self.load(s.from, s.x0);
+        if self.worst_margin().1 < 0.0 {
+            return (s.from, self.worst_margin().0);
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            between(s, middle, room);
+            self.load(middle, room);
+            let (k, margin) = self.worst_margin();
+            if margin < 0.0 {
+                (high, switch) = (middle, k);
+            } else {
+                low = middle;
+            }
+        }
+        (high, switch)
+    }
+
+    /// Changes a switch at a time; x takes over the tangents of the moving event time, and `k`
+    /// the rates after it.
+    pub fn change(&mut self, k: usize, t: f64, x: &mut [T], rates: &mut [T]) {
+        self.load(t, x);
+        self.motions();
+        let motion = self.r[usize::from(self.program.watches[k].motion)];
+        let delta = -tangents_only(self.guard(k)) / motion;
+        let before: Vec<T> = self.program.rates.iter().map(|r| self.r[usize::from(*r)]).collect();
+        let was_sliding = self.sliding.contains(&k);
+        let old = self.sign(k);
+        self.sliding.retain(|other| *other != k);
+        if was_sliding {
+            self.set_sign(k, old.signum());
+        } else if old == 0.0 {
+            let now = self.guard(k).value().signum();
+            self.set_sign(k, now);
+        } else if self.slides(k, t, x) {
+            self.sliding.push(k);
+        } else {
+            self.set_sign(k, -old);
+        }
+        self.forget_time();
+        self.rates(t, x, rates);
+        if T::TANGENTS > 0 && !was_sliding && motion.value() != 0.0 {
+            for i in 0..x.len() {
+                x[i] += (before[i] - rates[i]) * delta;
+            }
+            self.rates(t, x, rates);
+        }
+    }
+
+    /// Whether both sides of a switch push towards it at a time and state.
+    fn slides(&mut self, k: usize, t: f64, x: &[T]) -> bool {
+        if !self.program.watches[k].may_slide {
+            return false;
+        }
+        let (above, below) = self.both_motions(k, t, x);
+        above <= 0.0 && below >= 0.0 && above != below
+    }
+
+    /// The motion of a guard with the sign +1 and with −1; the sign is as before afterwards.
+    fn both_motions(&mut self, k: usize, t: f64, x: &[T]) -> (f64, f64) {
+        let old = self.sign(k);
+        let mut motion = |sign: f64| {
+            self.set_sign(k, sign);
+            self.forget_time();
+            self.load(t, x);
+            self.motions();
+            self.r[usize::from(self.program.watches[k].motion)].value()
+        };
+        let both = (motion(1.0), motion(-1.0));
+        self.set_sign(k, old);
+        both
+    }
+
+    /// Decides the switches whose guards are exactly 0 at the start by where they are going.
+    pub fn settle(&mut self, t: f64, x: &[T]) {
+        for k in 0..self.program.watches.len() {
+            if self.guard(k).value() != 0.0 || self.program.watches[k].timed {
+                continue;
+            }
+            let (above, below) = self.both_motions(k, t, x);
+            if self.program.watches[k].may_slide && above <= 0.0 && below >= 0.0 && above != below {
+                self.sliding.push(k);
+            } else if above > 0.0 {
+                self.set_sign(k, 1.0);
+            } else if below < 0.0 {
+                self.set_sign(k, -1.0);
+            }
+        }
+        self.forget_time();
+    }
+
+    /// Sets the switches that depend on time and inputs alone as they are just after a time at
+    /// which an interval begins; true if one changed.
+    pub fn follow_inputs(&mut self, from: f64, to: f64) -> bool {
+        let mut changed = false;
+        for k in 0..self.program.watches.len() {
+            if !self.program.watches[k].timed {
+                continue;
+            }
+            self.load_time(from);
+            let mut g = self.guard(k).value();
+            if g == 0.0 {
+                self.load_time(0.5 * (from + to));
+                g = self.guard(k).value();
+            }
+            let sign = if g == 0.0 { self.program.watches[k].at_zero } else { g.signum() };
+            if sign != self.sign(k) {
+                self.set_sign(k, sign);
+                self.forget_time();
+                changed = true;
+            }
+        }
+        changed
+    }
+}

@@ -1,0 +1,221 @@
+//! The registers of a run: loads times and states, gives rates, lets switches slide.
+
+use super::history::History;
+use super::mesh::Mesh;
+use crate::model::Scalar;
+use crate::model::program::{Program, Remembered, Switching, execute};
+
+/// The registers of one run and what they were last loaded with.
+pub(super) struct Machine<'a, T> {
+    pub program: &'a Program,
+    pub r: Vec<T>,
+    pub mesh: &'a Mesh,
+    pub switching: Switching,
+    /// Numbers of the watched switches that slide.
+    pub sliding: Vec<usize>,
+    pub pasts: Vec<History<T>>,
+    interval: usize,
+    /// −(T − value of T) of every column: no value, but the tangents of its delay.
+    lead: Vec<Option<T>>,
+    loaded: f64,
+    scratch: Vec<T>,
+}
+
+#[inline(always)]
+fn at(register: u16) -> usize {
+    usize::from(register)
+}
+
+impl<'a, T: Scalar> Machine<'a, T> {
+    /// Registers with constants and parameters, and what depends on these alone.
+    pub fn new(program: &'a Program, mesh: &'a Mesh, parameters: &[T]) -> Self {
+        let r = registers(program, parameters);
+        let lead = program.columns.iter().map(|c| c.delay.map(|d| tangents_only(-r[at(d)]))).collect();
+        let is_past = |m: &&Remembered| matches!(m, Remembered::Past { .. });
+        let pasts = program.remembered.iter().filter(is_past).map(|_| History::default()).collect();
+        let switches = program.watches.len();
+        Self {
+            program,
+            r,
+            mesh,
+            switching: Switching::Hold,
+            sliding: Vec::with_capacity(switches),
+            pasts,
+            interval: 0,
+            lead,
+            loaded: f64::NAN,
+            scratch: Vec::with_capacity(switches * (switches + 1)),
+        }
+    }
+
+    /// Moves to an interval of the mesh.
+    pub fn enter(&mut self, interval: usize) {
+        self.interval = interval;
+        for (c, column) in self.program.columns.iter().enumerate() {
+            self.r[at(column.slope)] = T::constant(self.mesh.slope[interval * self.mesh.columns + c]);
+        }
+        if self.mesh.jumps[interval].is_some() {
+            self.loaded = f64::NAN;
+        }
+    }
+
+    /// The tangents of the delay after which an input jumps at the start of the interval.
+    pub fn jumping_delay(&self) -> Option<T> {
+        self.mesh.jumps[self.interval].and_then(|c| self.lead[c]).map(|lead| -lead)
+    }
+
+    /// Forgets which time the registers hold, after a switch has changed.
+    pub fn forget_time(&mut self) {
+        self.loaded = f64::NAN;
+    }
+
+    /// Loads a time: inputs, and what depends on them alone.
+    pub fn load_time(&mut self, t: f64) {
+        if t == self.loaded {
+            return;
+        }
+        self.loaded = t;
+        let into = t - self.mesh.time[self.interval];
+        let first = self.interval * self.mesh.columns;
+        for (c, column) in self.program.columns.iter().enumerate() {
+            let slope = self.mesh.slope[first + c];
+            let value = T::constant(self.mesh.start[first + c] + slope * into);
+            self.r[at(column.value)] = match self.lead[c] {
+                Some(lead) => value + lead.scale(slope),
+                None => value,
+            };
+        }
+        self.r[at(self.program.time)] = T::constant(t);
+        execute(&self.program.per_time, &mut self.r, self.switching);
+    }
+
+    /// Loads a time and a state.
+    pub fn load(&mut self, t: f64, x: &[T]) {
+        self.load_time(t);
+        for (register, value) in self.program.states.iter().zip(x) {
+            self.r[at(*register)] = *value;
+        }
+        if !self.pasts.is_empty() {
+            self.load_pasts(t);
+        }
+        if self.sliding.is_empty() {
+            execute(&self.program.per_state, &mut self.r, self.switching);
+        } else {
+            self.slide();
+        }
+    }
+
+    /// The rates at a time and a state.
+    #[inline]
+    pub fn rates(&mut self, t: f64, x: &[T], out: &mut [T]) {
+        self.load(t, x);
+        for (o, register) in out.iter_mut().zip(&self.program.rates) {
+            *o = self.r[at(*register)];
+        }
+    }
+
+    fn load_pasts(&mut self, t: f64) {
+        let mut slot = 0;
+        for m in &self.program.remembered {
+            if let Remembered::Past { delay, value, slope, .. } = *m {
+                let (v, s) = self.pasts[slot].at(T::constant(t) - self.r[at(delay)]);
+                self.r[at(value)] = v;
+                self.r[at(slope)] = s;
+                slot += 1;
+            }
+        }
+    }
+
+    /// The motion of the guards; states and time must be loaded.
+    pub fn motions(&mut self) {
+        execute(&self.program.motion_code, &mut self.r, self.switching);
+    }
+
+    fn try_signs(&mut self, signs: impl Fn(usize) -> f64) {
+        for (j, k) in self.sliding.iter().enumerate() {
+            self.r[at(self.program.watches[*k].sign)] = T::constant(signs(j));
+        }
+        execute(&self.program.per_state, &mut self.r, self.switching);
+        execute(&self.program.motion_code, &mut self.r, self.switching);
+    }
+
+    /// Finds the signs u of the sliding switches for which their guards stand still.
+    ///
+    /// The guards' motion is affine in u: ġ(u) = ġ(0) + Σ uⱼ·(ġ(eⱼ) − ġ(0)) = 0.
+    fn slide(&mut self) {
+        let n = self.sliding.len();
+        let mut table = std::mem::take(&mut self.scratch);
+        table.clear();
+        table.resize(n * (n + 1), T::constant(0.0));
+        self.try_signs(|_| 0.0);
+        for i in 0..n {
+            table[i * (n + 1) + n] = -self.guard_motion(i);
+        }
+        for j in 0..n {
+            self.try_signs(|other| f64::from(u8::from(other == j)));
+            for i in 0..n {
+                table[i * (n + 1) + j] = self.guard_motion(i) + table[i * (n + 1) + n];
+            }
+        }
+        super::linear::solve_table(&mut table, n);
+        for (i, k) in self.sliding.iter().enumerate() {
+            self.r[at(self.program.watches[*k].sign)] = table[i * (n + 1) + n];
+        }
+        self.scratch = table;
+        execute(&self.program.per_state, &mut self.r, self.switching);
+    }
+
+    fn guard_motion(&self, sliding: usize) -> T {
+        self.r[at(self.program.watches[self.sliding[sliding]].motion)]
+    }
+
+    /// Ends a step at a loaded time and state: held values move on, pasts are kept.
+    pub fn commit(&mut self, t: f64) {
+        if self.program.remembered.is_empty() {
+            return;
+        }
+        if !self.pasts.is_empty() {
+            self.motions();
+        }
+        let mut slot = 0;
+        for m in &self.program.remembered {
+            match *m {
+                Remembered::Hidden { .. } => {}
+                Remembered::Held { held, next, .. } => self.r[at(held)] = self.r[at(next)],
+                Remembered::Past { signal, motion, .. } => {
+                    self.pasts[slot].push(t, self.r[at(signal)], self.r[at(motion)]);
+                    slot += 1;
+                }
+            }
+        }
+    }
+
+    /// The Jacobian ∂f/∂x row by row and ∂f/∂t at the loaded time and state.
+    pub fn slopes(&mut self, jacobian: &mut [T], explicit_time: &mut [T]) {
+        execute(&self.program.jacobian_code, &mut self.r, self.switching);
+        for (o, register) in jacobian.iter_mut().zip(&self.program.jacobian) {
+            *o = self.r[at(*register)];
+        }
+        for (o, register) in explicit_time.iter_mut().zip(&self.program.explicit_time) {
+            *o = self.r[at(*register)];
+        }
+    }
+}
+
+/// Fresh registers: constants, parameters, and what depends on these alone.
+pub(super) fn registers<T: Scalar>(program: &Program, parameters: &[T]) -> Vec<T> {
+    let mut r = vec![T::constant(0.0); program.registers];
+    for (register, value) in &program.constants {
+        r[at(*register)] = T::constant(*value);
+    }
+    for (register, value) in program.parameters.iter().zip(parameters) {
+        r[at(*register)] = *value;
+    }
+    execute(&program.once, &mut r, Switching::Follow);
+    r
+}
+
+/// The same tangents with the value 0.
+pub(super) fn tangents_only<T: Scalar>(x: T) -> T {
+    x - T::constant(x.value())
+}

@@ -1,0 +1,149 @@
+//! The mesh of a run: the times at which an input bends or jumps, with the inputs' values there.
+//!
+//! Between two mesh times every input is a straight line, so a step of the solver never crosses
+//! a kink of the data.
+
+use crate::record::{Channel, Hold};
+use std::sync::Arc;
+
+/// The samples of one input, gaps left out.
+#[derive(Debug, Clone)]
+pub(super) struct Samples {
+    pub time: Arc<[f64]>,
+    pub values: Arc<[f64]>,
+    pub hold: Hold,
+    /// Stretches without samples that are much longer than the usual step, s.
+    pub gaps: Vec<(f64, f64)>,
+}
+
+/// A gap is a stretch of missing samples longer than this many usual steps.
+const GAP_STEPS: f64 = 3.5;
+
+impl Samples {
+    pub fn of(channel: &Channel) -> Self {
+        let missing = channel.values.iter().any(|v| v.is_nan());
+        let step = channel.median_step().unwrap_or(0.0);
+        let (time, values): (Arc<[f64]>, Vec<f64>) = if missing {
+            let (t, v): (Vec<f64>, Vec<f64>) = channel.samples().unzip();
+            (t.into(), v)
+        } else {
+            (channel.time.clone(), channel.values.clone())
+        };
+        let gaps = time.windows(2).filter(|w| w[1] - w[0] > GAP_STEPS * step).map(|w| (w[0], w[1])).collect();
+        Self { time, values: values.into(), hold: channel.hold, gaps }
+    }
+
+    pub fn range(&self) -> Option<(f64, f64)> {
+        Some((*self.time.first()?, *self.time.last()?))
+    }
+
+    /// Value and slope just after a time; the end values beyond the ends. `near` is where to look first.
+    pub fn at(&self, t: f64, near: &mut usize) -> (f64, f64) {
+        let n = self.time.len();
+        let mut i = (*near).min(n - 1);
+        if self.time[i] > t || (i + 8 < n && self.time[i + 8] <= t) {
+            i = self.time.partition_point(|x| *x <= t).saturating_sub(1);
+        }
+        while i + 1 < n && self.time[i + 1] <= t {
+            i += 1;
+        }
+        *near = i;
+        if i + 1 == n || t < self.time[0] || self.hold == Hold::Previous {
+            return (self.values[i], 0.0);
+        }
+        let slope = (self.values[i + 1] - self.values[i]) / (self.time[i + 1] - self.time[i]);
+        let into = t - self.time[i];
+        (if into == 0.0 { self.values[i] } else { self.values[i] + slope * into }, slope)
+    }
+}
+
+/// One column of a mesh: an input, shifted by a delay in seconds.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Shifted {
+    pub input: usize,
+    pub delay: f64,
+}
+
+/// The mesh, with start value and slope of every column on every interval.
+#[derive(Debug, Default)]
+pub(super) struct Mesh {
+    pub time: Vec<f64>,
+    pub columns: usize,
+    /// Interval by interval, column by column.
+    pub start: Vec<f64>,
+    pub slope: Vec<f64>,
+    /// A column that jumps at the start of the interval.
+    pub jumps: Vec<Option<usize>>,
+    /// The usual length of an interval, s.
+    pub usual: f64,
+}
+
+impl Mesh {
+    /// The mesh of columns over a span; `others` are further times where steps must end.
+    pub fn new(samples: &[Samples], columns: &[Shifted], span: (f64, f64), others: &[f64]) -> Self {
+        let mut time: Vec<f64> = vec![span.0, span.1];
+        let inside = |t: &f64| *t > span.0 && *t < span.1;
+        for c in columns {
+            let s = &samples[c.input];
+            let shifted = s.time.iter().map(|t| t + c.delay).filter(inside);
+            time = merged(&time, &shifted.collect::<Vec<f64>>());
+        }
+        time = merged(&time, &others.iter().copied().filter(inside).collect::<Vec<f64>>());
+        let mut mesh = Self { columns: columns.len(), time, ..Self::default() };
+        mesh.fill(samples, columns);
+        mesh
+    }
+
+    fn fill(&mut self, samples: &[Samples], columns: &[Shifted]) {
+        let mut near = vec![0; columns.len()];
+        let intervals = self.time.len() - 1;
+        self.start.reserve(intervals * columns.len());
+        self.slope.reserve(intervals * columns.len());
+        for i in 0..intervals {
+            let mut jump = None;
+            for (c, column) in columns.iter().enumerate() {
+                let s = &samples[column.input];
+                // Rounding must not put a shifted sample on the wrong side of its own mesh time.
+                let t = 0.5 * (self.time[i] + self.time[i + 1]) - column.delay;
+                let (middle, slope) = s.at(t, &mut near[c]);
+                let value = middle - slope * 0.5 * (self.time[i + 1] - self.time[i]);
+                let before = self.start.len().checked_sub(columns.len()).map(|k| self.start[k]);
+                if s.hold == Hold::Previous && before.is_some_and(|b| b != value) {
+                    jump = Some(c);
+                }
+                self.start.push(value);
+                self.slope.push(slope);
+            }
+            self.jumps.push(jump);
+        }
+        let mut lengths: Vec<f64> = self.time.windows(2).map(|w| w[1] - w[0]).collect();
+        if !lengths.is_empty() {
+            let middle = lengths.len() / 2;
+            self.usual = *lengths.select_nth_unstable_by(middle, f64::total_cmp).1;
+        }
+    }
+
+    pub fn intervals(&self) -> usize {
+        self.time.len() - 1
+    }
+}
+
+/// Both rising lists in one, times that agree to rounding once.
+fn merged(a: &[f64], b: &[f64]) -> Vec<f64> {
+    let mut out = Vec::with_capacity(a.len() + b.len());
+    let (mut i, mut j) = (0, 0);
+    while i < a.len() || j < b.len() {
+        let from_a = j == b.len() || (i < a.len() && a[i] <= b[j]);
+        let t = if from_a { a[i] } else { b[j] };
+        if from_a {
+            i += 1;
+        } else {
+            j += 1;
+        }
+        match out.last() {
+            Some(last) if t - last <= 1e-12 * f64::abs(t) => {}
+            _ => out.push(t),
+        }
+    }
+    out
+}

@@ -1,0 +1,219 @@
+//! A run over the whole mesh.
+
+use super::machine::Machine;
+use super::mesh::Mesh;
+use super::probe::{Clock, Probe, Stretch};
+use super::start::start;
+use super::steps::{Method, Stepper};
+use crate::Result;
+use crate::model::Scalar;
+use crate::model::program::Program;
+
+/// Events within one step before the rest of it is taken without looking.
+const MOST_EVENTS: usize = 40;
+/// A state beyond this has blown up.
+const TOO_LARGE: f64 = 1e100;
+
+/// What a run needs besides numbers.
+pub(super) struct Course<'a> {
+    pub program: &'a Program,
+    pub mesh: &'a Mesh,
+    pub clocks: &'a [Clock],
+    /// States that start where the model is steady.
+    pub steady: &'a [usize],
+    pub method: Method,
+    /// Steps in a usual interval of the mesh.
+    pub substeps: usize,
+}
+
+/// What a run gives.
+pub(super) struct Ran<T> {
+    /// For each clock: time by time, register by register.
+    pub values: Vec<Vec<T>>,
+    /// Σ over steps of |h·(k₄ − k₅)|/6 against the range of each state, the largest: grows with the error.
+    pub roughness: f64,
+    /// The time and the state at which the run blew up.
+    pub blew_up: Option<(f64, usize)>,
+    /// Number of events.
+    pub events: usize,
+}
+
+struct Runner<'a, T> {
+    m: Machine<'a, T>,
+    stepper: Stepper<T>,
+    probe: Probe<'a, T>,
+    x: Vec<T>,
+    k: Vec<T>,
+    x1: Vec<T>,
+    k1: Vec<T>,
+    room: Vec<T>,
+    events: usize,
+    roughness: Roughness,
+}
+
+/// How far the last stage of each step lies from the rates at its end.
+struct Roughness {
+    sums: Vec<f64>,
+    ranges: Vec<(f64, f64)>,
+}
+
+impl Roughness {
+    fn new(n: usize) -> Self {
+        Self { sums: vec![0.0; n], ranges: vec![(f64::INFINITY, f64::NEG_INFINITY); n] }
+    }
+
+    fn add<T: Scalar>(&mut self, h: f64, last_stage: &[T], k1: &[T], x1: &[T]) {
+        for i in 0..self.sums.len() {
+            self.sums[i] += (last_stage[i].value() - k1[i].value()).abs() * h / 6.0;
+            let (low, high) = self.ranges[i];
+            self.ranges[i] = (low.min(x1[i].value()), high.max(x1[i].value()));
+        }
+    }
+
+    fn worst(&self) -> f64 {
+        let shares = self.sums.iter().zip(&self.ranges).map(|(s, r)| s / (r.1 - r.0));
+        shares.filter(|s| s.is_finite()).fold(0.0, f64::max)
+    }
+}
+
+/// Runs from start to end.
+pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T]) -> Result<Ran<T>> {
+    let mut m = Machine::new(course.program, course.mesh, parameters);
+    let first = course.mesh.time[0];
+    let x = start(&mut m, first, given, course.steady)?;
+    let n = x.len();
+    let zeros = || vec![T::constant(0.0); n];
+    let mut runner = Runner {
+        m,
+        stepper: Stepper::new(course.method, n),
+        probe: Probe::new(course.clocks, first),
+        x,
+        k: zeros(),
+        x1: zeros(),
+        k1: zeros(),
+        room: zeros(),
+        events: 0,
+        roughness: Roughness::new(n),
+    };
+    runner.begin(first);
+    let blew_up = runner.walk(course);
+    Ok(Ran {
+        values: runner.probe.values,
+        roughness: runner.roughness.worst(),
+        blew_up,
+        events: runner.events,
+    })
+}
+
+impl<T: Scalar> Runner<'_, T> {
+    fn begin(&mut self, t: f64) {
+        self.m.rates(t, &self.x, &mut self.k);
+        self.m.commit(t);
+        let here = Stretch { from: t, to: t, x0: &self.x, k0: &self.k, x1: &self.x, k1: &self.k };
+        self.probe.record(&mut self.m, &here, &mut self.room);
+    }
+
+    fn walk(&mut self, course: &Course<'_>) -> Option<(f64, usize)> {
+        let mesh = course.mesh;
+        for i in 0..mesh.intervals() {
+            let (from, to) = (mesh.time[i], mesh.time[i + 1]);
+            self.enter(i, from, to);
+            let pieces = substeps(course.substeps, to - from, mesh.usual);
+            let h = (to - from) / pieces as f64;
+            for s in 0..pieces {
+                let end = if s + 1 == pieces { to } else { from + (s + 1) as f64 * h };
+                self.advance(from + s as f64 * h, end);
+            }
+            if let Some(bad) = self.x.iter().position(|x| !(x.value().abs() < TOO_LARGE)) {
+                return Some((to, bad));
+            }
+        }
+        None
+    }
+
+    fn enter(&mut self, interval: usize, from: f64, to: f64) {
+        self.m.enter(interval);
+        let followed = self.m.follow_inputs(from, to);
+        if interval > 0 && self.m.mesh.jumps[interval].is_some() {
+            self.carry_delay_tangents(from);
+        }
+        if followed || self.m.mesh.jumps[interval].is_some() || !self.m.sliding.is_empty() {
+            self.m.rates(from, &self.x, &mut self.k);
+        }
+    }
+
+    /// A held input that jumps some delay later: the moment of the jump moves with the delay.
+    fn carry_delay_tangents(&mut self, t: f64) {
+        if T::TANGENTS == 0 {
+            return;
+        }
+        if let Some(delay) = self.m.jumping_delay() {
+            let before = self.k.clone();
+            self.m.rates(t, &self.x, &mut self.k);
+            for i in 0..self.x.len() {
+                self.x[i] += (before[i] - self.k[i]) * delay;
+            }
+        }
+    }
+
+    /// From one time to another within an interval, through whatever events lie between.
+    fn advance(&mut self, from: f64, to: f64) {
+        let mut t = from;
+        for event in 0.. {
+            if !self.m.sliding.is_empty() && event < MOST_EVENTS {
+                self.leave_slides(t);
+            }
+            self.stepper.step(&mut self.m, (t, to - t), (&self.x, &self.k), &mut self.x1);
+            self.m.rates(to, &self.x1, &mut self.k1);
+            let quiet = self.m.program.watches.is_empty() || self.m.worst_margin().1 >= 0.0;
+            if quiet || event >= MOST_EVENTS {
+                if let Some(last) = self.stepper.last_stage() {
+                    self.roughness.add(to - t, last, &self.k1, &self.x1);
+                }
+                self.accept(t, to);
+                return;
+            }
+            let whole = Stretch { from: t, to, x0: &self.x, k0: &self.k, x1: &self.x1, k1: &self.k1 };
+            let (at, switch) = self.m.locate(&whole, &mut self.room);
+            if at > t {
+                self.stepper.step(&mut self.m, (t, at - t), (&self.x, &self.k), &mut self.x1);
+                self.m.rates(at, &self.x1, &mut self.k1);
+                self.accept(t, at);
+            }
+            self.m.change(switch, at, &mut self.x, &mut self.k);
+            self.events += 1;
+            t = at;
+            if t >= to {
+                return;
+            }
+        }
+    }
+
+    /// A slide may have to end at once where an input bends.
+    fn leave_slides(&mut self, t: f64) {
+        self.m.load(t, &self.x);
+        while let (k, margin) = self.m.worst_margin()
+            && margin < 0.0
+            && self.m.sliding.contains(&k)
+        {
+            self.m.change(k, t, &mut self.x, &mut self.k);
+            self.m.load(t, &self.x);
+            self.events += 1;
+        }
+    }
+
+    /// Ends a stretch: memory moves on, records are written, the new state becomes the present.
+    fn accept(&mut self, from: f64, to: f64) {
+        self.m.commit(to);
+        let s = Stretch { from, to, x0: &self.x, k0: &self.k, x1: &self.x1, k1: &self.k1 };
+        self.probe.record(&mut self.m, &s, &mut self.room);
+        std::mem::swap(&mut self.x, &mut self.x1);
+        std::mem::swap(&mut self.k, &mut self.k1);
+    }
+}
+
+/// Steps in an interval: a long one gets more.
+fn substeps(usual_steps: usize, length: f64, usual: f64) -> usize {
+    let wanted = usual_steps as f64 * length / usual - 1e-6;
+    (wanted.ceil() as usize).max(usual_steps.min(1)).clamp(1, 1_000_000)
+}

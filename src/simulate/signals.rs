@@ -1,0 +1,133 @@
+//! The outputs of a model beside the channels that measured them.
+
+use super::mesh::Samples;
+use super::probe::Clock;
+use crate::model::Model;
+use crate::model::program::{Program, Register};
+use crate::record::{Channel, Kind, Recording};
+use crate::units::Unit;
+use crate::{Error, ErrorKind, Result};
+use std::sync::Arc;
+
+/// An output of the model and the channel that measured it.
+#[derive(Debug, Clone)]
+pub struct OutputSignal {
+    /// Name of the output and of the channel.
+    pub name: String,
+    /// Number of the output in the model.
+    pub output: usize,
+    /// The model's unit of the output.
+    pub unit: Unit,
+    /// s of the recording's clock; row numbers of trials.
+    pub time: Arc<[f64]>,
+    /// Measured values in SI; NaN = gap.
+    pub measured: Arc<[f64]>,
+    /// Whether the angle counts modulo a turn.
+    pub wraps: bool,
+    /// Which samples the model can predict: inside the simulated span and outside input gaps.
+    pub covered: Vec<bool>,
+}
+
+/// The channel of an input or output, with the dimension that the model expects.
+pub(super) fn channel<'a>(
+    recording: &'a Recording,
+    name: &str,
+    unit: &Unit,
+    what: &str,
+) -> Result<&'a Channel> {
+    let channel = recording.channel(name).map_err(|e| e.about(&format!("{what} {name}")))?;
+    if channel.unit.dimension() != unit.dimension() {
+        let message =
+            format!("{what} {name} has the unit {unit} in the model, but {} in the recording", channel.unit);
+        return Err(Error::new(ErrorKind::Units, message));
+    }
+    Ok(channel)
+}
+
+/// The inputs' samples.
+pub(super) fn inputs(model: &Model, recording: &Recording) -> Result<Vec<Samples>> {
+    model
+        .inputs
+        .iter()
+        .map(|input| {
+            let samples = Samples::of(channel(recording, &input.name, &input.unit, "input")?);
+            if samples.time.is_empty() {
+                return Err(Error::bad_input(format!("the input {} has no samples", input.name)));
+            }
+            Ok(samples)
+        })
+        .collect()
+}
+
+/// The outputs that the recording measured.
+pub(super) fn outputs(model: &Model, recording: &Recording) -> Result<Vec<OutputSignal>> {
+    let mut found = Vec::new();
+    for (i, output) in model.outputs.iter().enumerate() {
+        let c = channel(recording, &output.name, &output.unit, "output")?;
+        found.push(OutputSignal {
+            name: output.name.clone(),
+            output: i,
+            unit: output.unit.clone(),
+            time: c.time.clone(),
+            measured: c.values.clone().into(),
+            wraps: c.wraps,
+            covered: Vec::new(),
+        });
+    }
+    Ok(found)
+}
+
+/// The simulated span: where all inputs are known, up to the last output wanted.
+pub(super) fn span(
+    inputs: &[Samples],
+    outputs: &[OutputSignal],
+    window: Option<(f64, f64)>,
+) -> Result<(f64, f64)> {
+    let ends = |time: &Arc<[f64]>| Some((*time.first()?, *time.last()?));
+    let measured = outputs.iter().filter_map(|o| ends(&o.time));
+    let measured = measured.fold((f64::INFINITY, f64::NEG_INFINITY), |a, b| (a.0.min(b.0), a.1.max(b.1)));
+    let known = inputs.iter().filter_map(Samples::range);
+    let known = known.fold((f64::NEG_INFINITY, f64::INFINITY), |a, b| (a.0.max(b.0), a.1.min(b.1)));
+    let from = if known.0.is_finite() { known.0 } else { measured.0 };
+    let window = window.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
+    let span = (from.max(window.0), known.1.min(measured.1).min(window.1));
+    if span.0 < span.1 || (span.0 == span.1 && span.0.is_finite()) {
+        Ok(span)
+    } else {
+        Err(Error::bad_input("inputs and outputs share no time")
+            .with_hint("the clocks of the tables may differ; `gyrospec record` shows their times"))
+    }
+}
+
+/// Marks what can be predicted.
+pub(super) fn cover(outputs: &mut [OutputSignal], inputs: &[Samples], span: (f64, f64), kind: Kind) {
+    for o in outputs {
+        let gap = |t: f64| inputs.iter().any(|s| s.gaps.iter().any(|g| t > g.0 && t < g.1));
+        let known = |t: f64| {
+            kind == Kind::Trials
+                && inputs.iter().all(|s| s.time.binary_search_by(|x| x.total_cmp(&t)).is_ok())
+        };
+        let inside = |t: &f64| *t >= span.0 && *t <= span.1;
+        o.covered = match kind {
+            Kind::Time => o.time.iter().map(|t| inside(t) && !gap(*t)).collect(),
+            Kind::Trials => o.time.iter().map(|t| inside(t) && known(*t)).collect(),
+        };
+    }
+}
+
+/// One clock for all outputs that share their times; gives the place of each output: clock and column.
+pub(super) fn clocks(outputs: &[OutputSignal], program: &Program) -> (Vec<Clock>, Vec<(usize, usize)>) {
+    let mut clocks: Vec<Clock> = Vec::new();
+    let mut places = Vec::new();
+    for o in outputs {
+        let register: Register = program.outputs[o.output];
+        let same = |c: &Clock| Arc::ptr_eq(&c.time, &o.time) || c.time == o.time;
+        let k = clocks.iter().position(same).unwrap_or_else(|| {
+            clocks.push(Clock { time: o.time.clone(), registers: Vec::new() });
+            clocks.len() - 1
+        });
+        places.push((k, clocks[k].registers.len()));
+        clocks[k].registers.push(register);
+    }
+    (clocks, places)
+}

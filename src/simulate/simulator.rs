@@ -1,0 +1,399 @@
+//! The simulator: built once from a model and a recording, run as often as wanted.
+
+use super::machine::registers;
+use super::mesh::{Mesh, Samples, Shifted};
+use super::plan::{Plan, plan};
+use super::probe::Clock;
+use super::run::{Course, Ran, run};
+use super::signals::{self, OutputSignal};
+use super::steps::Method;
+use super::{faults, static_run};
+use crate::model::program::Program;
+use crate::model::{Dual, Initial, Model, Scalar};
+use crate::record::{Kind, Recording};
+use crate::units::Unit;
+use crate::{Error, Result};
+use std::sync::Arc;
+
+/// How to simulate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Share of an output's spread by which halving the step may move it; 1e-6.
+    pub tolerance: f64,
+    /// Simulate from here to there only, s; the initial states then stand at the first.
+    pub window: Option<(f64, f64)>,
+    /// Fixed method and number of steps in a usual interval of the inputs; no check then.
+    pub fixed: Option<(Method, usize)>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { tolerance: 1e-6, window: None, fixed: None }
+    }
+}
+
+/// Something that a run depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unknown {
+    /// A parameter, by its number in the model.
+    Parameter(usize),
+    /// An initial state, by the state's number in the model.
+    Initial(usize),
+}
+
+/// One run.
+#[derive(Debug, Clone)]
+pub struct Trajectory {
+    /// Predictions in SI, by output, at the times of the output; NaN where not covered.
+    pub outputs: Vec<Vec<f64>>,
+    /// By output, by unknown asked for, at the times of the output; empty where none were asked for.
+    pub sensitivities: Vec<Vec<Vec<f64>>>,
+    /// The solver's error as a share of the outputs' spread, by halving the step.
+    pub solver_error: f64,
+    /// The time and the state at which it blew up; what follows is NaN.
+    pub blew_up: Option<(f64, usize)>,
+    /// Number of events (switches that changed).
+    pub events: usize,
+}
+
+/// A model on a recording, ready to run; shared freely between threads.
+///
+/// ```
+/// use gyrospec::model::Model;
+/// use gyrospec::record::{Channel, Recording};
+/// use gyrospec::simulate::{Options, Simulator, Unknown};
+/// use gyrospec::units::Unit;
+/// let model = Model::parse(r#"
+///     name = "cooling"
+///     [parameters]
+///     T = { value = 2, unit = "s" }
+///     [states]
+///     y = { rate = "-y/T", unit = "K", initial = 1 }
+///     [outputs]
+///     temperature = { equals = "y", unit = "K" }
+/// "#)?;
+/// let time: Vec<f64> = (0..41).map(|i| 0.1 * f64::from(i)).collect();
+/// let measured = Channel::new("temperature", Unit::parse("K")?, time, vec![0.0; 41]);
+/// let recording = Recording::from_channels("made", vec![measured])?;
+/// let simulator = Simulator::new(&model, &recording, &Options::default())?;
+/// let (p, x0) = (simulator.parameters(), simulator.initials());
+/// let run = simulator.run_with_sensitivities(&p, &x0, &[Unknown::Parameter(0)])?;
+/// assert!((run.outputs[0][40] - (-2.0f64).exp()).abs() < 1e-6);
+/// assert!((run.sensitivities[0][0][40] - (-2.0f64).exp()).abs() < 1e-6);
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Simulator {
+    pub(super) model: Arc<Model>,
+    pub(super) program: Arc<Program>,
+    samples: Arc<[Samples]>,
+    outputs: Vec<OutputSignal>,
+    clocks: Vec<Clock>,
+    places: Vec<(usize, usize)>,
+    constants: Vec<(usize, f64)>,
+    span: (f64, f64),
+    /// The mesh of models without delayed inputs.
+    mesh: Option<Arc<Mesh>>,
+    plan: Plan,
+    tolerance: f64,
+}
+
+impl Simulator {
+    /// Compiles the model for a recording and chooses the steps.
+    ///
+    /// # Errors
+    /// Missing channels, units that do not fit, inputs and outputs without common time; a rate
+    /// that is no number at the first step.
+    pub fn new(model: &Model, recording: &Recording, options: &Options) -> Result<Self> {
+        let program = model.compile()?;
+        let samples = signals::inputs(model, recording)?;
+        let mut outputs = signals::outputs(model, recording)?;
+        let span = signals::span(&samples, &outputs, options.window)?;
+        signals::cover(&mut outputs, &samples, span, recording.kind);
+        let (clocks, places) = signals::clocks(&outputs, &program);
+        let mut simulator = Self {
+            constants: constants(model, recording)?,
+            model: Arc::new(model.clone()),
+            program: Arc::new(program),
+            samples: samples.into(),
+            outputs,
+            clocks,
+            places,
+            span,
+            mesh: None,
+            plan: Plan { method: Method::Explicit, substeps: 1, error: 0.0, roughness: 0.0 },
+            tolerance: options.tolerance,
+        };
+        if simulator.is_dynamic() {
+            if recording.kind == Kind::Trials {
+                return Err(Error::bad_input(
+                    "the recording is a table of steady trials, but the model has states or memory",
+                )
+                .with_hint("write the steady outputs as expressions of the inputs"));
+            }
+            simulator.prepare(options)?;
+        }
+        Ok(simulator)
+    }
+
+    fn prepare(&mut self, options: &Options) -> Result<()> {
+        let parameters = self.parameters();
+        if !self.program.columns.iter().any(|c| c.delay.is_some()) {
+            self.mesh = Some(Arc::new(self.new_mesh(&parameters)));
+        }
+        self.plan = match options.fixed {
+            Some((method, substeps)) => {
+                Plan { method, substeps: substeps.max(1), error: f64::NAN, roughness: 0.0 }
+            }
+            None => {
+                let mesh = self.mesh_at(&parameters);
+                faults::first_step(self, &mesh, &parameters)?;
+                let (given, steady) = self.starts(&self.initials());
+                plan(&self.course(&mesh, self.plan, &steady), &parameters, &given, self.tolerance)?
+            }
+        };
+        Ok(())
+    }
+
+    /// The same model and steps on another part of the recording; the initial states then stand at
+    /// the start of the window.
+    ///
+    /// # Errors
+    /// A window without common time of inputs and outputs.
+    pub fn on_window(&self, from: f64, to: f64) -> Result<Self> {
+        let mut part = self.clone();
+        part.span = signals::span(&self.samples, &self.outputs, Some((from, to)))?;
+        signals::cover(&mut part.outputs, &self.samples, part.span, Kind::Time);
+        if self.mesh.is_some() {
+            part.mesh = Some(Arc::new(part.new_mesh(&self.parameters())));
+        }
+        Ok(part)
+    }
+
+    /// Whether the model has states or memory.
+    pub fn is_dynamic(&self) -> bool {
+        !self.program.rates.is_empty() || !self.program.remembered.is_empty()
+    }
+
+    /// The model.
+    pub fn model(&self) -> &Model {
+        &self.model
+    }
+
+    /// The outputs with their channels, in the model's order.
+    pub fn outputs(&self) -> &[OutputSignal] {
+        &self.outputs
+    }
+
+    /// First and last simulated time, s.
+    pub fn span(&self) -> (f64, f64) {
+        self.span
+    }
+
+    /// The method, and the steps in a usual interval of the inputs.
+    pub fn steps(&self) -> (Method, usize) {
+        (self.plan.method, self.plan.substeps)
+    }
+
+    /// Parameters that the recording knows itself: (number, SI value).
+    pub fn constants(&self) -> &[(usize, f64)] {
+        &self.constants
+    }
+
+    /// The model's parameters in SI, the recording's constants in place.
+    pub fn parameters(&self) -> Vec<f64> {
+        self.with_constants(&self.model.parameters.iter().map(|p| p.value).collect::<Vec<_>>())
+    }
+
+    pub(super) fn with_constants(&self, parameters: &[f64]) -> Vec<f64> {
+        let mut own = parameters.to_vec();
+        for (k, value) in &self.constants {
+            own[*k] = *value;
+        }
+        own
+    }
+
+    /// The model's initial states in SI: its numbers; for a fitted state that an output shows
+    /// directly, the first measured value, else 0; NaN for a steady one.
+    pub fn initials(&self) -> Vec<f64> {
+        let shown = |name: &str| {
+            let o =
+                self.model.outputs.iter().position(|o| o.equals == crate::expression::Expr::name(name))?;
+            let o = self.outputs.iter().find(|s| s.output == o)?;
+            let first =
+                o.time.iter().zip(o.measured.iter()).find(|(t, y)| **t >= self.span.0 && y.is_finite());
+            first.map(|(_, y)| *y)
+        };
+        let one = |s: &crate::model::State| match s.initial {
+            Initial::Number(x) => x,
+            Initial::Fit => shown(&s.name).unwrap_or(0.0),
+            Initial::Steady => f64::NAN,
+        };
+        self.model.states.iter().map(one).collect()
+    }
+
+    /// The start of every state, the model's own where NaN is given, and the states that start steady.
+    pub(super) fn starts(&self, initials: &[f64]) -> (Vec<f64>, Vec<usize>) {
+        let own = self.initials();
+        let pairs = initials.iter().zip(&own);
+        let starts: Vec<f64> = pairs.map(|(given, own)| if given.is_nan() { *own } else { *given }).collect();
+        let steady = (0..starts.len()).filter(|i| starts[*i].is_nan()).collect();
+        (starts, steady)
+    }
+
+    /// Runs from initial states (one a state of the model; NaN for the model's own start).
+    ///
+    /// # Errors
+    /// Wrong lengths; a rate that is no number at the first step; no steady state.
+    pub fn run(&self, parameters: &[f64], initials: &[f64]) -> Result<Trajectory> {
+        self.run_with_sensitivities(parameters, initials, &[])
+    }
+
+    /// Runs, and differentiates every output with respect to unknowns.
+    ///
+    /// # Errors
+    /// As [`Simulator::run`].
+    pub fn run_with_sensitivities(
+        &self,
+        parameters: &[f64],
+        initials: &[f64],
+        unknowns: &[Unknown],
+    ) -> Result<Trajectory> {
+        if parameters.len() != self.model.parameters.len() || initials.len() != self.model.states.len() {
+            return Err(Error::usage("as many parameters and initial states are needed as the model has"));
+        }
+        let case = Case {
+            parameters: self.with_constants(parameters),
+            initials,
+            unknowns: &[],
+            clocks: &self.clocks,
+        };
+        let mut out = Trajectory {
+            outputs: Vec::new(),
+            sensitivities: vec![Vec::new(); self.outputs.len()],
+            solver_error: self.plan.error,
+            blew_up: None,
+            events: 0,
+        };
+        if unknowns.is_empty() {
+            self.add::<f64>(&case, &mut out)?;
+        }
+        for chunk in unknowns.chunks(8) {
+            let case = Case { unknowns: chunk, ..case.clone() };
+            match chunk.len() {
+                0..=2 => self.add::<Dual<2>>(&case, &mut out)?,
+                3..=4 => self.add::<Dual<4>>(&case, &mut out)?,
+                _ => self.add::<Dual<8>>(&case, &mut out)?,
+            }
+        }
+        Ok(out)
+    }
+
+    /// Runs one chunk of unknowns and adds what it gives.
+    fn add<T: Scalar>(&self, case: &Case<'_>, out: &mut Trajectory) -> Result<()> {
+        let ran = self.ran::<T>(case)?;
+        (out.blew_up, out.events) = (ran.blew_up, ran.events);
+        out.solver_error = self.plan.foretold(ran.roughness);
+        let take = |o: usize, f: &dyn Fn(T) -> f64| -> Vec<f64> {
+            let (clock, column) = self.places[o];
+            let width = self.clocks[clock].registers.len();
+            let values = ran.values[clock].iter().skip(column).step_by(width);
+            values.zip(&self.outputs[o].covered).map(|(v, c)| if *c { f(*v) } else { f64::NAN }).collect()
+        };
+        if out.outputs.is_empty() {
+            out.outputs = (0..self.outputs.len()).map(|o| take(o, &Scalar::value)).collect();
+        }
+        for o in 0..self.outputs.len() {
+            out.sensitivities[o].extend((0..case.unknowns.len()).map(|d| take(o, &|v: T| v.tangent(d))));
+        }
+        Ok(())
+    }
+
+    pub(super) fn ran<T: Scalar>(&self, case: &Case<'_>) -> Result<Ran<T>> {
+        let direction =
+            |unknown: Unknown| case.unknowns.iter().position(|u| *u == unknown).unwrap_or(usize::MAX);
+        let known = |k: usize| self.constants.iter().any(|c| c.0 == k);
+        let parameter = |(k, p): (usize, &f64)| {
+            let d = if known(k) { usize::MAX } else { direction(Unknown::Parameter(k)) };
+            T::variable(*p, d)
+        };
+        let parameters: Vec<T> = case.parameters.iter().enumerate().map(parameter).collect();
+        if !self.is_dynamic() {
+            let values = static_run::run(&self.program, &self.samples, case.clocks, &parameters);
+            return Ok(Ran { values, roughness: 0.0, blew_up: None, events: 0 });
+        }
+        let (starts, steady) = self.starts(case.initials);
+        let given: Vec<T> =
+            starts.iter().enumerate().map(|(i, x)| T::variable(*x, direction(Unknown::Initial(i)))).collect();
+        let mesh = self.mesh_at(&case.parameters);
+        let mut plan = self.plan;
+        loop {
+            let course = Course { clocks: case.clocks, ..self.course(&mesh, plan, &steady) };
+            let ran = run(&course, &parameters, &given)?;
+            let fine = !(plan.foretold(ran.roughness) > SLACK * self.tolerance.max(self.plan.error));
+            if fine || plan.method == Method::Stiff || plan.substeps >= MOST_SUBSTEPS {
+                return Ok(ran);
+            }
+            plan = Plan { substeps: 2 * plan.substeps, error: plan.error / 16.0, ..plan };
+        }
+    }
+
+    pub(super) fn mesh_at(&self, parameters: &[f64]) -> Arc<Mesh> {
+        self.mesh.clone().unwrap_or_else(|| Arc::new(self.new_mesh(parameters)))
+    }
+
+    fn new_mesh(&self, parameters: &[f64]) -> Mesh {
+        let r = registers(&self.program, parameters);
+        let columns = self.program.columns.iter();
+        let columns: Vec<Shifted> = columns
+            .map(|c| Shifted { input: c.input, delay: c.delay.map_or(0.0, |d| r[usize::from(d)]) })
+            .collect();
+        let alone = columns.is_empty();
+        let times = self.clocks.iter().filter(|_| alone).flat_map(|c| c.time.iter().copied());
+        let mut others: Vec<f64> = times.collect();
+        others.sort_unstable_by(f64::total_cmp);
+        Mesh::new(&self.samples, &columns, self.span, &others)
+    }
+
+    pub(super) fn course<'a>(&'a self, mesh: &'a Mesh, plan: Plan, steady: &'a [usize]) -> Course<'a> {
+        Course {
+            program: &self.program,
+            mesh,
+            clocks: &self.clocks,
+            steady,
+            method: plan.method,
+            substeps: plan.substeps,
+        }
+    }
+}
+
+/// How much larger than planned a foretold error may be before a run is repeated with more steps.
+const SLACK: f64 = 8.0;
+const MOST_SUBSTEPS: usize = 64;
+
+/// One run asked for.
+#[derive(Clone)]
+pub(super) struct Case<'a> {
+    pub parameters: Vec<f64>,
+    pub initials: &'a [f64],
+    pub unknowns: &'a [Unknown],
+    pub clocks: &'a [Clock],
+}
+
+fn constants(model: &Model, recording: &Recording) -> Result<Vec<(usize, f64)>> {
+    let mut found = Vec::new();
+    for c in &recording.constants {
+        if let Some(k) = model.parameters.iter().position(|p| p.name == c.name) {
+            let wanted: &Unit = &model.parameters[k].unit;
+            if wanted.dimension() != c.unit.dimension() {
+                let message = format!(
+                    "the constant {} has the unit {} in the recording, but {wanted} in the model",
+                    c.name, c.unit
+                );
+                return Err(Error::new(crate::ErrorKind::Units, message));
+            }
+            found.push((k, c.value));
+        }
+    }
+    Ok(found)
+}

@@ -1,0 +1,174 @@
+//! # Purpose
+//! One step of the solver between two times with straight inputs and held switches.
+//!
+//! # Method
+//! Explicit: the classical Runge-Kutta method of order 4. Stiff: RODAS, a Rosenbrock method of
+//! order 4 with six stages, L-stable and stiffly accurate, with the exact Jacobian.
+//!
+//! # References
+//! E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., Springer 1996,
+//! section IV.7 and the coefficients of its code RODAS, in the form of A. Sandu et al.,
+//! Atmos. Environ. 31 (1997) 3459-3472.
+//!
+//! # Numerical aspects
+//! Both run in dual numbers throughout, the Jacobian's entries included, so tangents are the exact
+//! derivatives of the computed values.
+
+use super::linear::Factors;
+use super::machine::Machine;
+use crate::model::Scalar;
+
+/// Which solver a run uses.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// Classical Runge-Kutta, order 4.
+    Explicit,
+    /// RODAS, order 4, for models with a fast lag beside slow motion.
+    Stiff,
+}
+
+/// Room for the stages of a step.
+pub(super) struct Stepper<T> {
+    method: Method,
+    stage: Vec<T>,
+    k: Vec<Vec<T>>,
+    jacobian: Vec<T>,
+    matrix: Vec<T>,
+    explicit_time: Vec<T>,
+    right: Vec<T>,
+    factors: Factors<T>,
+}
+
+impl<T: Scalar> Stepper<T> {
+    pub fn new(method: Method, n: usize) -> Self {
+        let zeros = |n: usize| vec![T::constant(0.0); n];
+        let (stages, square) = if method == Method::Stiff { (6, n * n) } else { (3, 0) };
+        Self {
+            method,
+            stage: zeros(n),
+            k: vec![zeros(n); stages],
+            jacobian: zeros(square),
+            matrix: zeros(square),
+            explicit_time: zeros(n),
+            right: zeros(n),
+            factors: Factors::new(if square == 0 { 0 } else { n }),
+        }
+    }
+
+    /// Steps from x with rates k1 at t over h; the new state goes to `out`.
+    pub fn step(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
+        match self.method {
+            Method::Explicit => self.explicit(m, (t, h), (x, k1), out),
+            Method::Stiff => self.stiff(m, (t, h), (x, k1), out),
+        }
+    }
+
+    /// The rates of the last stage of an explicit step; none for the stiff method.
+    pub fn last_stage(&self) -> Option<&[T]> {
+        if self.method == Method::Explicit { self.k.last().map(Vec::as_slice) } else { None }
+    }
+
+    fn explicit(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
+        let n = x.len();
+        let [k2, k3, k4] = self.k.as_mut_slice() else { return };
+        let stage = &mut self.stage;
+        for i in 0..n {
+            stage[i] = x[i] + k1[i].scale(0.5 * h);
+        }
+        m.rates(t + 0.5 * h, stage, k2);
+        for i in 0..n {
+            stage[i] = x[i] + k2[i].scale(0.5 * h);
+        }
+        m.rates(t + 0.5 * h, stage, k3);
+        for i in 0..n {
+            stage[i] = x[i] + k3[i].scale(h);
+        }
+        m.rates(t + h, stage, k4);
+        for i in 0..n {
+            // x + h·(k₁ + 2k₂ + 2k₃ + k₄)/6
+            out[i] = x[i] + (k1[i] + (k2[i] + k3[i]).scale(2.0) + k4[i]).scale(h / 6.0);
+        }
+    }
+
+    fn stiff(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
+        let n = x.len();
+        m.load(t, x);
+        m.slopes(&mut self.jacobian, &mut self.explicit_time);
+        // (1/(hγ)·1 − J)·uᵢ = f(t + αᵢh, x + Σ aᵢⱼuⱼ) + Σ cᵢⱼuⱼ/h + γᵢ·h·∂f/∂t
+        for (i, (a, j)) in self.matrix.iter_mut().zip(&self.jacobian).enumerate() {
+            let diagonal = if i % (n + 1) == 0 { 1.0 / (h * GAMMA) } else { 0.0 };
+            *a = T::constant(diagonal) - *j;
+        }
+        self.factors.factor(&self.matrix);
+        for s in 0..6 {
+            self.stage.copy_from_slice(x);
+            self.add_stages(s, &A);
+            if s == 0 {
+                self.right.copy_from_slice(k1);
+            } else {
+                m.rates(t + ALPHA[s] * h, &self.stage, &mut self.right);
+            }
+            for i in 0..n {
+                let earlier =
+                    (0..s).fold(T::constant(0.0), |sum, j| sum + self.k[j][i].scale(C[row(s) + j] / h));
+                self.right[i] = self.right[i] + earlier + self.explicit_time[i].scale(GAMMAS[s] * h);
+            }
+            self.factors.solve(&self.right, &mut self.k[s]);
+        }
+        // The last stage stands on x + Σ a₆ⱼuⱼ, to which u₆ adds: stiffly accurate.
+        for i in 0..n {
+            out[i] = self.stage[i] + self.k[5][i];
+        }
+    }
+
+    fn add_stages(&mut self, s: usize, weights: &[f64; 15]) {
+        for j in 0..s {
+            for (value, k) in self.stage.iter_mut().zip(&self.k[j]) {
+                *value += k.scale(weights[row(s) + j]);
+            }
+        }
+    }
+}
+
+/// Where the weights of stage s begin in a packed lower triangle.
+const fn row(s: usize) -> usize {
+    s * s.saturating_sub(1) / 2
+}
+
+const GAMMA: f64 = 0.25;
+const ALPHA: [f64; 6] = [0.0, 0.386, 0.21, 0.63, 1.0, 1.0];
+const GAMMAS: [f64; 6] = [0.25, -0.1043, 0.1035, -0.03620000000000023, 0.0, 0.0];
+const A: [f64; 15] = [
+    1.544,
+    0.9466785280815826,
+    0.2557011698983284,
+    3.314825187068521,
+    2.896124015972201,
+    0.9986419139977817,
+    1.221224509226641,
+    6.019134481288629,
+    12.53708332932087,
+    -0.6878860361058950,
+    1.221224509226641,
+    6.019134481288629,
+    12.53708332932087,
+    -0.6878860361058950,
+    1.0,
+];
+const C: [f64; 15] = [
+    -5.6688,
+    -2.430093356833875,
+    -0.2063599157091915,
+    -0.1073529058151375,
+    -9.594562251023355,
+    -20.47028614809616,
+    7.496443313967647,
+    -10.24680431464352,
+    -33.99990352819905,
+    11.70890893206160,
+    8.083246795921522,
+    -7.981132988064893,
+    -31.52159432874371,
+    16.31930543123136,
+    -6.058818238834054,
+];
