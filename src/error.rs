@@ -50,6 +50,8 @@ struct Inner {
     column: Option<usize>,
     excerpt: Option<(String, usize, usize)>,
     hint: Option<String>,
+    count: Option<usize>,
+    decimal: Option<String>,
 }
 
 impl Error {
@@ -63,6 +65,8 @@ impl Error {
             column: None,
             excerpt: None,
             hint: None,
+            count: None,
+            decimal: None,
         }))
     }
 
@@ -130,6 +134,30 @@ impl Error {
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.0.hint = Some(hint.into());
         self
+    }
+
+    /// Gives the number of right-half-plane roots.
+    #[must_use]
+    pub fn with_count(mut self, count: usize) -> Self {
+        self.0.count = Some(count);
+        self
+    }
+
+    /// Gives a value that no double holds.
+    #[must_use]
+    pub fn with_decimal(mut self, decimal: impl Into<String>) -> Self {
+        self.0.decimal = Some(decimal.into());
+        self
+    }
+
+    /// The number of right-half-plane roots, of an `Unstable` error.
+    pub fn right_half_plane_roots(&self) -> Option<usize> {
+        self.0.count
+    }
+
+    /// The value in decimal, of an `OutOfRange` error.
+    pub fn decimal(&self) -> Option<&str> {
+        self.0.decimal.as_deref()
     }
 
     /// The kind.

@@ -1,0 +1,4 @@
+//! The spectral integral against exact rational arithmetic.
+
+mod exactness;
+mod families;
