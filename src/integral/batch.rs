@@ -78,7 +78,11 @@ impl Kernel for Block<'_> {
             let g = &self.g[at * n..(at + group) * n];
             match (group == LANES).then(|| abreast(n, h, g, &mut work)).flatten() {
                 Some((value, bound)) => out.extend(
-                    value.0.iter().zip(bound.0).map(|(&value, error_bound)| Ok(Estimate { value, error_bound })),
+                    value
+                        .0
+                        .iter()
+                        .zip(bound.0)
+                        .map(|(&value, error_bound)| Ok(Estimate { value, error_bound })),
                 ),
                 None => out.extend(
                     h.chunks(n + 1)
@@ -110,7 +114,7 @@ fn abreast<const F: bool>(
     let weight = Weight { n, degree, last: lane(h, n + 1, n), epsilon };
     let r = moments::even(work, weight, |k| lane(g, n, n - 1 - k))?;
     let fits = r.bound.0.iter().zip(r.value.0).all(|(b, v)| *b <= 1e-3 * v.abs() && v.is_normal());
-    fits.then_some((r.value, Lanes::new(1.001) * r.bound))
+    fits.then_some((r.value, <Lanes<F> as Magnitude>::new(1.001) * r.bound))
 }
 
 /// Eight doubles abreast.

@@ -68,9 +68,8 @@ fn determinant(n: usize, first: impl Fn(usize) -> f64, h: &[f64]) -> (f64, i64) 
     let mut total = 0;
     let mut matrix = Mat::<f64>::zeros(n, n);
     for i in 0..n {
-        let row: Vec<f64> = (0..n)
-            .map(|j| if i == 0 { first(j) } else { entry(h, 2 * j as i64 + 1 - i as i64) })
-            .collect();
+        let row: Vec<f64> =
+            (0..n).map(|j| if i == 0 { first(j) } else { entry(h, 2 * j as i64 + 1 - i as i64) }).collect();
         let largest = row.iter().fold(0.0f64, |m, x| m.max(x.abs()));
         let shift = if largest > 0.0 && largest.is_finite() { i64::from(exponent(largest)) } else { 0 };
         total += shift;

@@ -19,9 +19,7 @@
 use std::ops::{Add, Mul};
 
 /// Magnitudes: what error bounds are made of; one double, or one a lane.
-pub(super) trait Magnitude:
-    Copy + Add<Output = Self> + Mul<Output = Self> + Div<Output = Self>
-{
+pub(super) trait Magnitude: Copy + Add<Output = Self> + Mul<Output = Self> {
     /// The same double in every lane.
     fn new(x: f64) -> Self;
     /// |self|.

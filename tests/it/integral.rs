@@ -2,3 +2,6 @@
 
 mod exactness;
 mod families;
+mod laws;
+mod methods;
+mod refusals;

@@ -1,0 +1,206 @@
+//! `gyrospec integral`: one integral, or a file of them.
+
+use super::{Outcome, output};
+use crate::integral::crosscheck::{Crosscheck, crosscheck};
+use crate::integral::{Answer, Integrand, evaluate};
+use crate::{Error, ErrorKind, Result};
+use clap::Args;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::io::{BufRead, BufReader, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// I_n = (1/2π) ∫ G(jω)/(H(jω)H(−jω)) dω, exact to the last place.
+#[derive(Args)]
+#[command(after_help = "Example: gyrospec integral --h \"1 2 3\" --g \"0 1\"   gives 1/12")]
+pub struct Arguments {
+    /// Coefficients a0 a1 … an of H, highest power first, between spaces or commas
+    #[arg(long, allow_hyphen_values = true, required_unless_present = "batch")]
+    h: Option<String>,
+    /// Coefficients b0 … b(n-1) of the even polynomial G: of s^(2n-2), s^(2n-4) … 1
+    #[arg(long, allow_hyphen_values = true, conflicts_with = "c")]
+    g: Option<String>,
+    /// C instead of G, highest power first: G = C(s)C(-s)
+    #[arg(long, allow_hyphen_values = true)]
+    c: Option<String>,
+    /// A file of cases, one {"h":[…],"g":[…]} a line; - reads standard input
+    #[arg(long, conflicts_with_all = ["h", "g", "c"])]
+    batch: Option<PathBuf>,
+    /// Answer in JSON
+    #[arg(long)]
+    json: bool,
+    /// Answer a batch with one JSON object a line (this is also its default)
+    #[arg(long)]
+    json_lines: bool,
+    /// Add the determinant, the quadrature and the other methods to each answer
+    #[arg(long)]
+    check: bool,
+}
+
+/// An answer in the fixed form.
+#[derive(Serialize)]
+#[serde(tag = "status", rename_all = "kebab-case")]
+enum Reply {
+    Ok {
+        #[serde(flatten)]
+        answer: Answer,
+        #[serde(skip_serializing_if = "Option::is_none")]
+        crosscheck: Option<Box<Crosscheck>>,
+    },
+    Unstable {
+        right_half_plane_roots: usize,
+    },
+    ImaginaryAxis,
+    OutOfRange {
+        decimal: String,
+    },
+    BadInput {
+        message: String,
+    },
+}
+
+impl Reply {
+    fn new(result: Result<Answer>, check: impl FnOnce() -> Option<Box<Crosscheck>>) -> Self {
+        match result {
+            Ok(answer) => Self::Ok { answer, crosscheck: check() },
+            Err(e) => match e.kind() {
+                ErrorKind::Unstable => {
+                    Self::Unstable { right_half_plane_roots: e.right_half_plane_roots().unwrap_or(0) }
+                }
+                ErrorKind::ImaginaryAxis => Self::ImaginaryAxis,
+                ErrorKind::OutOfRange => Self::OutOfRange { decimal: e.decimal().unwrap_or("").to_owned() },
+                _ => Self::BadInput { message: e.message().to_owned() },
+            },
+        }
+    }
+
+    fn line(&self) -> String {
+        serde_json::to_string(self).unwrap_or_default()
+    }
+}
+
+/// One line of a batch.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Case {
+    h: Vec<f64>,
+    g: Option<Vec<f64>>,
+    c: Option<Vec<f64>>,
+}
+
+impl Case {
+    fn integrand(&self) -> Result<Integrand<'_>> {
+        match (&self.g, &self.c) {
+            (Some(g), None) => Integrand::new(&self.h, g),
+            (None, Some(c)) => Integrand::from_square(&self.h, c),
+            _ => Err(Error::bad_input("give g or c, one of the two")),
+        }
+    }
+
+    fn reply(&self, check: bool) -> Reply {
+        match self.integrand() {
+            Ok(p) => Reply::new(evaluate(&p), || check.then(|| Box::new(crosscheck(&p)))),
+            Err(e) => Reply::new(Err(e), || None),
+        }
+    }
+}
+
+pub fn run(arguments: &Arguments) -> Result<Outcome> {
+    if let Some(path) = &arguments.batch {
+        return batch(path, arguments.check);
+    }
+    let numbers = |text: &Option<String>| text.as_deref().map(numbers).transpose();
+    let case = Case {
+        h: numbers(&arguments.h)?.unwrap_or_default(),
+        g: numbers(&arguments.g)?,
+        c: numbers(&arguments.c)?,
+    };
+    let p = case.integrand();
+    if arguments.json || arguments.json_lines {
+        output::print(format!("{}\n", case.reply(arguments.check).line()).as_bytes())?;
+        // the answer is on standard output; the exit code says that there is no value
+        return match p.and_then(|p| evaluate(&p)) {
+            Ok(_) => Ok(Outcome::Done),
+            Err(e) => Err(e),
+        };
+    }
+    let p = p?;
+    let answer = evaluate(&p)?;
+    let mut text = format!(
+        "I_{} = {}\n  error at most  {:.2e}\n  condition      {:.3e}\n  method         {}\n",
+        p.order(),
+        answer.value,
+        answer.error_bound,
+        answer.condition,
+        serde_json::to_value(answer.method).ok().and_then(|v| v.as_str().map(str::to_owned)).unwrap_or_default(),
+    );
+    if arguments.check {
+        let all = serde_json::to_string_pretty(&crosscheck(&p)).unwrap_or_default();
+        text.push_str(&format!("by every method:\n{all}\n"));
+    }
+    output::print(text.as_bytes())?;
+    Ok(Outcome::Done)
+}
+
+/// Numbers between spaces or commas.
+fn numbers(text: &str) -> Result<Vec<f64>> {
+    text.split(|c: char| c.is_whitespace() || c == ',')
+        .filter(|word| !word.is_empty())
+        .map(|word| {
+            word.parse().map_err(|_| {
+                Error::bad_input(format!("`{word}` is no number")).with_hint("write 1 2.5 -3e-4 …")
+            })
+        })
+        .collect()
+}
+
+/// Lines that are read, answered on all cores and written before the next are read.
+const BLOCK: usize = 8192;
+
+fn batch(path: &Path, check: bool) -> Result<Outcome> {
+    let source: Box<dyn Read> = if path == Path::new("-") {
+        Box::new(std::io::stdin().lock())
+    } else {
+        Box::new(std::fs::File::open(path).map_err(|e| Error::io(path, &e))?)
+    };
+    let mut lines = BufReader::new(source);
+    let mut out = std::io::BufWriter::new(std::io::stdout().lock());
+    let stdout = |e: std::io::Error| Error::io(Path::new("standard output"), &e);
+    let mut number = 0;
+    loop {
+        let mut block = Vec::new();
+        while block.len() < BLOCK {
+            let mut line = Vec::new();
+            if lines.read_until(b'\n', &mut line).map_err(|e| Error::io(path, &e))? == 0 {
+                break;
+            }
+            number += 1;
+            if !line.trim_ascii().is_empty() {
+                block.push((number, line));
+            }
+        }
+        if block.is_empty() {
+            out.flush().map_err(stdout)?;
+            return Ok(Outcome::Done);
+        }
+        let answers: Vec<String> =
+            block.par_iter().map(|(number, line)| answer_line(*number, line, check).line()).collect();
+        for answer in answers {
+            writeln!(out, "{answer}").map_err(stdout)?;
+        }
+    }
+}
+
+fn answer_line(number: usize, line: &[u8], check: bool) -> Reply {
+    match serde_json::from_slice::<Case>(line.trim_ascii()) {
+        Ok(case) => case.reply(check),
+        Err(e) => Reply::BadInput {
+            message: format!("line {number}, column {}: {}", e.column(), reason(&e.to_string())),
+        },
+    }
+}
+
+/// A parser's message without its own count of lines.
+fn reason(message: &str) -> &str {
+    message.split(" at line ").next().unwrap_or(message)
+}
