@@ -132,7 +132,10 @@ pub fn run(arguments: &Arguments) -> Result<Outcome> {
         answer.value,
         answer.error_bound,
         answer.condition,
-        serde_json::to_value(answer.method).ok().and_then(|v| v.as_str().map(str::to_owned)).unwrap_or_default(),
+        serde_json::to_value(answer.method)
+            .ok()
+            .and_then(|v| v.as_str().map(str::to_owned))
+            .unwrap_or_default(),
     );
     if arguments.check {
         let all = serde_json::to_string_pretty(&crosscheck(&p)).unwrap_or_default();

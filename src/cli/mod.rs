@@ -3,6 +3,7 @@
 
 pub mod explain;
 pub mod fit;
+pub mod integral;
 pub mod output;
 pub mod progress;
 pub mod table;
@@ -30,6 +31,8 @@ pub struct Cli {
 /// The subcommands; one line each, the work is in the file of that name.
 #[derive(Subcommand)]
 enum Command {
+    /// The spectral integral I_n, exact to the last place.
+    Integral(integral::Arguments),
     /// Tables of I_n with letters.
     Table(table::Table),
     /// What can be missing: the pages of the catalogue.
@@ -42,6 +45,7 @@ enum Command {
 
 fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
+        Command::Integral(call) => return integral::run(&call),
         Command::Table(call) => return table::run(&call),
         Command::Explain(call) => return explain::run(&call),
         Command::Fit(call) => return fit::run(&call),

@@ -4,7 +4,9 @@ use super::exactness::exactly;
 use super::families::{FAMILIES, Family, coefficients, generator, polynomial};
 use dashu_ratio::RBig;
 use gyrospec::exact::rational;
-use gyrospec::integral::{Integrand, batch, determinant, evaluate, evaluate_fast, exact, gradient, quadrature};
+use gyrospec::integral::{
+    Integrand, batch, determinant, evaluate, evaluate_fast, exact, gradient, quadrature,
+};
 
 #[test]
 fn the_determinant_agrees_on_well_damped_filters() {
@@ -36,7 +38,9 @@ fn quadrature_is_within_its_estimate_or_refuses() {
             let p = Integrand::new(&h, &g).unwrap();
             let truth = evaluate(&p).unwrap().value;
             match quadrature::evaluate(&p, 1e-7) {
-                Ok(e) => assert!((e.value - truth).abs() <= 1e-7 * truth.abs(), "{family:?} {n}: {e:?} {truth}"),
+                Ok(e) => {
+                    assert!((e.value - truth).abs() <= 1e-7 * truth.abs(), "{family:?} {n}: {e:?} {truth}")
+                }
                 Err(_) => refused[f] += 1,
             }
         }
