@@ -54,9 +54,14 @@ impl<'a, T: Scalar> Machine<'a, T> {
         for (c, column) in self.program.columns.iter().enumerate() {
             self.r[at(column.slope)] = T::constant(self.mesh.slope[interval * self.mesh.columns + c]);
         }
-        if self.mesh.jumps[interval].is_some() {
+        if self.mesh.jumps[interval].is_some() || self.tangents_bend() {
             self.loaded = f64::NAN;
         }
+    }
+
+    /// Whether the tangents of an input jump where it bends, because its delay has some.
+    pub fn tangents_bend(&self) -> bool {
+        T::TANGENTS > 0 && self.lead.iter().any(Option::is_some)
     }
 
     /// The tangents of the delay after which an input jumps at the start of the interval.

@@ -137,7 +137,8 @@ impl<T: Scalar> Runner<'_, T> {
         if interval > 0 && self.m.mesh.jumps[interval].is_some() {
             self.carry_delay_tangents(from);
         }
-        if followed || self.m.mesh.jumps[interval].is_some() || !self.m.sliding.is_empty() {
+        let bends = self.m.tangents_bend() || !self.m.sliding.is_empty();
+        if followed || bends || self.m.mesh.jumps[interval].is_some() {
             self.m.rates(from, &self.x, &mut self.k);
         }
     }

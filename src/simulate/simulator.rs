@@ -172,7 +172,7 @@ impl Simulator {
 
     /// Whether the model has states or memory.
     pub fn is_dynamic(&self) -> bool {
-        !self.program.rates.is_empty() || !self.program.remembered.is_empty()
+        !self.program.rates.is_empty() || self.program.has_memory
     }
 
     /// The model.

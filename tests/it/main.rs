@@ -4,4 +4,5 @@ mod house;
 mod integral;
 mod quality;
 mod record;
+mod simulate;
 mod symbolic;

@@ -64,6 +64,7 @@ pub(super) fn program(model: &Model, mut built: Built) -> Result<Program> {
         motion_code,
         jacobian_code,
         output_code,
+        has_memory: !g.memories.is_empty() || g.switches.iter().any(|s| s.half_width.is_some()),
     })
 }
 
@@ -90,6 +91,8 @@ fn roots(built: &mut Built) -> Roots {
         g.add(Node::Past(slot));
         g.add(Node::PastSlope(slot));
     }
+    let relays: Vec<usize> = (0..g.switches.len()).filter(|k| g.switches[*k].half_width.is_some()).collect();
+    moving.extend(relays.into_iter().map(|k| g.add(Node::Sign(k))));
     // The guard of a relay stands above its sign and is needed beside it.
     loop {
         let needed = reachable(g, &moving, PassSwitches::Yes);

@@ -79,6 +79,8 @@ pub(crate) struct Program {
     pub motion_code: Vec<Op>,
     pub jacobian_code: Vec<Op>,
     pub output_code: Vec<Op>,
+    /// Whether something besides the states remembers.
+    pub has_memory: bool,
 }
 
 impl Model {

@@ -1,0 +1,218 @@
+use super::{channel, outputs, recording, simulator, times, worst};
+use gyrospec::model::Model;
+use gyrospec::simulate::{Method, Options, Simulator};
+
+const OSCILLATOR: &str = r#"
+    name = "oscillator"
+    [parameters]
+    w = { value = 2, unit = "rad/s" }
+    d = { value = 0.1, unit = "1/s" }
+    [states]
+    x = { rate = "v", unit = "m", initial = 1 }
+    v = { rate = "-w^2*x - 2*d*v", unit = "m/s", initial = 0 }
+    [outputs]
+    y = { equals = "x", unit = "m" }
+"#;
+
+fn decay(t: f64) -> f64 {
+    let (w, d) = (2.0f64, 0.1f64);
+    let wd = (w * w - d * d).sqrt();
+    (-d * t).exp() * ((wd * t).cos() + d / wd * (wd * t).sin())
+}
+
+#[test]
+fn a_damped_oscillator_swings_as_it_should() {
+    for step in [0.01, 0.1, 0.5] {
+        let time = times(20.0, step);
+        let r = recording(vec![channel("y", "m", &time, |_| 0.0)]);
+        let got = outputs(&simulator(OSCILLATOR, &r));
+        assert!(worst(&time, &got, decay) < 2e-6, "{step}: {}", worst(&time, &got, decay));
+    }
+}
+
+#[test]
+fn both_methods_are_of_order_four() {
+    let time = times(20.0, 0.1);
+    let r = recording(vec![channel("y", "m", &time, |_| 0.0)]);
+    let model = Model::parse(OSCILLATOR).unwrap();
+    for method in [Method::Explicit, Method::Stiff] {
+        let error = |n: usize| {
+            let options = Options { fixed: Some((method, n)), ..Options::default() };
+            worst(&time, &outputs(&Simulator::new(&model, &r, &options).unwrap()), decay)
+        };
+        let order = (error(1) / error(2)).log2();
+        assert!((order - 4.0).abs() < 0.3, "{method:?}: order {order}");
+    }
+}
+
+#[test]
+fn inputs_are_straight_between_their_samples() {
+    // y' = (u - y)/T with u a ramp: y = t - T + T exp(-t/T)
+    let model = r#"
+        name = "lag"
+        [inputs]
+        u = { unit = "V" }
+        [parameters]
+        T = { value = 0.7, unit = "s" }
+        [states]
+        y = { rate = "(u - y)/T", unit = "V", initial = 0 }
+        [outputs]
+        out = { equals = "y", unit = "mV" }
+    "#;
+    let coarse = times(5.0, 1.0);
+    let fine: Vec<f64> = times(4.9, 0.07).iter().map(|t| t + 0.01).collect();
+    let r = recording(vec![channel("u", "V", &coarse, |t| t), channel("out", "V", &fine, |_| 0.0)]);
+    let got = outputs(&simulator(model, &r));
+    let off = worst(&fine, &got, |t| t - 0.7 + 0.7 * (-t / 0.7).exp());
+    assert!(off < 5e-6, "{off}");
+}
+
+#[test]
+fn a_fast_lag_beside_a_slow_swing_takes_the_stiff_path() {
+    // y' = (x - y)/e beside x'' = -x: y = (x - e v)/(1 + e^2) after the first moments.
+    let model = r#"
+        name = "stiff"
+        [parameters]
+        e = { value = 1e-5, unit = "s" }
+        w = { value = 1, unit = "rad/s" }
+        [states]
+        x = { rate = "v", unit = "m", initial = 1 }
+        v = { rate = "-w^2*x", unit = "m/s", initial = 0 }
+        y = { rate = "(x - y)/e", unit = "m", initial = "steady" }
+        [outputs]
+        out = { equals = "y", unit = "m" }
+    "#;
+    let time = times(60.0, 0.05);
+    let r = recording(vec![channel("out", "m", &time, |_| 0.0)]);
+    let s = simulator(model, &r);
+    assert_eq!(s.steps().0, Method::Stiff);
+    assert!(worst(&time, &outputs(&s), |t| t.cos() + 1e-5 * t.sin()) < 1e-5);
+}
+
+#[test]
+fn dry_friction_truly_sticks() {
+    // m x'' = -k x - F sign(v): each half swing loses 2F/k and the last one sticks.
+    let model = r#"
+        name = "stick"
+        [parameters]
+        M = { value = 1, unit = "kg" }
+        k = { value = 100, unit = "N/m" }
+        Fc = { value = 7, unit = "N" }
+        [states]
+        x = { rate = "v", unit = "m", initial = 0.5 }
+        v = { rate = "(-k*x - Fc*sign(v))/M", unit = "m/s", initial = 0 }
+        [outputs]
+        y = { equals = "x", unit = "m" }
+    "#;
+    let (w, f) = (10.0f64, 0.07f64);
+    let exact = |t: f64| {
+        let half = std::f64::consts::PI / w;
+        let (n, mut start) = ((t / half).floor() as i32, 0.5f64);
+        for _ in 0..n {
+            if start.abs() <= f {
+                return start;
+            }
+            start = -(start.abs() - 2.0 * f) * start.signum();
+        }
+        if start.abs() <= f {
+            return start;
+        }
+        let centre = f * start.signum();
+        centre + (start - centre) * (w * (t - f64::from(n) * half)).cos()
+    };
+    for step in [0.002, 0.013] {
+        let time = times(3.0, step);
+        let r = recording(vec![channel("y", "m", &time, |_| 0.0)]);
+        let got = outputs(&simulator(model, &r));
+        assert!(worst(&time, &got, exact) < 1e-6, "{step}: {}", worst(&time, &got, exact));
+    }
+}
+
+#[test]
+fn stuck_it_waits_for_the_force_to_break_away() {
+    // At rest under F(t) = t; friction 1 N: it moves from t = 1 on, v = (t - 1)^2/2.
+    let model = r#"
+        name = "breakaway"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        M = { value = 1, unit = "kg" }
+        Fc = { value = 1, unit = "N" }
+        [states]
+        v = { rate = "(force - Fc*sign(v))/M", unit = "m/s", initial = 0 }
+        [outputs]
+        speed = { equals = "v", unit = "m/s" }
+    "#;
+    let time = times(3.0, 0.07);
+    let r = recording(vec![channel("force", "N", &time, |t| t), channel("speed", "m/s", &time, |_| 0.0)]);
+    let got = outputs(&simulator(model, &r));
+    assert!(worst(&time, &got, |t| 0.5 * (t - 1.0).max(0.0).powi(2)) < 1e-9);
+}
+
+#[test]
+fn kinks_of_inputs_and_states_are_events() {
+    // x' = |u| with u = t - 1 from two samples: x = integral of |t - 1|.
+    let model = r#"
+        name = "kink"
+        [inputs]
+        u = { unit = "m/s" }
+        [parameters]
+        L = { value = 0.8, unit = "m" }
+        [states]
+        x = { rate = "abs(u)", unit = "m", initial = 0 }
+        [outputs]
+        y = { equals = "min(x, L)", unit = "m" }
+    "#;
+    let time = times(2.0, 0.1);
+    let u = channel("u", "m/s", &[0.0, 2.0], |t| t - 1.0);
+    let r = recording(vec![u, channel("y", "m", &time, |_| 0.0)]);
+    let got = outputs(&simulator(model, &r));
+    let exact = |t: f64| if t < 1.0 { t - t * t / 2.0 } else { 0.5 + (t - 1.0).powi(2) / 2.0 };
+    assert!(worst(&time, &got, |t| exact(t).min(0.8)) < 1e-9);
+}
+
+#[test]
+fn the_gyrosphere_agrees_with_another_integrator() {
+    let model = Model::builtin("gyrosphere").unwrap();
+    let time = times(120.0, 0.1);
+    let roll = |t: f64| 0.1 * (0.9 * t).sin() + 0.03 * (1.7 * t).cos();
+    let heading = |t: f64| 0.8 + 0.001 * t;
+    let r = recording(vec![
+        channel("roll_acc", "rad/s^2", &time, roll),
+        channel("heading", "rad", &time, heading),
+        channel("alpha", "deg", &time, |_| 0.0),
+    ]);
+    let s = Simulator::new(&model, &r, &Options::default()).unwrap();
+    let got = s.run(&s.parameters(), &[1e-4, 2e-3, -1e-4, 0.0]).unwrap().outputs.remove(0);
+    // The midpoint rule with 40 steps a sample, equations typed anew, in CGS.
+    let (c0, tt, p, h, g, u, lat) = (1.35e8, 0.44, 8.5e6, 1.55e8, 981.0, 7.2921e-5, 46.5f64.to_radians());
+    let (lp, c, f, lever) = (4.757e6, 1.9028e6, 1.5e-3, 300.0);
+    let line = |t: f64, fun: &dyn Fn(f64) -> f64| {
+        let i = ((t / 0.1).floor() as usize).min(time.len() - 2);
+        fun(time[i]) + (fun(time[i + 1]) - fun(time[i])) * (t - time[i]) / (time[i + 1] - time[i])
+    };
+    let rates = |t: f64, x: [f64; 4]| {
+        let (acc, k) = (line(t, &roll), line(t, &heading));
+        let (w1, w2) = (-lever * acc * k.cos(), lever * acc * k.sin());
+        [
+            -u * lat.cos() * x[1] + p / g * w2 * x[3] / h,
+            -u * lat.sin() + lp / h * x[0] + c / h * x[2] + lp * w2 / (h * g),
+            -f * x[0] - f * x[2] - f / g * w2,
+            (p * w1 / (g * c0) - x[3]) / tt,
+        ]
+    };
+    let (mut x, steps) = ([1e-4, 2e-3, -1e-4, 0.0], 40);
+    let mut worst = 0.0f64;
+    for i in 0..time.len() - 1 {
+        let dt = (time[i + 1] - time[i]) / f64::from(steps);
+        for s in 0..steps {
+            let t = time[i] + f64::from(s) * dt;
+            let k = rates(t, x);
+            let middle = std::array::from_fn(|j| x[j] + 0.5 * dt * k[j]);
+            let k = rates(t + 0.5 * dt, middle);
+            x = std::array::from_fn(|j| x[j] + dt * k[j]);
+        }
+        worst = worst.max((x[1] - got[i + 1]).abs());
+    }
+    assert!(worst < 1e-8, "{worst}");
+}
