@@ -47,7 +47,8 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let json = call.json.as_deref().map(Sink::open).transpose()?;
     let model_out = call.model_out.as_deref().map(Sink::open).transpose()?;
     let model = Model::read(&call.model)?;
-    let read = |files: &[PathBuf]| files.iter().map(|f| Recording::read(f)).collect::<Result<Vec<_>>>();
+    let read =
+        |files: &[PathBuf]| files.iter().map(|f| Recording::read(f.as_path())).collect::<Result<Vec<_>>>();
     let (recordings, separate) = (read(&call.recordings)?, read(&call.holdout)?);
     let meter = Meter::new();
     let options = FitOptions {

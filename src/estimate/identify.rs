@@ -60,7 +60,9 @@ fn main_weights(names: &[String], weights: impl Iterator<Item = f64>) -> Vec<(St
     named.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
     let lead = named.first().map_or(1.0, |w| w.1);
     named.retain(|w| w.1.abs() >= 0.1 * lead.abs());
-    named.iter_mut().for_each(|w| w.1 *= lead.signum());
+    for weight in &mut named {
+        weight.1 *= lead.signum();
+    }
     named
 }
 

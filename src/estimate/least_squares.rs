@@ -251,7 +251,7 @@ impl<P: Problem + ?Sized> Walk<'_, P> {
         }
         let sum = self.problem.sum_of_squares(&trial).unwrap_or(f64::INFINITY);
         self.evaluations += 1;
-        if !(sum < self.sum) {
+        if sum.is_nan() || sum >= self.sum {
             return self.refuse(promised_fall);
         }
         let gain = (self.sum - sum) / (self.sum - step.promised).max(f64::MIN_POSITIVE);

@@ -79,12 +79,15 @@ fn high_frequency_deviation(values: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
 
     #[test]
     fn a_noisy_sine_keeps_its_slope() {
         let time: Vec<f64> = (0..2000).map(|i| f64::from(i) * 0.005).collect();
-        let hash = |i: usize| ((i as f64 * 12.9898).sin() * 43758.5453).fract() - 0.5;
-        let values: Vec<f64> = time.iter().enumerate().map(|(i, t)| t.sin() + 0.01 * hash(i)).collect();
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(1);
+        let mut noise = || -> f64 { StandardNormal.sample(&mut rng) };
+        let values: Vec<f64> = time.iter().map(|t| t.sin() + 0.003 * noise()).collect();
         let smoother = Smoother::new(&time, &values).unwrap();
         for i in (100..1900).step_by(100) {
             let jet = smoother.jet(i);

@@ -41,7 +41,7 @@ impl Assembly<'_> {
         let seen: Vec<usize> =
             (0..names.len()).filter(|j| self.minimum.at_bound[*j].is_none() && !blind[*j]).collect();
         let covariance = self.covariance(&records, &noise, &seen);
-        let reach = self.reach(&records, &noise, seen.len());
+        let reach = reach(&records, &noise, seen.len());
         let (parameters, spread) = self.problem.spread(&self.minimum.x);
         let mut model = self.model.clone();
         for (p, value) in model.parameters.iter_mut().zip(&parameters) {
@@ -164,7 +164,7 @@ impl Assembly<'_> {
             .collect();
         let all = unseen(whitened, names, &sizes);
         let parameters = &names[..self.problem.free.len()];
-        let mut blind: Vec<bool> = norms.iter().map(|n| !(*n > 0.0)).collect();
+        let mut blind: Vec<bool> = norms.iter().map(|n| n.is_nan() || *n <= 0.0).collect();
         for direction in all.iter().filter(|d| d.deviation.is_infinite()) {
             for (name, _) in &direction.weights {
                 if let Some(j) = names.iter().position(|n| n == name) {
@@ -205,13 +205,6 @@ impl Assembly<'_> {
             }
         }
         full
-    }
-
-    /// Half the width of the 95 % intervals in standard deviations.
-    fn reach(&self, records: &[RecordFit], noise: &[NoiseModel], seen: usize) -> f64 {
-        let series = records.iter().flat_map(|r| &r.series);
-        let worth: f64 = series.map(|s| independent_samples(&noise[s.output], s.time.len())).sum();
-        half_width(worth - seen as f64)
     }
 
     /// The 95 % interval of one unknown: even about its logarithm where it walks as one.
@@ -278,6 +271,13 @@ impl Assembly<'_> {
             })
             .collect()
     }
+}
+
+/// Half the width of the 95 % intervals in standard deviations.
+fn reach(records: &[RecordFit], noise: &[NoiseModel], seen: usize) -> f64 {
+    let series = records.iter().flat_map(|r| &r.series);
+    let worth: f64 = series.map(|s| independent_samples(&noise[s.output], s.time.len())).sum();
+    half_width(worth - seen as f64)
 }
 
 /// Root mean square over some series; NaN without samples.

@@ -63,7 +63,7 @@ fn rate_name(state: &str) -> String {
 }
 
 fn rate_unit(unit: &Unit) -> Unit {
-    let second = Unit::parse("s").map_or_else(|_| Unit::one(), |u| u);
+    let second = Unit::parse("s").unwrap_or_else(|_| Unit::one());
     Unit::of(unit.dimension().over(second.dimension()))
 }
 

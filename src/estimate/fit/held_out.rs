@@ -42,7 +42,7 @@ pub fn held_out(
         let spans = if whole.holdout.is_empty() { whole.fit } else { whole.holdout };
         series.extend(alone(&fit.model, recording, recordings.len(), &spans, options)?);
     }
-    Ok(pooled(&fit.model, series))
+    Ok(pooled(&fit.model, &series))
 }
 
 /// A record of its own: its free initial states are fitted, nothing else.
@@ -110,7 +110,7 @@ fn part(track: &Track, predicted: &[f64], wanted: &dyn Fn(f64) -> bool) -> Serie
     series
 }
 
-fn pooled(model: &Model, series: Vec<Series>) -> Vec<HeldOut> {
+fn pooled(model: &Model, series: &[Series]) -> Vec<HeldOut> {
     (0..model.outputs.len())
         .map(|output| {
             let own: Vec<Series> = series.iter().filter(|s| s.output == output).cloned().collect();

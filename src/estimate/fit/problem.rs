@@ -186,7 +186,9 @@ impl Problem for FreeRun<'_> {
         let triangles: Vec<Triangle> =
             self.records.par_iter().zip(&linear).map(|(r, l)| self.triangle(r, l)).collect();
         let mut whole = Triangle::new(self.unknowns());
-        triangles.iter().for_each(|t| whole.merge(t));
+        for triangle in &triangles {
+            whole.merge(triangle);
+        }
         Ok(whole)
     }
 }

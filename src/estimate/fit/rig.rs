@@ -1,17 +1,9 @@
 //! What a fit needs of a simulation, and what it knows about one recording.
 
-use crate::record::Recording;
+pub use crate::simulate::Unknown;
+use crate::simulate::OutputSignal;
 use crate::{Error, Result};
 use std::ops::Range;
-
-/// Something that a free run depends on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unknown {
-    /// A parameter, by its number in the model.
-    Parameter(usize),
-    /// An initial state, by the state's number in the model.
-    Initial(usize),
-}
 
 /// One free run: for every track its predictions, and their sensitivities to what was asked for.
 #[derive(Debug, Clone)]
@@ -34,9 +26,7 @@ pub trait Rig: Send + Sync {
 pub struct Track {
     /// Number of the output in the model.
     pub output: usize,
-    /// Rows of the channel that are used.
-    pub rows: Vec<usize>,
-    /// Their times.
+    /// Times of its samples.
     pub time: Vec<f64>,
     /// Their values, SI.
     pub measured: Vec<f64>,
@@ -50,26 +40,24 @@ pub struct Track {
 const JUMP: f64 = 1.5;
 
 impl Track {
-    /// The samples of a channel that are no gaps and whose times are used.
-    pub fn new(
-        recording: &Recording,
-        channel: &str,
-        output: usize,
-        used: &dyn Fn(f64) -> bool,
-    ) -> Result<Self> {
-        let c = recording.channel(channel)?;
-        let rows: Vec<usize> =
-            (0..c.len()).filter(|i| c.values[*i].is_finite() && used(c.time[*i])).collect();
-        let time: Vec<f64> = rows.iter().map(|i| c.time[*i]).collect();
-        let usual = c.median_step().unwrap_or(f64::INFINITY);
-        Ok(Self {
-            output,
-            measured: rows.iter().map(|i| c.values[*i]).collect(),
-            wraps: c.wraps,
+    /// The samples of an output that are no gaps, can be predicted and are used, and their rows.
+    pub fn new(signal: &OutputSignal, used: &dyn Fn(f64) -> bool) -> (Self, Vec<usize>) {
+        let time = &signal.time;
+        let kept = |i: &usize| signal.measured[*i].is_finite() && signal.covered[*i] && used(time[*i]);
+        let rows: Vec<usize> = (0..time.len()).filter(kept).collect();
+        let mut steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).collect();
+        let middle = steps.len() / 2;
+        let usual =
+            if steps.is_empty() { f64::INFINITY } else { *steps.select_nth_unstable_by(middle, f64::total_cmp).1 };
+        let time: Vec<f64> = rows.iter().map(|i| time[*i]).collect();
+        let track = Self {
+            output: signal.output,
+            measured: rows.iter().map(|i| signal.measured[*i]).collect(),
+            wraps: signal.wraps,
             stretches: stretches(&time, JUMP * usual),
             time,
-            rows,
-        })
+        };
+        (track, rows)
     }
 
     /// Measured less predicted, modulo a turn where the output wraps.

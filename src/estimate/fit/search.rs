@@ -99,10 +99,8 @@ impl<'a> Search<'a> {
 
     fn search(&mut self, given: &[f64]) {
         let has_states = !self.model.states.is_empty();
-        if has_states {
-            if let Some(values) = equation_error(self.model, self.recordings, self.options) {
-                self.walk("from the equation error", &self.with_parameters(given, &values));
-            }
+        if let Some(values) = equation_error(self.model, self.recordings, self.options) {
+            self.walk("from the equation error", &self.with_parameters(given, &values));
         }
         if self.agreed() {
             return;

@@ -1,31 +1,20 @@
 //! From a model and recordings to the records of a fit.
 
 use super::options::FitOptions;
-use super::rig::{Record, Track};
+use super::rig::Record;
 use super::seen::initials;
-use super::simulated::rig;
+use super::simulated::{Ready, ready};
 use crate::estimate::coordinates::Range;
 use crate::model::Model;
 use crate::record::{Recording, Span, Spans};
 use crate::{Error, Result};
 
-/// Names of the inputs and of the outputs that a recording has.
-pub fn used_names<'a>(model: &'a Model, recording: &Recording) -> Vec<&'a str> {
-    let inputs = model.inputs.iter().map(|i| i.name.as_str());
-    let outputs = model.outputs.iter().map(|o| o.name.as_str());
-    inputs.chain(outputs.filter(|o| recording.find(o).is_some())).collect()
-}
 
 /// What of a recording is fitted and held out.
 pub fn spans(model: &Model, recording: &Recording, options: &FitOptions<'_>) -> Spans {
-    recording.spans_for(&used_names(model, recording), options.separate_holdout)
-}
-
-/// The time in which all inputs are known.
-fn input_range(model: &Model, recording: &Recording) -> Option<Span> {
-    let names = used_names(model, recording);
-    let inputs: Vec<&str> = names.into_iter().take(model.inputs.len()).collect();
-    recording.common_range(if inputs.is_empty() { &[] } else { &inputs })
+    let inputs = model.inputs.iter().map(|i| i.name.as_str());
+    let names: Vec<&str> = inputs.chain(model.outputs.iter().map(|o| o.name.as_str())).collect();
+    recording.spans_for(&names, options.separate_holdout)
 }
 
 /// A record over given spans of a recording, simulated from the first of them to the last.
@@ -39,31 +28,19 @@ pub fn record(
     spans: &[Span],
     options: &FitOptions<'_>,
 ) -> Result<Record> {
-    for input in &model.inputs {
-        recording.channel(&input.name)?;
-    }
     let empty = || {
-        Error::bad_input(format!(
-            "recording '{}' has no sample to compare in the wanted spans",
-            recording.name
-        ))
-        .with_hint("look at its times and spans with `gyrospec record`")
+        Error::bad_input(format!("recording '{}' has no sample to compare in the wanted spans", recording.name))
+            .with_hint("look at its times and spans with `gyrospec record`")
     };
-    let range = input_range(model, recording).ok_or_else(empty)?;
-    let used = |t: f64| range.contains(t) && spans.iter().any(|s| s.contains(t));
-    let mut tracks = Vec::new();
-    for (k, output) in model.outputs.iter().enumerate() {
-        if recording.find(&output.name).is_some() {
-            tracks.push(Track::new(recording, &output.name, k, &used)?);
-        }
+    let window = match (spans.first(), spans.last()) {
+        (Some(first), Some(last)) => Span::new(first.from, last.to),
+        _ => return Err(empty()),
+    };
+    let used = |t: f64| spans.iter().any(|s| s.contains(t));
+    let Ready { rig, tracks, start, constants } = ready(model, recording, window, &used, options)?;
+    if tracks.iter().all(|t| t.time.is_empty()) {
+        return Err(empty());
     }
-    if tracks.is_empty() {
-        recording.channel(&model.outputs.first().map_or("", |o| o.name.as_str()))?;
-    }
-    tracks.retain(|t| !t.time.is_empty());
-    let first = tracks.iter().filter_map(|t| t.time.first().copied()).reduce(f64::min).ok_or_else(empty)?;
-    let last = tracks.iter().filter_map(|t| t.time.last().copied()).reduce(f64::max).ok_or_else(empty)?;
-    let start = spans.first().map_or(first, |s| s.from.max(range.from)).min(first);
     let (mut values, free) = initials(model, &tracks, start);
     if let Some(given) = options.initials.get(number).filter(|g| g.len() == values.len()) {
         for k in &free {
@@ -74,17 +51,12 @@ pub fn record(
         name: recording.name.clone(),
         recording: number,
         start,
-        rig: rig(model, recording, &tracks, Span::new(start, last), options)?,
+        rig,
         tracks,
-        constants: constants(model, recording),
+        constants,
         initials: values,
         free_initials: free,
     })
-}
-
-/// The recording's constants that are parameters of the model.
-fn constants(model: &Model, recording: &Recording) -> Vec<(usize, f64)> {
-    model.parameters.iter().enumerate().filter_map(|(k, p)| Some((k, recording.constant(&p.name)?))).collect()
 }
 
 /// Numbers of the parameters that the fit moves: free in the model and not known to every record.

@@ -143,7 +143,9 @@ impl Autoregression {
     /// The same correlation at another level: every variance times `factor`.
     #[must_use]
     pub fn rescaled(mut self, factor: f64) -> Self {
-        self.variances.iter_mut().for_each(|v| *v *= factor);
+        for variance in &mut self.variances {
+            *variance *= factor;
+        }
         self
     }
 

@@ -15,7 +15,9 @@ pub fn robust_deviation(values: &[f64]) -> f64 {
         return f64::NAN;
     }
     let centre = median(&mut kept);
-    kept.iter_mut().for_each(|y| *y = (*y - centre).abs());
+    for y in &mut kept {
+        *y = (*y - centre).abs();
+    }
     // 1/Φ⁻¹(3/4)
     1.482_602_218_505_602 * median(&mut kept)
 }
