@@ -1,7 +1,7 @@
 //! What a fit needs of a simulation, and what it knows about one recording.
 
-pub use crate::simulate::Unknown;
 use crate::simulate::OutputSignal;
+pub use crate::simulate::Unknown;
 use crate::{Error, Result};
 use std::ops::Range;
 
@@ -47,8 +47,11 @@ impl Track {
         let rows: Vec<usize> = (0..time.len()).filter(kept).collect();
         let mut steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).collect();
         let middle = steps.len() / 2;
-        let usual =
-            if steps.is_empty() { f64::INFINITY } else { *steps.select_nth_unstable_by(middle, f64::total_cmp).1 };
+        let usual = if steps.is_empty() {
+            f64::INFINITY
+        } else {
+            *steps.select_nth_unstable_by(middle, f64::total_cmp).1
+        };
         let time: Vec<f64> = rows.iter().map(|i| time[*i]).collect();
         let track = Self {
             output: signal.output,

@@ -9,7 +9,6 @@ use crate::model::Model;
 use crate::record::{Recording, Span, Spans};
 use crate::{Error, Result};
 
-
 /// What of a recording is fitted and held out.
 pub fn spans(model: &Model, recording: &Recording, options: &FitOptions<'_>) -> Spans {
     let inputs = model.inputs.iter().map(|i| i.name.as_str());
@@ -29,8 +28,11 @@ pub fn record(
     options: &FitOptions<'_>,
 ) -> Result<Record> {
     let empty = || {
-        Error::bad_input(format!("recording '{}' has no sample to compare in the wanted spans", recording.name))
-            .with_hint("look at its times and spans with `gyrospec record`")
+        Error::bad_input(format!(
+            "recording '{}' has no sample to compare in the wanted spans",
+            recording.name
+        ))
+        .with_hint("look at its times and spans with `gyrospec record`")
     };
     let window = match (spans.first(), spans.last()) {
         (Some(first), Some(last)) => Span::new(first.from, last.to),
