@@ -6,6 +6,7 @@ pub mod fit;
 pub mod integral;
 pub mod output;
 pub mod progress;
+pub mod record;
 pub mod table;
 
 use crate::{Error, ErrorKind, Result};
@@ -39,6 +40,8 @@ enum Command {
     Explain(explain::Explain),
     /// Fit a model to recordings.
     Fit(fit::Call),
+    /// What is in a recording.
+    Record(record::Record),
     /// Version and licence.
     About,
 }
@@ -49,6 +52,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Table(call) => return table::run(&call),
         Command::Explain(call) => return explain::run(&call),
         Command::Fit(call) => return fit::run(&call),
+        Command::Record(call) => return record::run(&call),
         Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
     }
     Ok(Outcome::Done)

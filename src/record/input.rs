@@ -11,9 +11,9 @@ use std::fmt::Write as _;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
-use std::sync::mpsc::{SyncSender, sync_channel};
+use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
 
-const BLOCK: u64 = 1 << 20;
+const BLOCK: u64 = 1 << 18;
 const LONGEST_LINE: usize = 16 << 20;
 const BLOCKS_WAITING: usize = 4;
 
@@ -96,11 +96,10 @@ pub(super) fn read_lines(path: &Path, sink: &mut impl Sink) -> Result<Source> {
     let decoder = Decoder::open(path).map_err(|e| missing(path, &e))?;
     let packed = matches!(decoder, Decoder::Gzip(_));
     let (sender, blocks) = sync_channel(BLOCKS_WAITING);
+    let (back, used) = channel();
     let hash = std::thread::scope(|scope| {
-        let reader = scope.spawn(move || pump(decoder, &sender));
-        for block in blocks {
-            sink.take(&block)?;
-        }
+        let reader = scope.spawn(move || pump(decoder, &sender, &used));
+        take_all(blocks, &back, sink)?;
         reader
             .join()
             .unwrap_or_else(|_| Err(io::Error::other("the reader stopped")))
@@ -109,7 +108,18 @@ pub(super) fn read_lines(path: &Path, sink: &mut impl Sink) -> Result<Source> {
     Ok(Source { file: path.to_owned(), sha256: hash })
 }
 
-fn pump(mut decoder: Decoder, sender: &SyncSender<Block>) -> io::Result<String> {
+/// Takes blocks as they come and gives them back to be filled again.
+fn take_all(blocks: Receiver<Block>, back: &Sender<Block>, sink: &mut impl Sink) -> Result<()> {
+    for mut block in blocks {
+        sink.take(&block)?;
+        block.clear();
+        // A reader that is done needs no more.
+        let _ = back.send(block);
+    }
+    Ok(())
+}
+
+fn pump(mut decoder: Decoder, sender: &SyncSender<Block>, used: &Receiver<Block>) -> io::Result<String> {
     let mut bytes = Vec::new();
     loop {
         let got = decoder.by_ref().take(BLOCK).read_to_end(&mut bytes);
@@ -117,7 +127,9 @@ fn pump(mut decoder: Decoder, sender: &SyncSender<Block>) -> io::Result<String> 
             Ok(0) => bytes.len(),
             _ => bytes.iter().rposition(|b| *b == b'\n').map_or(0, |at| at + 1),
         };
-        let rest = bytes.split_off(whole);
+        let mut rest = used.try_recv().unwrap_or_else(|_| Vec::with_capacity(2 * BLOCK as usize));
+        rest.extend_from_slice(&bytes[whole..]);
+        bytes.truncate(whole);
         // A consumer that has given up has its own error to tell.
         if whole > 0 && sender.send(bytes).is_err() {
             return Ok(String::new());

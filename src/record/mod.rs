@@ -13,10 +13,12 @@ pub mod quality;
 mod recording;
 mod request;
 mod spans;
+mod summary;
 mod wrap;
 
 pub use recording::{Channel, Constant, Hold, Kind, Note, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
+pub use summary::{Summary, summaries, summary};
 pub use wrap::unwrap;
 
 use crate::{Error, Result};

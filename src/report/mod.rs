@@ -1,1 +1,3 @@
 //! Text, JSON and HTML reports; computes nothing.
+
+pub mod braille;

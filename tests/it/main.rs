@@ -1,5 +1,6 @@
 //! All integration tests, in one binary: one module a capability.
 
+mod fuzz;
 mod house;
 mod integral;
 mod quality;

@@ -14,10 +14,12 @@
 //! References: the plateau test of oceanographic quality control, IOC Manuals and Guides 26
 //! (1993), made relative to the channel's own motion.
 
-use super::{Fault, FaultKind, quantile, quantum};
+use super::{Fault, FaultKind, Samples, ends, quantile, quantum};
 use crate::record::{Channel, Span};
 
 const SHORTEST: usize = 12;
+/// Runs below a third of that are no match for a candidate.
+const SHORTEST_KEPT: usize = 4;
 const WINDOWS: usize = 400;
 const FEWEST_WINDOWS: usize = 12;
 /// Share of windows elsewhere that may stand still.
@@ -49,8 +51,7 @@ impl Run {
 
 /// Frozen spans; `size` is the held value of the longest, SI.
 pub fn frozen(channel: &Channel) -> Option<Fault> {
-    let samples: Vec<(f64, f64)> = channel.samples().collect();
-    let values: Vec<f64> = samples.iter().map(|s| s.1).collect();
+    let Samples { time, values } = Samples::of(channel);
     let long = far_longer(runs(&values));
     let step = quantum(channel).unwrap_or(0.0);
     let found: Vec<Run> = long.iter().copied().filter(|r| is_frozen(&values, *r, &long, step)).collect();
@@ -60,8 +61,7 @@ pub fn frozen(channel: &Channel) -> Option<Fault> {
     let sure = certain(&values, &long, &odd, step);
     let kept = if sure { odd } else { found };
     let size = values[kept.first()?.first];
-    let mut spans: Vec<Span> =
-        kept.iter().map(|r| Span::new(samples[r.first].0, samples[r.last].0)).collect();
+    let mut spans: Vec<Span> = kept.iter().map(|r| Span::new(time[r.first], time[r.last])).collect();
     spans.sort_by(|a, b| a.from.total_cmp(&b.from));
     let samples = kept.iter().map(|r| r.length()).sum();
     Some(Fault { samples, size, sure, ..Fault::of(FaultKind::Frozen, channel, spans) })
@@ -70,7 +70,7 @@ pub fn frozen(channel: &Channel) -> Option<Fault> {
 /// The few runs that are set apart from all others by their length, longest first.
 fn far_longer(mut runs: Vec<Run>) -> Vec<Run> {
     runs.sort_by_key(|r| std::cmp::Reverse(r.length()));
-    let length = |i: usize| runs.get(i).map_or(1, |r| r.length());
+    let length = |i: usize| runs.get(i).map_or(SHORTEST_KEPT - 1, |r| r.length());
     let ratio = |k: usize| length(k - 1) as f64 / length(k) as f64;
     let most = MOST_RUNS.min(runs.len());
     let Some(count) = (1..=most).max_by(|a, b| ratio(*a).total_cmp(&ratio(*b))) else { return runs };
@@ -83,11 +83,13 @@ fn far_longer(mut runs: Vec<Run>) -> Vec<Run> {
 
 /// Tells whether frozen runs can be no real rests.
 fn certain(values: &[f64], long: &[Run], found: &[Run], quantum: f64) -> bool {
+    if found.is_empty() {
+        return false;
+    }
     let free = |i: &usize| !long.iter().any(|r| r.first < *i && *i <= r.last + 5);
     let at: Vec<usize> = (4..values.len()).filter(free).collect();
     let size = |d: fn(&[f64]) -> f64, share: f64| {
-        let mut sizes: Vec<f64> = at.iter().map(|i| d(&values[i - 4..=*i]).abs()).collect();
-        quantile(&mut sizes, share).unwrap_or(0.0)
+        quantile(at.iter().map(|i| d(&values[i - 4..=*i]).abs()), share).unwrap_or(0.0)
     };
     let third = size(|x| x[4] - 3.0 * x[3] + 3.0 * x[2] - x[1], 0.5);
     let fourth = size(|x| x[4] - 4.0 * x[3] + 6.0 * x[2] - 4.0 * x[1] + x[0], 0.5);
@@ -95,16 +97,25 @@ fn certain(values: &[f64], long: &[Run], found: &[Run], quantum: f64) -> bool {
     let noisy = fourth > resolution && fourth >= NOISE_GROWS * third;
     let large = size(|x| x[4] - x[3], 0.99);
     let leaps = |r: &Run| values.get(r.last + 1).is_some_and(|v| (v - values[r.first]).abs() >= LEAP * large);
-    !found.is_empty() && (noisy || found.iter().all(leaps))
+    noisy || found.iter().all(leaps)
 }
 
+/// The runs of some length.
 fn runs(values: &[f64]) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
-    for (i, value) in values.iter().enumerate() {
-        match runs.last_mut() {
-            Some(run) if values[run.first] == *value => run.last = i,
-            _ => runs.push(Run { first: i, last: i }),
+    let mut runs = Vec::new();
+    let mut run = Run { first: 0, last: 0 };
+    for (i, pair) in values.windows(2).enumerate() {
+        if pair[0] == pair[1] {
+            run.last = i + 1;
+            continue;
         }
+        if run.length() >= SHORTEST_KEPT {
+            runs.push(run);
+        }
+        run = Run { first: i + 1, last: i + 1 };
+    }
+    if run.length() >= SHORTEST_KEPT {
+        runs.push(run);
     }
     runs
 }
@@ -118,9 +129,9 @@ fn is_frozen(values: &[f64], run: Run, long: &[Run], quantum: f64) -> bool {
         return false;
     }
     let as_long = ranges(values, run.length(), apart);
-    let (mut usual, window) =
+    let (usual, window) =
         if as_long.len() < FEWEST_WINDOWS { (short, run.length() / 2) } else { (as_long, run.length()) };
-    let Some(usual) = quantile(&mut usual, 0.5) else { return false };
+    let Some(usual) = quantile(usual.iter().copied(), 0.5) else { return false };
     let before = &values[run.first.saturating_sub(window)..run.first];
     let after = &values[run.last + 1..(run.last + 1 + window).min(values.len())];
     // Too short a rest at an end of the channel tells nothing.
@@ -132,10 +143,6 @@ fn ranges(values: &[f64], length: usize, apart: impl Fn(usize, usize) -> bool) -
     let every = ((values.len().saturating_sub(length)) / WINDOWS).max(1);
     let starts = (0..values.len().saturating_sub(length)).step_by(every);
     starts.filter(|s| apart(*s, length)).map(|s| range(&values[s..s + length])).collect()
-}
-
-fn ends(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)))
 }
 
 fn range(values: &[f64]) -> f64 {

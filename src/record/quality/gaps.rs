@@ -4,7 +4,7 @@
 //! the median and twice the ninetieth percentile, so that a clock which is merely uneven has no
 //! gaps.
 
-use super::{Fault, FaultKind, quantile};
+use super::{Fault, FaultKind, quantile, steps};
 use crate::record::{Channel, Span};
 
 const LONG_AGAINST_MEDIAN: f64 = 2.5;
@@ -14,9 +14,8 @@ const LONG_AGAINST_UNEVEN: f64 = 2.0;
 /// longest, s. Sure where more than a tenth of the samples is lost.
 pub fn gaps(channel: &Channel) -> Option<Fault> {
     let time = &channel.time;
-    let mut steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).collect();
-    let usual = quantile(&mut steps, 0.5)?;
-    let uneven = quantile(&mut steps, 0.9)?;
+    let usual = quantile(steps(time), 0.5)?;
+    let uneven = quantile(steps(time), 0.9)?;
     let long = (LONG_AGAINST_MEDIAN * usual).max(LONG_AGAINST_UNEVEN * uneven);
     let mut spans = Vec::new();
     let mut missing = 0;

@@ -19,6 +19,8 @@ pub use sampling::{Sampling, sampling};
 pub use wrapped::wrapped_angle;
 
 use super::{Channel, Kind, Recording, Span};
+use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// What sort of fault it is; the codes are those of the diagnosis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -90,7 +92,8 @@ impl Fault {
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn faults(recording: &Recording) -> Vec<Fault> {
-    recording.channels.iter().flat_map(|c| channel_faults(c, recording.kind)).collect()
+    let each: Vec<_> = recording.channels.par_iter().map(|c| channel_faults(c, recording.kind)).collect();
+    each.into_iter().flatten().collect()
 }
 
 /// The faults of one channel. Rows of trials have no neighbours, so that only their gaps are
@@ -126,11 +129,39 @@ pub fn masked(recording: &Recording, faults: &[Fault]) -> Recording {
     clean
 }
 
-/// The value below which a share of the numbers lies; the numbers are reordered.
-fn quantile(values: &mut [f64], share: f64) -> Option<f64> {
-    if values.is_empty() {
-        return None;
+/// So many numbers are enough for a quantile.
+const LOOKED_AT: usize = 50_000;
+
+/// The value below which a share of the numbers lies; of very many, every so-manieth counts.
+fn quantile(values: impl Iterator<Item = f64> + ExactSizeIterator, share: f64) -> Option<f64> {
+    let every = values.len().div_ceil(LOOKED_AT).max(1);
+    let mut some: Vec<f64> = values.step_by(every).collect();
+    let at = (some.len().checked_sub(1)? as f64 * share).round() as usize;
+    Some(*some.select_nth_unstable_by(at, f64::total_cmp).1)
+}
+
+/// The steps between times.
+fn steps(time: &[f64]) -> impl ExactSizeIterator<Item = f64> + Clone {
+    time.windows(2).map(|w| w[1] - w[0])
+}
+
+/// Times and values of a channel without its gaps.
+struct Samples<'a> {
+    time: Cow<'a, [f64]>,
+    values: Cow<'a, [f64]>,
+}
+
+impl<'a> Samples<'a> {
+    fn of(channel: &'a Channel) -> Self {
+        if channel.values.iter().any(|v| v.is_nan()) {
+            let (time, values): (Vec<f64>, Vec<f64>) = channel.samples().unzip();
+            return Self { time: time.into(), values: values.into() };
+        }
+        Self { time: Cow::Borrowed(&channel.time), values: Cow::Borrowed(&channel.values) }
     }
-    let at = ((values.len() - 1) as f64 * share).round() as usize;
-    Some(*values.select_nth_unstable_by(at, f64::total_cmp).1)
+}
+
+/// Smallest and largest.
+fn ends(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)))
 }

@@ -9,7 +9,7 @@
 //!
 //! References: P. J. Huber, E. M. Ronchetti, Robust Statistics, 2nd ed. (2009).
 
-use super::{Fault, FaultKind, quantile, quantum};
+use super::{Fault, FaultKind, Samples, quantile, quantum};
 use crate::record::{Channel, Span};
 
 const FAR: f64 = 12.0;
@@ -27,25 +27,29 @@ const MOST: usize = 20;
 
 /// Samples far off; each span is one sample; `size` is the largest distance, SI.
 pub fn outliers(channel: &Channel) -> Option<Fault> {
-    let samples: Vec<(f64, f64)> = channel.samples().collect();
-    if samples.len() < FEWEST_SAMPLES {
+    let Samples { time, values } = Samples::of(channel);
+    if values.len() < FEWEST_SAMPLES {
         return None;
     }
-    let distances: Vec<f64> = samples.windows(5).map(distance).collect();
-    let mut sizes: Vec<f64> = distances.iter().map(|d| d.abs()).collect();
-    let spread = (quantile(&mut sizes, 0.5)? / NORMAL_MEDIAN)
-        .max(quantile(&mut sizes, 0.97)? / NORMAL_97)
+    let sizes = || values.windows(5).map(|w| distance(w).abs());
+    let spread = (quantile(sizes(), 0.5)? / NORMAL_MEDIAN)
+        .max(quantile(sizes(), 0.97)? / NORMAL_97)
         .max(quantum(channel).unwrap_or(0.0));
     if spread == 0.0 {
         return None;
     }
-    let far = |i: &usize| {
-        let (w, d) = (&samples[*i..*i + 5], distances[*i]);
-        d.abs() > FAR * spread && stands_out(w, d) && d.abs() > FAR * nearby(&distances, *i)
+    let far = |(i, w): &(usize, &[f64])| {
+        let d = distance(w).abs();
+        d > FAR * spread && stands_out(w, d) && d > FAR * nearby(&values, *i)
     };
-    let found: Vec<(f64, f64)> =
-        (0..distances.len()).filter(far).map(|i| (samples[i + 2].0, distances[i])).collect();
-    if found.is_empty() || found.len() > samples.len() / MOST {
+    let found: Vec<(f64, f64)> = values
+        .windows(5)
+        .enumerate()
+        .filter(far)
+        .map(|(i, w)| (time[i + 2], distance(w)))
+        .take(values.len() / MOST + 1)
+        .collect();
+    if found.is_empty() || found.len() > values.len() / MOST {
         return None;
     }
     let size = found.iter().map(|f| f.1.abs()).fold(0.0, f64::max);
@@ -53,21 +57,21 @@ pub fn outliers(channel: &Channel) -> Option<Fault> {
     Some(Fault { samples: found.len(), size, ..Fault::of(FaultKind::Outliers, channel, spans) })
 }
 
-/// The usual distance nearby.
-fn nearby(distances: &[f64], at: usize) -> f64 {
-    let around = &distances[at.saturating_sub(NEARBY)..(at + NEARBY).min(distances.len())];
-    let mut sizes: Vec<f64> = around.iter().map(|d| d.abs()).collect();
-    quantile(&mut sizes, 0.8).unwrap_or(0.0) / NORMAL_80
+/// The usual distance near the window that begins at a sample.
+fn nearby(values: &[f64], at: usize) -> f64 {
+    let around = &values[at.saturating_sub(NEARBY)..(at + 4 + NEARBY).min(values.len())];
+    quantile(around.windows(5).map(|w| distance(w).abs()), 0.8).unwrap_or(0.0) / NORMAL_80
 }
 
 /// x₂ − median(x₀, x₁, x₃, x₄)
-fn distance(w: &[(f64, f64)]) -> f64 {
-    let mut four = [w[0].1, w[1].1, w[3].1, w[4].1];
-    four.sort_unstable_by(f64::total_cmp);
-    w[2].1 - 0.5 * (four[1] + four[2])
+fn distance(w: &[f64]) -> f64 {
+    let (a, b) = (w[0].min(w[1]), w[0].max(w[1]));
+    let (c, d) = (w[3].min(w[4]), w[3].max(w[4]));
+    // Of two pairs the middle numbers are the larger of the lesser and the lesser of the larger.
+    w[2] - 0.5 * (a.max(c) + b.min(d))
 }
 
-fn stands_out(w: &[(f64, f64)], distance: f64) -> bool {
-    let (before, after) = (w[2].1 - w[1].1, w[2].1 - w[3].1);
-    before * after > 0.0 && (before - after).abs() < NEIGHBOURS_AGREE * distance.abs()
+fn stands_out(w: &[f64], distance: f64) -> bool {
+    let (before, after) = (w[2] - w[1], w[2] - w[3]);
+    before * after > 0.0 && (before - after).abs() < NEIGHBOURS_AGREE * distance
 }

@@ -11,7 +11,7 @@
 //! Numerical aspects: distances are compared within a hundredth of a quantum and never below
 //! the rounding of the values.
 
-use super::{Fault, FaultKind};
+use super::{Fault, FaultKind, Samples, ends, steps};
 use crate::record::Channel;
 
 const LOOKED_AT: usize = 20_000;
@@ -42,13 +42,18 @@ pub fn quantum(channel: &Channel) -> Option<f64> {
     distances.iter().all(whole).then_some(smallest)
 }
 
-/// A staircase of few steps; `size` is the quantum, SI.
+/// A staircase of few steps; `size` is the quantum, SI. Never sure: whether it is too coarse is
+/// for the use to say.
 pub fn coarse_steps(channel: &Channel) -> Option<Fault> {
     let quantum = quantum(channel)?;
-    let values: Vec<f64> = channel.samples().map(|(_, v)| v).collect();
+    let Samples { values, .. } = Samples::of(channel);
+    let (low, high) = ends(&values);
+    if (high - low) / quantum > COARSE_LEVELS {
+        return None;
+    }
     let (mut still, mut single, mut moves) = (0_usize, 0_usize, 0_usize);
-    for w in values.windows(2) {
-        match ((w[1] - w[0]) / quantum).abs().round() {
+    for step in steps(&values) {
+        match (step / quantum).abs().round() {
             0.0 => still += 1,
             steps => {
                 moves += 1;
@@ -56,16 +61,10 @@ pub fn coarse_steps(channel: &Channel) -> Option<Fault> {
             }
         }
     }
-    let (low, high) =
-        values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), v| (l.min(*v), h.max(*v)));
-    let range = (high - low) / quantum;
     let staircase = still > moves && single * 10 >= moves * 9 && moves >= 8;
-    if !staircase || range > COARSE_LEVELS || channel.levels().len() < FEWEST_LEVELS {
+    if !staircase || channel.levels().len() < FEWEST_LEVELS {
         return None;
     }
-    Some(Fault {
-        samples: values.len(),
-        size: quantum,
-        ..Fault::of(FaultKind::Quantisation, channel, Vec::new())
-    })
+    let of = Fault::of(FaultKind::Quantisation, channel, Vec::new());
+    Some(Fault { samples: values.len(), size: quantum, sure: false, ..of })
 }

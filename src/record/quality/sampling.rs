@@ -4,7 +4,7 @@
 //! sample numbers, a rate that changes leaves a bend: the slopes of the two halves are compared
 //! with what the scatter of blocks of steps allows.
 
-use super::{Fault, FaultKind, quantile};
+use super::{Fault, FaultKind, quantile, steps};
 use crate::record::Channel;
 
 const BLOCKS: usize = 20;
@@ -26,9 +26,9 @@ pub struct Sampling {
 
 /// The sampling of a channel; `None` with fewer than two samples.
 pub fn sampling(channel: &Channel) -> Option<Sampling> {
-    let mut steps: Vec<f64> = channel.time.windows(2).map(|w| w[1] - w[0]).collect();
-    let step = quantile(&mut steps, 0.5)?;
-    let jitter = 0.5 * (quantile(&mut steps, 0.95)? - quantile(&mut steps, 0.05)?);
+    let at = |share| quantile(steps(&channel.time), share);
+    let step = at(0.5)?;
+    let jitter = 0.5 * (at(0.95)? - at(0.05)?);
     Some(Sampling { step, jitter, even: jitter <= 0.01 * step })
 }
 
@@ -39,19 +39,18 @@ pub(super) fn drift(channel: &Channel) -> Option<Fault> {
     if time.len() <= FEWEST_STEPS {
         return None;
     }
-    // The median of each block's steps: gaps and single leaps leave it alone.
+    // The middle steps of each block: gaps and single leaps leave them alone.
     let length = (time.len() - 1) / BLOCKS;
     let mut blocks: Vec<f64> = Vec::with_capacity(BLOCKS);
     for block in 0..BLOCKS {
         let part = &time[block * length..=(block + 1) * length];
-        let mut steps: Vec<f64> = part.windows(2).map(|w| w[1] - w[0]).collect();
-        blocks.push(trimmed_mean(&mut steps));
+        blocks.push(trimmed_mean(&mut steps(part).collect::<Vec<f64>>()));
     }
     let (first, second) = blocks.split_at(BLOCKS / 2);
     let (a, b) = (trimmed_mean(&mut first.to_vec()), trimmed_mean(&mut second.to_vec()));
-    let mut scatter: Vec<f64> =
+    let scatter: Vec<f64> =
         first.iter().map(|x| (x - a).abs()).chain(second.iter().map(|x| (x - b).abs())).collect();
-    let scatter = quantile(&mut scatter, 0.9)?;
+    let scatter = quantile(scatter.iter().copied(), 0.9)?;
     let change = (b - a) / a;
     if change.abs() < SMALLEST_DRIFT || (b - a).abs() < FAR * scatter {
         return None;
@@ -66,8 +65,13 @@ pub(super) fn drift(channel: &Channel) -> Option<Fault> {
 
 /// The mean of the middle 80 %.
 fn trimmed_mean(values: &mut [f64]) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
     let cut = values.len() / 10;
-    let middle = &values[cut..values.len() - cut];
+    let middle = if cut == 0 {
+        values
+    } else {
+        let (_, _, above) = values.select_nth_unstable_by(cut - 1, f64::total_cmp);
+        let keep = above.len() - cut;
+        above.select_nth_unstable_by(keep, f64::total_cmp).0
+    };
     middle.iter().sum::<f64>() / middle.len() as f64
 }

@@ -3,7 +3,7 @@
 //! Method: all values lie within one turn, and some neighbours differ by a turn but for a rest
 //! no larger than other neighbours differ by.
 
-use super::{Fault, FaultKind, quantile};
+use super::{Fault, FaultKind, Samples, ends, quantile, steps};
 use crate::record::{Channel, Span};
 use std::f64::consts::TAU;
 
@@ -16,19 +16,17 @@ pub fn wrapped_angle(channel: &Channel) -> Option<Fault> {
     if channel.wraps || !angle {
         return None;
     }
-    let samples: Vec<(f64, f64)> = channel.samples().collect();
-    let (low, high) =
-        samples.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), s| (l.min(s.1), h.max(s.1)));
-    if high - low > TAU * (1.0 + 1e-9) {
+    let Samples { time, values } = Samples::of(channel);
+    let (low, high) = ends(&values);
+    if high - low > TAU * (1.0 + 1e-9) || high - low < NEAR_A_TURN * TAU {
         return None;
     }
-    let mut steps: Vec<f64> = samples.windows(2).map(|w| (w[1].1 - w[0].1).abs()).collect();
-    let usual = quantile(&mut steps, 0.9)?.min(0.1 * TAU);
-    let jump = |w: &&[(f64, f64)]| {
-        let step = (w[1].1 - w[0].1).abs();
+    let usual = quantile(steps(&values).map(f64::abs), 0.9)?.min(0.1 * TAU);
+    let jump = |i: &usize| {
+        let step = (values[*i] - values[i - 1]).abs();
         step > NEAR_A_TURN * TAU && TAU - step <= USUAL_STEPS * usual + 1e-9
     };
-    let spans: Vec<Span> = samples.windows(2).filter(jump).map(|w| Span::new(w[0].0, w[1].0)).collect();
+    let spans: Vec<Span> = (1..values.len()).filter(jump).map(|i| Span::new(time[i - 1], time[i])).collect();
     if spans.is_empty() {
         return None;
     }

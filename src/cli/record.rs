@@ -1,0 +1,230 @@
+//! `gyrospec record`: what is in a recording.
+
+use super::{Outcome, output};
+use crate::Result;
+use crate::record::quality::{Fault, FaultKind};
+use crate::record::{Channel, Hold, Kind, Recording, Summary, summaries};
+use crate::report::braille;
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+const PICTURE: (usize, usize) = (64, 3);
+const SPANS_SHOWN: usize = 4;
+
+/// Shows what is in a recording: channels, units, rates, gaps, faults, spectral peaks.
+#[derive(clap::Args)]
+pub struct Record {
+    /// CSV file (.csv, .csv.gz), NMEA 0183 log, or TOML recording
+    file: PathBuf,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub fn run(call: &Record) -> Result<Outcome> {
+    let recording = Recording::read(&call.file)?;
+    let summaries = summaries(&recording);
+    let text = if call.json {
+        let mut text = serde_json::to_string_pretty(&form(&recording, &summaries)).unwrap_or_default();
+        text.push('\n');
+        text
+    } else {
+        words(&recording, &summaries)
+    };
+    output::print(text.as_bytes())?;
+    let sure = summaries.iter().flat_map(|s| &s.faults).any(|f| f.sure);
+    Ok(if sure { Outcome::Found } else { Outcome::Done })
+}
+
+fn words(recording: &Recording, summaries: &[Summary]) -> String {
+    let mut text = headline(recording);
+    for note in &recording.notes {
+        let _ = writeln!(text, "note: {note}");
+    }
+    for (channel, summary) in recording.channels.iter().zip(summaries) {
+        text.push('\n');
+        text.push_str(&channel_words(channel, summary, recording.kind));
+    }
+    let faults: Vec<&Fault> = summaries.iter().flat_map(|s| &s.faults).collect();
+    let sure = faults.iter().filter(|f| f.sure).count();
+    let verdict = match (sure, faults.len() - sure) {
+        (0, 0) => "Nothing is wrong with it that can be seen without a model.".to_owned(),
+        (0, n) => format!("No fault that is sure; {n} to look at (?)."),
+        (n, 0) => format!("{n} faults (!)."),
+        (n, m) => format!("{n} faults (!), and {m} to look at (?)."),
+    };
+    let _ = writeln!(text, "\n{}", verdict.replace("1 faults", "1 fault"));
+    text
+}
+
+fn headline(recording: &Recording) -> String {
+    let (n, name) = (recording.channels.len(), &recording.name);
+    let plural = if n == 1 { "" } else { "s" };
+    let range = recording.range();
+    let extent = match (recording.kind, range) {
+        (Kind::Trials, _) => format!("{} trials", recording.channels.first().map_or(0, Channel::len)),
+        (Kind::Time, Some(r)) => format!("{} s … {} s", short(r.from), short(r.to)),
+        (Kind::Time, None) => "no samples".to_owned(),
+    };
+    let mut text = format!("{name}: {n} channel{plural}, {extent}\n");
+    let spans = recording.spans_for(&[], false);
+    if recording.kind == Kind::Time && !spans.holdout.is_empty() {
+        let list = |spans: &[crate::record::Span]| {
+            let each = spans.iter().map(|s| format!("{} … {} s", short(s.from), short(s.to)));
+            each.collect::<Vec<_>>().join(", ")
+        };
+        let why = if spans.given { "" } else { " (the last 40 %)" };
+        let _ = writeln!(text, "fitted: {}; held out: {}{why}", list(&spans.fit), list(&spans.holdout));
+    }
+    for c in &recording.constants {
+        let _ = writeln!(text, "constant {} = {} {}", c.name, short(c.unit.from_si(c.value)), c.unit);
+    }
+    text
+}
+
+fn channel_words(channel: &Channel, s: &Summary, kind: Kind) -> String {
+    let unit = &channel.unit;
+    let marks =
+        [(channel.wraps, ", wraps at a turn"), (channel.hold == Hold::Previous, ", held between samples")];
+    let marks: String = marks.iter().filter(|m| m.0).map(|m| m.1).collect();
+    let mut text = format!("{} [{unit}]{marks}\n", channel.name);
+    if s.samples == 0 {
+        return text + "  no samples\n";
+    }
+    let absent = channel.len() - s.samples;
+    let _ = write!(text, "  {} samples", s.samples);
+    if absent > 0 {
+        let _ = write!(text, ", {absent} empty");
+    }
+    if let Some(clock) = s.sampling {
+        let even = if clock.even { String::new() } else { format!(" ± {} s", short(clock.jitter)) };
+        let _ = write!(text, ", every {} s{even} ({} Hz)", short(clock.step), short(1.0 / clock.step));
+    }
+    let at = |v: f64| short(unit.from_si(v));
+    let difference = |v: f64| short(unit.difference_from_si(v));
+    if s.min == s.max {
+        let _ = writeln!(text, "\n  constant at {}", at(s.min));
+    } else {
+        let (min, max, mean) = (at(s.min), at(s.max), at(s.mean));
+        let _ = write!(text, "\n  {min} … {max}, mean {mean}, standard deviation {}", difference(s.spread));
+        if let Some(q) = s.quantum {
+            let _ = write!(text, ", resolution {}", difference(q));
+        }
+        text.push('\n');
+    }
+    for fault in &s.faults {
+        let _ = writeln!(text, "  {} {}", if fault.sure { '!' } else { '?' }, says(fault, channel));
+    }
+    if kind == Kind::Time && s.min < s.max {
+        for line in braille::plot(channel.samples(), PICTURE.0, PICTURE.1) {
+            let _ = writeln!(text, "  {line}");
+        }
+    }
+    text
+}
+
+/// A fault in a sentence.
+fn says(fault: &Fault, channel: &Channel) -> String {
+    let unit = &channel.unit;
+    let difference = format!("{} {}", short(unit.difference_from_si(fault.size)), unit.of_differences());
+    let first = fault.spans.iter().take(SPANS_SHOWN);
+    let places: Vec<String> =
+        first
+            .map(|s| {
+                if s.length() == 0.0 {
+                    short(s.from)
+                } else {
+                    format!("{} … {}", short(s.from), short(s.to))
+                }
+            })
+            .collect();
+    let more = if fault.spans.len() > SPANS_SHOWN { ", …" } else { "" };
+    let at = format!("{}{more} s", places.join(", "));
+    let n = fault.samples;
+    match fault.kind {
+        FaultKind::Frozen => {
+            let held = short(unit.from_si(fault.size));
+            format!("stands still at {held} {unit} for {n} samples while it should move: {at}")
+        }
+        FaultKind::Outliers => format!("{n} outliers, up to {difference} off: at {at}"),
+        FaultKind::Gap => format!("{n} samples missing, up to {} s at a time: {at}", short(fault.size)),
+        FaultKind::Quantisation => format!("moves in steps of {difference}: coarse against its motion"),
+        FaultKind::WrappedAngle => {
+            format!("jumps by a turn {n} times; mark it with wraps = true: {at}")
+        }
+        FaultKind::ClockDrift => {
+            format!("the step of time changes by {} % between the halves", short(100.0 * fault.size))
+        }
+    }
+}
+
+/// Five significant digits.
+fn short(x: f64) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return if x == 0.0 { "0".into() } else { "-".into() };
+    }
+    let exponent = x.abs().log10().floor() as i32;
+    if !(-4..7).contains(&exponent) {
+        let text = format!("{x:.4e}");
+        let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{power}", trimmed(mantissa));
+    }
+    trimmed(&format!("{x:.*}", (4 - exponent).max(0) as usize)).to_owned()
+}
+
+fn trimmed(number: &str) -> &str {
+    if number.contains('.') { number.trim_end_matches('0').trim_end_matches('.') } else { number }
+}
+
+fn form(recording: &Recording, summaries: &[Summary]) -> Value {
+    let channels: Vec<Value> =
+        recording.channels.iter().zip(summaries).map(|(c, s)| channel_form(c, s)).collect();
+    let span = |s: &crate::record::Span| json!([s.from, s.to]);
+    let spans = recording.spans_for(&[], false);
+    json!({
+        "schema": "gyrospec.recording/1",
+        "name": recording.name,
+        "kind": if recording.kind == Kind::Trials { "trials" } else { "time" },
+        "range": recording.range().map(|r| span(&r)),
+        "fit": spans.fit.iter().map(span).collect::<Vec<_>>(),
+        "holdout": spans.holdout.iter().map(span).collect::<Vec<_>>(),
+        "channels": channels,
+        "constants": recording.constants.iter().map(|c| json!({
+            "name": c.name, "value": c.unit.from_si(c.value), "unit": c.unit.text(),
+        })).collect::<Vec<_>>(),
+        "inputs": recording.sources.iter().map(|s| json!({
+            "file": s.file.display().to_string(), "sha256": s.sha256,
+        })).collect::<Vec<_>>(),
+        "notes": recording.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+fn channel_form(channel: &Channel, s: &Summary) -> Value {
+    let unit = &channel.unit;
+    let difference = |v: f64| unit.difference_from_si(v);
+    json!({
+        "name": channel.name,
+        "unit": unit.text(),
+        "wraps": channel.wraps,
+        "table": channel.table,
+        "samples": s.samples,
+        "empty": channel.len() - s.samples,
+        "from": channel.range().map(|r| r.from),
+        "to": channel.range().map(|r| r.to),
+        "step": s.sampling.map(|c| c.step),
+        "jitter": s.sampling.map(|c| c.jitter),
+        "min": unit.from_si(s.min),
+        "max": unit.from_si(s.max),
+        "mean": unit.from_si(s.mean),
+        "standard_deviation": difference(s.spread),
+        "resolution": s.quantum.map(difference),
+        "faults": s.faults.iter().map(|f| json!({
+            "code": f.kind.code(),
+            "sure": f.sure,
+            "samples": f.samples,
+            "spans": f.spans.iter().map(|s| json!([s.from, s.to])).collect::<Vec<_>>(),
+            "says": says(f, channel),
+        })).collect::<Vec<_>>(),
+    })
+}
