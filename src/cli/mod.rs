@@ -4,6 +4,8 @@
 pub mod explain;
 pub mod fit;
 pub mod integral;
+pub mod formula;
+pub mod input;
 pub mod output;
 pub mod progress;
 pub mod record;
@@ -34,6 +36,8 @@ pub struct Cli {
 enum Command {
     /// The spectral integral I_n, exact to the last place.
     Integral(integral::Arguments),
+    /// A mean value as a formula in your own letters.
+    Formula(Box<formula::FormulaCall>),
     /// Tables of I_n with letters.
     Table(table::Table),
     /// What can be missing: the pages of the catalogue.
@@ -49,6 +53,7 @@ enum Command {
 fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
         Command::Integral(call) => return integral::run(&call),
+        Command::Formula(call) => return formula::run(&call),
         Command::Table(call) => return table::run(&call),
         Command::Explain(call) => return explain::run(&call),
         Command::Fit(call) => return fit::run(&call),

@@ -1,0 +1,240 @@
+//! `gyrospec formula`: a mean value as a formula in the user's own letters.
+
+use super::{Outcome, input, output::Sink};
+use crate::symbolic::{
+    CodeLanguage, Derived, Formula, FormulaRequest, Simplifier, Values, completed, formula, irregular_roll,
+};
+use crate::{Error, Result};
+use clap::{Args, ValueEnum};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Derive a mean square or mean product as a formula in your own letters.
+///
+/// Give H and G, or transfer functions in s that one noise drives. The result is simplified and checked at random
+/// points against the numeric engine; what does not agree is never printed.
+#[derive(Args)]
+#[command(after_help = HELP)]
+pub struct FormulaCall {
+    /// A TOML file with the same names as the options; - is standard input.
+    file: Option<PathBuf>,
+    /// H(s), for example "(T*s + 1)*(s^2 + 2*mu*s + b^2)".
+    #[arg(long)]
+    h: Option<String>,
+    /// G(s), even in s; 1 if absent.
+    #[arg(long, requires = "h")]
+    g: Option<String>,
+    /// Transfer function from the shaped noise to the first signal.
+    #[arg(long, conflicts_with = "h")]
+    first: Option<String>,
+    /// The same to the second signal; without it the mean square of the first is derived.
+    #[arg(long, requires = "first")]
+    second: Option<String>,
+    /// Transfer function from white noise to the shaped noise; 1 if absent.
+    #[arg(long, requires = "first")]
+    shaping: Option<String>,
+    /// Density of the white noise, with mean square = (1/2 pi) integral over all w; 1 if absent.
+    #[arg(long, requires = "first")]
+    density: Option<String>,
+    /// What stands before the integral.
+    #[arg(long, allow_hyphen_values = true)]
+    times: Option<String>,
+    /// A relation between symbols, such as "b^2 = mu^2 + eps^2"; may be given often.
+    #[arg(long = "relation")]
+    relations: Vec<String>,
+    /// A factor to keep together and print as written; may be given often.
+    #[arg(long)]
+    keep: Vec<String>,
+    /// The order in which symbols are printed, such as "P h A b".
+    #[arg(long, default_value = "")]
+    order: String,
+    /// The name of the result.
+    #[arg(long)]
+    name: Option<String>,
+    /// A printed formula to set beside the result, with the ratio.
+    #[arg(long, allow_hyphen_values = true)]
+    printed: Option<String>,
+    /// Derive the gyrocompass error on irregular roll, with the formula printed in 1978 beside it.
+    #[arg(long, conflicts_with_all = ["file", "h", "first"])]
+    seed: bool,
+    /// Also the derivative in this symbol; may be given often.
+    #[arg(long = "derivative")]
+    derivatives: Vec<String>,
+    /// Also the value, in consistent units: "T=0.44, mu=0.1, eps=0.8"; symbols on the left of a relation follow.
+    #[arg(long)]
+    values: Option<String>,
+    /// The form of the result.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+    /// Where the result goes; - is standard output.
+    #[arg(long, default_value = "-")]
+    out: PathBuf,
+}
+
+const HELP: &str = "\
+Examples:
+  gyrospec formula --h \"m*s^2 + r*s + c\" --g N --name x2
+  gyrospec formula --first \"1/(T*s + 1)\" --shaping \"1/(s^2 + 2*z*w*s + w^2)\" --density S --format latex
+  gyrospec formula --seed
+  gyrospec formula request.toml --derivative T --values \"T=0.44, mu=0.1, eps=0.8\"
+
+What is not attempted: a factorisation in full (factors that H was given in, their resultants, common divisors and
+repeated factors are found; name others with --keep), relations that are not solved for a product of powers,
+identities of functions that are not given as a relation.";
+
+#[derive(Clone, Copy, ValueEnum, PartialEq)]
+enum Format {
+    Text,
+    /// In the language of model files.
+    Expression,
+    Latex,
+    Rust,
+    Python,
+    C,
+    Json,
+}
+
+/// Runs the subcommand.
+pub fn run(call: &FormulaCall) -> Result<Outcome> {
+    let sink = Sink::open(&call.out)?;
+    let request = call.request()?;
+    let simplifier = request.simplifier()?;
+    let derived = formula(&request.derivation()?, &simplifier)?;
+    let mut shown = vec![derived.formula.clone()];
+    for symbol in &call.derivatives {
+        shown.push(derived.formula.derivative(symbol, &simplifier)?);
+    }
+    let sheet = Sheet { derived, shown, printed: request.printed()?, simplifier, values: call.values()? };
+    let text = match call.format {
+        Format::Text => sheet.text()?,
+        Format::Json => sheet.json()?,
+        Format::Expression => sheet.each(|f| f.expression.to_string()),
+        Format::Latex => sheet.each(Formula::latex),
+        Format::Rust => sheet.each(|f| f.code(CodeLanguage::Rust)),
+        Format::Python => sheet.each(|f| f.code(CodeLanguage::Python)),
+        Format::C => sheet.each(|f| f.code(CodeLanguage::C)),
+    };
+    sink.finish(text.as_bytes())?;
+    Ok(Outcome::Done)
+}
+
+impl FormulaCall {
+    fn request(&self) -> Result<FormulaRequest> {
+        let mut request = match &self.file {
+            Some(path) => FormulaRequest::parse(&input::text(path)?).map_err(|e| e.with_file(path))?,
+            None if self.seed => irregular_roll(),
+            None => FormulaRequest::default(),
+        };
+        let given = [
+            (&mut request.h, &self.h),
+            (&mut request.g, &self.g),
+            (&mut request.first, &self.first),
+            (&mut request.second, &self.second),
+            (&mut request.shaping, &self.shaping),
+            (&mut request.density, &self.density),
+            (&mut request.times, &self.times),
+            (&mut request.name, &self.name),
+            (&mut request.printed, &self.printed),
+        ];
+        for (place, option) in given {
+            if option.is_some() {
+                place.clone_from(option);
+            }
+        }
+        request.relations.extend(self.relations.iter().cloned());
+        request.keep.extend(self.keep.iter().cloned());
+        if !self.order.is_empty() {
+            request.order.clone_from(&self.order);
+        }
+        Ok(request)
+    }
+
+    fn values(&self) -> Result<Option<Values>> {
+        let Some(text) = &self.values else { return Ok(None) };
+        let pair = |part: &str| {
+            let wrong =
+                || Error::usage(format!("--values: '{part}' is no value")).with_hint("write T=0.44, mu=0.1");
+            let (name, value) = part.split_once('=').ok_or_else(wrong)?;
+            Ok((name.trim().to_owned(), value.trim().parse().map_err(|_| wrong())?))
+        };
+        text.split(',')
+            .map(str::trim)
+            .filter(|part| !part.is_empty())
+            .map(pair)
+            .collect::<Result<_>>()
+            .map(Some)
+    }
+}
+
+/// Everything that is shown about one derivation.
+struct Sheet {
+    derived: Derived,
+    shown: Vec<Formula>,
+    printed: Option<Formula>,
+    simplifier: Simplifier,
+    values: Option<Values>,
+}
+
+impl Sheet {
+    fn each(&self, write: impl Fn(&Formula) -> String) -> String {
+        self.shown.iter().map(|f| write(f).trim_end().to_owned() + "\n").collect::<Vec<_>>().join("\n")
+    }
+
+    fn ratio(&self) -> Result<Option<Formula>> {
+        let printed = self.printed.as_ref();
+        printed.map(|printed| self.derived.formula.ratio_to(printed, &self.simplifier)).transpose()
+    }
+
+    fn value_of(&self, formula: &Formula) -> Result<Option<f64>> {
+        let Some(values) = &self.values else { return Ok(None) };
+        formula.evaluate(&completed(values, &self.simplifier.relations)?).map(Some)
+    }
+
+    fn text(&self) -> Result<String> {
+        let mut text = String::new();
+        for formula in &self.shown {
+            let _ = writeln!(text, "{}", formula.text());
+            if let Some(value) = self.value_of(formula)? {
+                let _ = writeln!(text, "  = {value}");
+            }
+        }
+        let Derived { order, points, .. } = self.derived;
+        let _ = writeln!(
+            text,
+            "\nderived from I_{order}; agrees with the numeric engine at {points} random points"
+        );
+        if let (Some(printed), Some(ratio)) = (&self.printed, self.ratio()?) {
+            let _ = writeln!(text, "\nprinted:\n{}", printed.text());
+            if let Some(value) = self.value_of(printed)? {
+                let _ = writeln!(text, "  = {value}");
+            }
+            let ratio = ratio.text();
+            let _ = writeln!(text, "derived/printed {}", ratio.strip_prefix("ratio ").unwrap_or(&ratio));
+        }
+        Ok(text)
+    }
+
+    fn json(&self) -> Result<String> {
+        let mut formulas = Vec::new();
+        for formula in &self.shown {
+            formulas.push(serde_json::json!({
+                "name": formula.name,
+                "expression": formula.expression.to_string(),
+                "text": formula.text(),
+                "latex": formula.latex(),
+                "value": self.value_of(formula)?,
+            }));
+        }
+        let ratio = self.ratio()?;
+        let json = serde_json::json!({
+            "schema": "gyrospec.formula/1",
+            "formulas": formulas,
+            "order": self.derived.order,
+            "points_checked": self.derived.points,
+            "printed": self.printed.as_ref().map(|f| f.expression.to_string()),
+            "ratio": ratio.as_ref().map(|f| f.expression.to_string()),
+            "ratio_value": ratio.and_then(|f| f.expression.constant()),
+        });
+        Ok(format!("{json:#}\n"))
+    }
+}

@@ -1,0 +1,153 @@
+//! Formulas as plain text with Greek letters and raised figures.
+//!
+//! Single letters stand close together, as in print; where a product holds a longer name its factors are set apart.
+
+use super::glyph::text_name;
+use crate::expression::{BinaryOp, Expr, Function};
+
+/// The expression as text.
+pub fn text(expression: &Expr) -> String {
+    sum(expression, 0)
+}
+
+/// How deep brackets are nested decides how wide sums are set.
+fn sum(expression: &Expr, depth: usize) -> String {
+    let (plus, minus) = if depth < 2 { (" + ", " − ") } else { ("+", "−") };
+    match expression {
+        Expr::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), left, right) => {
+            let negative = *op == BinaryOp::Sub;
+            let sign = if negative { minus } else { plus };
+            let right = if is_sum(right) && negative { bracket(right, depth) } else { sum(right, depth) };
+            format!("{}{sign}{right}", sum(left, depth))
+        }
+        Expr::Neg(inner) if is_sum(inner) => format!("−{}", bracket(inner, depth)),
+        Expr::Neg(inner) => format!("−{}", sum(inner, depth)),
+        _ => match leading_minus(expression) {
+            Some(positive) => format!("−{}", product(&positive, depth)),
+            None => product(expression, depth),
+        },
+    }
+}
+
+/// A product or quotient that begins with a minus, without it.
+pub fn leading_minus(expression: &Expr) -> Option<Expr> {
+    match expression {
+        Expr::Neg(inner) => Some((**inner).clone()),
+        Expr::Binary(op @ (BinaryOp::Mul | BinaryOp::Div), left, right) => {
+            Some(Expr::Binary(*op, Box::new(leading_minus(left)?), right.clone()))
+        }
+        _ => None,
+    }
+}
+
+fn is_sum(expression: &Expr) -> bool {
+    matches!(expression, Expr::Binary(BinaryOp::Add | BinaryOp::Sub, ..) | Expr::Neg(_))
+}
+
+fn bracket(expression: &Expr, depth: usize) -> String {
+    let inside = sum(expression, depth + 1);
+    if depth == 0 && inside.contains('(') { format!("[{inside}]") } else { format!("({inside})") }
+}
+
+fn product(expression: &Expr, depth: usize) -> String {
+    if let Expr::Binary(BinaryOp::Div, above, below) = expression {
+        let below_factors = factors(below);
+        let above = joined(&factors(above), depth);
+        let line = if depth == 0 { " / " } else { "/" };
+        return if below_factors.len() == 1 && !matches!(below_factors[0], Expr::Binary(BinaryOp::Div, ..)) {
+            format!("{above}{line}{}", factor(below_factors[0], depth))
+        } else {
+            format!("{above}{line}({})", joined(&below_factors, depth))
+        };
+    }
+    joined(&factors(expression), depth)
+}
+
+/// The factors of a product, from left to right.
+pub fn factors(expression: &Expr) -> Vec<&Expr> {
+    match expression {
+        Expr::Binary(BinaryOp::Mul, left, right) => [factors(left), factors(right)].concat(),
+        _ => vec![expression],
+    }
+}
+
+fn joined(factors: &[&Expr], depth: usize) -> String {
+    let base = |e: &Expr| match e {
+        Expr::Binary(BinaryOp::Pow, base, _) => (**base).clone(),
+        _ => e.clone(),
+    };
+    let long =
+        factors.iter().any(|f| matches!(base(f), Expr::Name(name) if text_name(&name).chars().count() > 1));
+    let several = factors.iter().filter(|f| matches!(base(f), Expr::Name(_))).count() > 1;
+    let mut line = String::new();
+    for f in factors {
+        let next = factor(f, depth);
+        let (last, first) = (line.chars().last(), next.chars().next());
+        let calls = matches!(base(f), Expr::Call(..)) || last.is_some_and(|_| line.ends_with(is_argument));
+        let letters = |c: Option<char>| c.is_some_and(char::is_alphabetic);
+        let digits = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+        let wide = letters(last) || (several && digits(last));
+        let apart = calls || (long && depth < 2) || (depth == 0 && wide && letters(first)) || digits(first);
+        if apart && last.is_some() {
+            line.push(' ');
+        }
+        line.push_str(&next);
+        if matches!(f, Expr::Call(..)) && !line.ends_with(')') {
+            line.push(ARGUMENT);
+        }
+    }
+    line.replace(ARGUMENT, "")
+}
+
+/// Marks the end of an argument without brackets while a product is set.
+const ARGUMENT: char = '\u{1f}';
+
+fn is_argument(c: char) -> bool {
+    c == ARGUMENT
+}
+
+fn factor(expression: &Expr, depth: usize) -> String {
+    match expression {
+        Expr::Number(value) => format!("{value}"),
+        Expr::Name(name) => text_name(name),
+        Expr::Call(function, arguments) => call(*function, arguments, depth),
+        Expr::Binary(BinaryOp::Pow, base, exponent) => {
+            let base = match &**base {
+                simple @ (Expr::Name(_) | Expr::Number(_)) => factor(simple, depth),
+                other => bracket(other, depth),
+            };
+            format!("{base}{}", raised(exponent, depth))
+        }
+        _ => bracket(expression, depth),
+    }
+}
+
+fn raised(exponent: &Expr, depth: usize) -> String {
+    match exponent.constant() {
+        Some(whole) if whole.fract() == 0.0 => whole.to_string().chars().map(superscript).collect(),
+        _ => format!("^{}", factor(exponent, depth + 1)),
+    }
+}
+
+fn superscript(c: char) -> char {
+    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize])
+}
+
+/// sin 2K, but sin(a + b).
+fn call(function: Function, arguments: &[Expr], depth: usize) -> String {
+    let name = if function == Function::Sqrt { "√" } else { function.name() };
+    if let [argument] = arguments
+        && factors(argument).iter().all(|f| matches!(f, Expr::Name(_) | Expr::Number(_)))
+    {
+        let inside = joined(&factors(argument), depth + 2);
+        let bare = factors(argument).len() == 1;
+        return match function {
+            Function::Sqrt if bare => format!("√{inside}"),
+            Function::Sqrt => format!("√({inside})"),
+            _ => format!("{name} {inside}"),
+        };
+    }
+    let arguments: Vec<String> = arguments.iter().map(|a| sum(a, depth + 1)).collect();
+    format!("{name}({})", arguments.join(", "))
+}

@@ -1,0 +1,86 @@
+//! Ratios of polynomials.
+
+use super::gcd::gcd;
+use super::integer::Integer;
+use super::polynomial::Polynomial;
+use super::ring::Ring;
+use crate::{Error, Result};
+use std::sync::Arc;
+
+/// numerator/denominator without a common factor, the denominator's first coefficient above 0.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Fraction {
+    /// Above the line.
+    pub numerator: Polynomial,
+    /// Below the line; never 0.
+    pub denominator: Polynomial,
+}
+
+impl Fraction {
+    /// A ratio, reduced.
+    ///
+    /// # Errors
+    /// Bad input, where the denominator is 0.
+    pub fn new(numerator: Polynomial, denominator: Polynomial) -> Result<Self> {
+        if denominator.is_zero() {
+            return Err(Error::bad_input("a formula divides by what is zero for all values of its letters"));
+        }
+        let mut common = gcd(&numerator, &denominator)?;
+        if denominator.content().is_negative() {
+            common = common.scaled(&Integer::from(-1));
+        }
+        let reduced =
+            |p: &Polynomial| Ok::<_, Error>(p.divided_by(&common)?.expect("a common divisor divides"));
+        Ok(Self { numerator: reduced(&numerator)?, denominator: reduced(&denominator)? })
+    }
+
+    /// A polynomial over 1.
+    pub fn whole(polynomial: Polynomial) -> Self {
+        let denominator = Polynomial::constant(polynomial.ring(), 1);
+        Self { numerator: polynomial, denominator }
+    }
+
+    /// A number.
+    pub fn number(ring: &Arc<Ring>, value: i64) -> Self {
+        Self::whole(Polynomial::constant(ring, value))
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// Sum.
+    pub fn plus(&self, other: &Self) -> Result<Self> {
+        if self.denominator == other.denominator {
+            return Self::new(self.numerator.plus(&other.numerator), self.denominator.clone());
+        }
+        let left = self.numerator.times(&other.denominator)?;
+        let right = other.numerator.times(&self.denominator)?;
+        Self::new(left.plus(&right), self.denominator.times(&other.denominator)?)
+    }
+
+    /// The same with the other sign.
+    #[must_use]
+    pub fn negated(&self) -> Self {
+        let numerator = self.numerator.scaled(&Integer::from(-1));
+        Self { numerator, denominator: self.denominator.clone() }
+    }
+
+    /// Product.
+    pub fn times(&self, other: &Self) -> Result<Self> {
+        Self::new(self.numerator.times(&other.numerator)?, self.denominator.times(&other.denominator)?)
+    }
+
+    /// Quotient.
+    pub fn over(&self, other: &Self) -> Result<Self> {
+        Self::new(self.numerator.times(&other.denominator)?, self.denominator.times(&other.numerator)?)
+    }
+
+    /// Whole power, of either sign.
+    pub fn to_power(&self, exponent: i32) -> Result<Self> {
+        let size = exponent.unsigned_abs();
+        let (above, below) = (self.numerator.to_power(size)?, self.denominator.to_power(size)?);
+        if exponent < 0 { Self::new(below, above) } else { Ok(Self { numerator: above, denominator: below }) }
+    }
+}
