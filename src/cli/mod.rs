@@ -3,9 +3,9 @@
 
 pub mod explain;
 pub mod fit;
-pub mod integral;
 pub mod formula;
 pub mod input;
+pub mod integral;
 pub mod output;
 pub mod progress;
 pub mod record;
