@@ -20,14 +20,39 @@ use super::scale::Scale;
 use super::{Integrand, Numerator};
 use crate::exact::{IBig, Rounded, ldexp, round_ratio};
 use crate::poly::routh::Array;
+use std::cell::RefCell;
 
-/// Derivatives of the scaled integral in the scaled coefficients.
+/// Derivatives of the scaled integral in the scaled coefficients, with what it takes to find them;
+/// kept between calls so that nothing is allocated again.
 #[derive(Debug)]
-pub(super) struct Derivatives<A> {
-    /// ∂I/∂a_i, i = 0 … n.
+pub(super) struct Tape<A> {
+    /// ∂I/∂a_i, i = 0 … n (and one place more).
     pub h: Vec<A>,
     /// ∂I/∂ of the coefficient of s^(2k) of G, or of sᵏ of C; k = 0 … degree.
     pub numerator: Vec<A>,
+    /// w_m and its adjoint, m = 0 … degree.
+    w: Vec<A>,
+    w_bar: Vec<A>,
+    /// v_m^k and its adjoint, k after k, degree + 1 places each.
+    v: Vec<A>,
+    v_bar: Vec<A>,
+}
+
+impl<A> Default for Tape<A> {
+    fn default() -> Self {
+        Self {
+            h: Vec::new(),
+            numerator: Vec::new(),
+            w: Vec::new(),
+            w_bar: Vec::new(),
+            v: Vec::new(),
+            v_bar: Vec::new(),
+        }
+    }
+}
+
+thread_local! {
+    static TAPE: RefCell<Tape<Single<false>>> = RefCell::default();
 }
 
 /// Σ|x·∂I/∂x|/|I| over all coefficients.
@@ -39,18 +64,20 @@ pub(super) fn condition<R: Real<Mag = f64>>(
     work: &Work<R>,
     value: f64,
 ) -> f64 {
-    let d = derivatives(p, scale, weight, work, |x: R| Single::<false>::new(x.value()));
-    let of_h = d.h.iter().enumerate().map(|(i, x)| (x.value() * scale.h(p.h, i)).abs());
-    let of_g = d.numerator.iter().enumerate();
-    let of_g = of_g.map(|(k, x)| (x.value() * scale.numerator(&p.numerator, k)).abs());
-    (of_h.sum::<f64>() + of_g.sum::<f64>()) / value.abs()
+    TAPE.with_borrow_mut(|tape| {
+        tape.run(p, scale, weight, work, |x: R| Single::<false>::new(x.value()));
+        let of_h = tape.h[..=weight.n].iter().enumerate().map(|(i, x)| (x.0 * scale.h(p.h, i)).abs());
+        let of_g = tape.numerator.iter().enumerate();
+        let of_g = of_g.map(|(k, x)| (x.0 * scale.numerator(&p.numerator, k)).abs());
+        (of_h.sum::<f64>() + of_g.sum::<f64>()) / value.abs()
+    })
 }
 
 /// The condition number from the minors of the exact tier, each row entry rounded once; infinite
 /// where the numbers leave the range of doubles or the value is 0. The integers are the
-/// coefficients times 2^`exponent`.
+/// coefficients times 2^−`exponent`.
 pub(super) fn condition_of_exact(p: &Integrand<'_>, array: &Array, exponent: i64, value: f64) -> f64 {
-    let Some(scale) = super::scale::choose(p).filter(|_| value != 0.0) else { return f64::INFINITY };
+    let Some(scale) = Scale::choose(p).filter(|_| value != 0.0) else { return f64::INFINITY };
     let (n, one) = (p.order(), IBig::ONE);
     let mut work = Work::<Single<false>>::default();
     for (k, row) in array.rows.iter().enumerate() {
@@ -73,156 +100,139 @@ pub(super) fn condition_of_exact(p: &Integrand<'_>, array: &Array, exponent: i64
     if condition.is_nan() { f64::INFINITY } else { condition }
 }
 
-/// All derivatives, from the rows and weights that an evaluation left in `work`.
-#[inline(always)]
-pub(super) fn derivatives<A: Real<Mag = f64>, R: Real<Mag = f64>>(
-    p: &Integrand<'_>,
-    scale: &Scale,
-    h: Weight<R>,
-    work: &Work<R>,
-    convert: impl Fn(R) -> A,
-) -> Derivatives<A> {
-    let n = h.n;
-    let w: Vec<A> = (0..=h.degree).map(|m| convert(work.w[n - m])).collect();
-    let expansions = expand(&w, convert(h.last.reciprocal()));
-    let outer = match p.numerator {
-        Numerator::Even(_) => even_seeds(&w, &expansions, |k| scale.numerator(&p.numerator, k)),
-        Numerator::Square(_) => square_seeds(&w, &expansions, |k| scale.numerator(&p.numerator, k)),
-    };
-    let (w_bar, v_bar) = expansions_back(&w, &expansions, outer.w, outer.v);
-    let minus = |x: A| A::new(0.0).minus(x, A::new(1.0));
-    // α = 1/w: ᾱ_(n−m) = −w̄_m·w_m²
-    let mut alpha_bar = vec![A::new(0.0); n + 1];
-    for m in 0..=h.degree {
-        alpha_bar[n - m] = minus(w_bar[m].times(w[m].times(w[m])));
+impl<A: Real<Mag = f64>> Tape<A> {
+    /// All derivatives, from the rows and weights that an evaluation left in `work`.
+    #[inline(always)]
+    pub fn run<R: Real<Mag = f64>>(
+        &mut self,
+        p: &Integrand<'_>,
+        scale: &Scale,
+        h: Weight<R>,
+        work: &Work<R>,
+        convert: impl Fn(R) -> A,
+    ) {
+        let (n, d) = (h.n, h.degree);
+        let zero = A::new(0.0);
+        for (list, size) in [(&mut self.v, (d + 1) * (d + 1)), (&mut self.v_bar, (d + 1) * (d + 1))] {
+            list.clear();
+            list.resize(size, zero);
+        }
+        for list in [&mut self.w, &mut self.w_bar, &mut self.numerator] {
+            list.clear();
+            list.resize(d + 1, zero);
+        }
+        for m in 0..=d {
+            self.w[m] = convert(work.w[n - m]);
+        }
+        self.v[0] = convert(h.last.reciprocal());
+        self.expand(d);
+        match p.numerator {
+            Numerator::Even(_) => self.seed_even(d, |k| scale.numerator(&p.numerator, k)),
+            Numerator::Square(_) => self.seed_square(d, |k| scale.numerator(&p.numerator, k)),
+        }
+        self.expand_back(d);
+        self.rows_back(n, d, work, convert);
+        // v₀⁰ = 1/a_n
+        self.h[n] = self.h[n].minus(self.v_bar[0], self.v[0].times(self.v[0]));
     }
-    let mut rows = rows_back(n, work, alpha_bar, &convert);
-    // v₀⁰ = 1/a_n
-    let v0 = expansions[0][0];
-    rows[n] = rows[n].minus(v_bar, v0.times(v0));
-    Derivatives { h: rows, numerator: outer.numerator }
-}
 
-/// v^k for k = 0 … degree.
-#[inline(always)]
-fn expand<A: Real<Mag = f64>>(w: &[A], first: A) -> Vec<Vec<A>> {
-    let mut all = vec![vec![first]];
-    for k in 0..w.len() - 1 {
-        let v = &all[k];
-        let mut next = vec![A::new(0.0); k + 2];
-        for m in (k % 2..=k).step_by(2) {
-            let up = w[m].times(v[m]);
-            next[m + 1] = next[m + 1].plus(up);
-            if m > 0 {
-                next[m - 1] = next[m - 1].plus(up);
+    /// v^k for k = 0 … d.
+    #[inline(always)]
+    fn expand(&mut self, d: usize) {
+        for k in 0..d {
+            let (now, next) = (k * (d + 1), (k + 1) * (d + 1));
+            for m in (k % 2..=k).step_by(2) {
+                let up = self.w[m].times(self.v[now + m]);
+                self.v[next + m + 1] = self.v[next + m + 1].plus(up);
+                if m > 0 {
+                    self.v[next + m - 1] = self.v[next + m - 1].plus(up);
+                }
             }
         }
-        all.push(next);
     }
-    all
-}
 
-/// Adjoints that enter at the sums over m, before the expansions are run backwards.
-struct Seeds<A> {
-    w: Vec<A>,
-    v: Vec<Vec<A>>,
-    numerator: Vec<A>,
-}
-
-/// I = ½·Σ_k (−1)^k·b_k·Σ_m w_m·(v_m^k)².
-#[inline(always)]
-fn even_seeds<A: Real<Mag = f64>>(w: &[A], v: &[Vec<A>], g: impl Fn(usize) -> f64) -> Seeds<A> {
-    let mut seeds = Seeds { w: vec![A::new(0.0); w.len()], v: Vec::new(), numerator: Vec::new() };
-    for (k, v) in v.iter().enumerate() {
-        let sign = if k % 2 == 0 { 0.5 } else { -0.5 };
-        let b = A::new(sign * g(k));
-        let (mut moment, mut back) = (A::new(0.0), vec![A::new(0.0); v.len()]);
-        for m in (k % 2..=k).step_by(2) {
-            let square = v[m].times(v[m]);
-            moment = moment.plus(w[m].times(square));
-            seeds.w[m] = seeds.w[m].plus(b.times(square));
-            back[m] = A::new(2.0).times(b.times(w[m].times(v[m])));
-        }
-        seeds.v.push(back);
-        seeds.numerator.push(A::new(sign).times(moment));
-    }
-    seeds
-}
-
-/// I = ½·Σ_m w_m·s_m², s_m = Σ_k ±c_k·v_m^k.
-#[inline(always)]
-fn square_seeds<A: Real<Mag = f64>>(w: &[A], v: &[Vec<A>], c: impl Fn(usize) -> f64) -> Seeds<A> {
-    let sign = |k: usize, m: usize| if (k - m).is_multiple_of(4) { 1.0 } else { -1.0 };
-    let mut s = vec![A::new(0.0); w.len()];
-    for (k, v) in v.iter().enumerate() {
-        for m in (k % 2..=k).step_by(2) {
-            s[m] = s[m].plus(A::new(sign(k, m) * c(k)).times(v[m]));
-        }
-    }
-    let half = A::new(0.5);
-    let of_w = s.iter().map(|x| half.times(x.times(*x))).collect();
-    let mut seeds = Seeds { w: of_w, v: Vec::new(), numerator: Vec::new() };
-    for (k, v) in v.iter().enumerate() {
-        let (mut own, mut back) = (A::new(0.0), vec![A::new(0.0); v.len()]);
-        for m in (k % 2..=k).step_by(2) {
-            let ws = A::new(sign(k, m)).times(w[m].times(s[m]));
-            own = own.plus(ws.times(v[m]));
-            back[m] = A::new(c(k)).times(ws);
-        }
-        seeds.v.push(back);
-        seeds.numerator.push(own);
-    }
-    seeds
-}
-
-/// From the seeds to w̄ and the adjoint of v₀⁰.
-#[inline(always)]
-fn expansions_back<A: Real<Mag = f64>>(
-    w: &[A],
-    v: &[Vec<A>],
-    mut w_bar: Vec<A>,
-    mut v_bar: Vec<Vec<A>>,
-) -> (Vec<A>, A) {
-    for k in (0..v.len() - 1).rev() {
-        for m in (k % 2..=k).step_by(2) {
-            let mut t = v_bar[k + 1][m + 1];
-            if m > 0 {
-                t = t.plus(v_bar[k + 1][m - 1]);
+    /// I = ½·Σ_k (−1)^k·b_k·Σ_m w_m·(v_m^k)².
+    #[inline(always)]
+    fn seed_even(&mut self, d: usize, g: impl Fn(usize) -> f64) {
+        for k in 0..=d {
+            let sign = if k % 2 == 0 { 0.5 } else { -0.5 };
+            let (b, mut moment) = (A::new(sign * g(k)), A::new(0.0));
+            for m in (k % 2..=k).step_by(2) {
+                let (v, w) = (self.v[k * (d + 1) + m], self.w[m]);
+                let square = v.times(v);
+                moment = moment.plus(w.times(square));
+                self.w_bar[m] = self.w_bar[m].plus(b.times(square));
+                self.v_bar[k * (d + 1) + m] = A::new(2.0).times(b.times(w.times(v)));
             }
-            v_bar[k][m] = v_bar[k][m].plus(w[m].times(t));
-            w_bar[m] = w_bar[m].plus(v[k][m].times(t));
+            self.numerator[k] = A::new(sign).times(moment);
         }
     }
-    let first = v_bar[0][0];
-    (w_bar, first)
-}
 
-/// From ᾱ to ∂I/∂a_i.
-#[inline(always)]
-fn rows_back<A: Real<Mag = f64>, R: Real<Mag = f64>>(
-    n: usize,
-    work: &Work<R>,
-    alpha_bar: Vec<A>,
-    convert: &impl Fn(R) -> A,
-) -> Vec<A> {
-    let zero = A::new(0.0);
-    // adjoints of r_(k+1), r_k, r_(k−1); their places follow the in-place array a_0 … a_n
-    let mut a = vec![zero; n + 2];
-    for k in (1..=n).rev() {
-        let (x, y) = (&work.rows[row_start(n, k - 1)..], &work.rows[row_start(n, k)..]);
-        let iy = convert(y[0]).reciprocal();
-        let alpha = convert(x[0]).times(iy);
-        let mut bar = alpha_bar[k];
-        for i in 0..row_length(n, k) - 1 {
-            // r_(k+1)[i] stands at k + 1 + 2i, where r_(k−1)[i+1] stood; r_k[i+1] at k + 2 + 2i
-            let outer = a[k + 1 + 2 * i];
-            bar = bar.minus(outer, convert(y[i + 1]));
-            a[k + 2 + 2 * i] = a[k + 2 + 2 * i].minus(outer, alpha);
+    /// I = ½·Σ_m w_m·s_m², s_m = Σ_k ±c_k·v_m^k.
+    #[inline(always)]
+    fn seed_square(&mut self, d: usize, c: impl Fn(usize) -> f64) {
+        let sign = |k: usize, m: usize| if (k - m).is_multiple_of(4) { 1.0 } else { -1.0 };
+        for m in 0..=d {
+            let mut s = A::new(0.0);
+            for k in (m..=d).step_by(2) {
+                s = s.plus(A::new(sign(k, m) * c(k)).times(self.v[k * (d + 1) + m]));
+            }
+            let ws = self.w[m].times(s);
+            self.w_bar[m] = A::new(0.5).times(s.times(s));
+            for k in (m..=d).step_by(2) {
+                let (at, signed) = (k * (d + 1) + m, A::new(sign(k, m)).times(ws));
+                self.numerator[k] = self.numerator[k].plus(signed.times(self.v[at]));
+                self.v_bar[at] = A::new(c(k)).times(signed);
+            }
         }
-        let share = bar.times(iy);
-        a[k - 1] = a[k - 1].plus(share);
-        a[k] = a[k].minus(share, alpha);
     }
-    a.truncate(n + 1);
-    a
+
+    /// The expansions backwards.
+    #[inline(always)]
+    fn expand_back(&mut self, d: usize) {
+        for k in (0..d).rev() {
+            let (now, next) = (k * (d + 1), (k + 1) * (d + 1));
+            for m in (k % 2..=k).step_by(2) {
+                let mut t = self.v_bar[next + m + 1];
+                if m > 0 {
+                    t = t.plus(self.v_bar[next + m - 1]);
+                }
+                self.v_bar[now + m] = self.v_bar[now + m].plus(self.w[m].times(t));
+                self.w_bar[m] = self.w_bar[m].plus(self.v[now + m].times(t));
+            }
+        }
+    }
+
+    /// From w̄ through ᾱ to ∂I/∂a_i.
+    #[inline(always)]
+    fn rows_back<R: Real<Mag = f64>>(
+        &mut self,
+        n: usize,
+        d: usize,
+        work: &Work<R>,
+        convert: impl Fn(R) -> A,
+    ) {
+        let zero = A::new(0.0);
+        // the adjoint of r_k[i] stands at k + 2i, where the in-place recursion keeps r_k[i]
+        let a = &mut self.h;
+        a.clear();
+        a.resize(n + 2, zero);
+        for k in (1..=n).rev() {
+            let (x, y) = (&work.rows[row_start(n, k - 1)..], &work.rows[row_start(n, k)..]);
+            let iy = convert(y[0]).reciprocal();
+            let alpha = convert(x[0]).times(iy);
+            let m = n - k;
+            // α = 1/w: ᾱ_(n−m) = −w̄_m·w_m²
+            let mut bar = if m <= d { zero.minus(self.w_bar[m], self.w[m].times(self.w[m])) } else { zero };
+            for (i, r) in y[1..row_length(n, k)].iter().enumerate() {
+                let outer = a[k + 1 + 2 * i];
+                bar = bar.minus(outer, convert(*r));
+                a[k + 2 + 2 * i] = a[k + 2 + 2 * i].minus(outer, alpha);
+            }
+            let share = bar.times(iy);
+            a[k - 1] = a[k - 1].plus(share);
+            a[k] = a[k].minus(share, alpha);
+        }
+        a.truncate(n + 1);
+    }
 }

@@ -17,7 +17,7 @@ use super::adjoint;
 use super::moments::{self, Bounded, Weight};
 use super::real::{Pair, Real, Single};
 use super::recursion::{self, Work};
-use super::scale::{self, Scale};
+use super::scale::Scale;
 use super::{Answer, Integrand, Method, Numerator, exact};
 use crate::Result;
 use crate::exact::ldexp;
@@ -128,13 +128,24 @@ impl Kernel for Double<'_> {
     }
 }
 
-/// The scaled integral with its bound, or nothing where the tier cannot answer.
+/// An integral with its powers of two and its bound.
+pub(super) type Found<R> = (Scale, Weight<R>, Bounded<R>);
+
+/// The integral, unscaled where that is enough; nothing where the tier cannot answer.
 #[inline(always)]
-pub(super) fn attempt<R: Real>(
-    p: &Integrand<'_>,
-    work: &mut Work<R>,
-) -> Option<(Scale, Weight<R>, Bounded<R>)> {
-    let scale = scale::choose(p)?;
+pub(super) fn attempt<R: Real>(p: &Integrand<'_>, work: &mut Work<R>) -> Option<Found<R>> {
+    // the body stands once, so that it is compiled once
+    for chosen in [false, true] {
+        let scale = if chosen { Some(Scale::choose(p)?) } else { Scale::none(p) };
+        if let Some(found) = scale.and_then(|scale| scaled(p, scale, work)) {
+            return Some(found);
+        }
+    }
+    None
+}
+
+#[inline(always)]
+fn scaled<R: Real>(p: &Integrand<'_>, scale: Scale, work: &mut Work<R>) -> Option<Found<R>> {
     let n = p.order();
     let epsilon = recursion::array(work, n, |i| R::new(scale.h(p.h, i)))?;
     let weight = Weight { n, degree: p.degree(), last: R::new(scale.h(p.h, n)), epsilon };

@@ -9,7 +9,7 @@
 //! # Numerical aspects
 //! O(n²) operations. Refused where the recursion in pairs knows its α_k to fewer than 12 digits.
 
-use super::adjoint::{self, Derivatives};
+use super::adjoint::Tape;
 use super::evaluate::attempt;
 use super::real::Pair;
 use super::recursion::Work;
@@ -50,7 +50,8 @@ pub fn gradient(p: &Integrand<'_>) -> Result<Gradient> {
         return Err(Error::not_computed("the coefficients are too ill-conditioned for a gradient")
             .with_hint("take differences of `integral::exact::rational` instead"));
     };
-    let d: Derivatives<Pair<false>> = adjoint::derivatives(p, &scale, weight, &work, |x| x);
+    let mut d = Tape::<Pair<false>>::default();
+    d.run(p, &scale, weight, &work, |x| x);
     let (n, time) = (p.order(), i64::from(scale.time));
     let back = |x: Pair<false>, shift: i64| ldexp(x.hi, scale.value + shift);
     // ∂I/∂a = ∂I′/∂a′·∂a′/∂a·(I/I′), and a′ = a·2^(time·(n−i) − gain)

@@ -71,12 +71,10 @@ fn advance<R: Real>(w: &[R], (n, k): (usize, usize), v: &[R], next: &mut [R]) ->
 /// Makes room and sets v⁰; false where 1/a_n or w_0 is out of the safe range.
 #[inline(always)]
 fn begin<R: Real>(work: &mut Work<R>, h: Weight<R>) -> bool {
-    for row in work.v.iter_mut().chain([&mut work.m]) {
-        if row.len() < h.n + 1 {
+    if work.sizes.len() <= h.n {
+        for row in work.v.iter_mut().chain([&mut work.m]) {
             row.resize(h.n + 1, R::new(0.0));
         }
-    }
-    if work.sizes.len() < h.n + 1 {
         work.sizes.resize(h.n + 1, R::Mag::new(0.0));
     }
     work.v[0][0] = h.last.reciprocal();

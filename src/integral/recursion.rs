@@ -60,15 +60,16 @@ pub(super) fn row_length(n: usize, k: usize) -> usize {
     (n - k) / 2 + 1
 }
 
-/// Entries of all rows together.
+/// Entries of all rows together: Σ_j (⌊j/2⌋ + 1), j = 0 … n.
 #[inline(always)]
 pub(super) fn array_length(n: usize) -> usize {
-    (0..=n).map(|k| row_length(n, k)).sum()
+    n * n / 4 + n + 1
 }
 
-/// Where row k starts.
+/// Where row k starts: after the rows of a polynomial of order n that one of order n − k lacks.
+#[inline(always)]
 pub(super) fn row_start(n: usize, k: usize) -> usize {
-    (0..k).map(|j| row_length(n, j)).sum()
+    array_length(n) - array_length(n - k)
 }
 
 /// Bound of the relative error of all α_k together; nothing when stability is not proven.

@@ -1,0 +1,113 @@
+//! The accuracy table of the README: worst error of every method over the families.
+//!
+//! `cargo bench --bench accuracy -- --cases 1000000`; without a number a short run. Prints the
+//! distance of `evaluate` from the exact integral in units in the last place, the share of cases
+//! that needed the exact tier, and relative errors of the other methods.
+#![allow(missing_docs, clippy::print_stdout)]
+
+#[path = "../tests/it/integral/families.rs"]
+mod families;
+
+use dashu_ratio::RBig;
+use families::{FAMILIES, Family, coefficients, generator, polynomial};
+use gyrospec::exact::rational;
+use gyrospec::integral::{Integrand, Method, determinant, evaluate, evaluate_fast, exact, quadrature};
+use rayon::prelude::*;
+
+/// Worst figures of one family.
+#[derive(Clone, Copy, Default)]
+struct Worst {
+    cases: usize,
+    ulps: f64,
+    escalated: usize,
+    fast: f64,
+    broken_bounds: usize,
+    determinant: f64,
+    quadrature: f64,
+    refused: usize,
+}
+
+impl Worst {
+    fn join(self, o: Self) -> Self {
+        Self {
+            cases: self.cases + o.cases,
+            ulps: self.ulps.max(o.ulps),
+            escalated: self.escalated + o.escalated,
+            fast: self.fast.max(o.fast),
+            broken_bounds: self.broken_bounds + o.broken_bounds,
+            determinant: self.determinant.max(o.determinant),
+            quadrature: self.quadrature.max(o.quadrature),
+            refused: self.refused + o.refused,
+        }
+    }
+}
+
+fn size(x: RBig) -> RBig {
+    if x < RBig::ZERO { -x } else { x }
+}
+
+/// One problem; every 16th also goes through the slower methods.
+fn case(family: Family, seed: u64) -> Worst {
+    let mut rng = generator(seed);
+    let n = [1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20][seed as usize % 12];
+    let n = if seed % 997 == 0 { 64 } else { n };
+    let h = polynomial(family, n, &mut rng);
+    let mut g = coefficients(n, &mut rng);
+    if seed % 3 == 0 {
+        g[..n - 1].fill(0.0);
+    }
+    let p = Integrand::new(&h, &g).unwrap();
+    let all = |x: &[f64]| x.iter().map(|v| rational(*v)).collect::<Vec<_>>();
+    let (Ok(truth), Ok(answer)) = (exact::rational(&all(&h), &all(&g)), evaluate(&p)) else {
+        return Worst::default();
+    };
+    let error = |value: f64| size(rational(value) - &truth);
+    let relative = |value: f64| (error(value) / size(truth.clone())).to_f64().value();
+    let ulp = f64::from_bits(answer.value.abs().to_bits() + 1) - answer.value.abs();
+    let fast = evaluate_fast(&p).unwrap();
+    let broken =
+        error(answer.value) > rational(answer.error_bound) || error(fast.value) > rational(fast.error_bound);
+    let mut out = Worst {
+        cases: 1,
+        ulps: (error(answer.value) / rational(ulp)).to_f64().value(),
+        escalated: usize::from(answer.method == Method::Exact),
+        fast: relative(fast.value),
+        broken_bounds: usize::from(broken),
+        ..Worst::default()
+    };
+    if seed % 16 == 0 {
+        out.determinant = determinant::evaluate(&p).map_or(0.0, relative);
+        match quadrature::evaluate(&p, 1e-9) {
+            Ok(e) => out.quadrature = relative(e.value),
+            Err(_) => out.refused = 1,
+        }
+    }
+    out
+}
+
+fn main() {
+    let words: Vec<String> = std::env::args().collect();
+    let given = words.iter().position(|w| w == "--cases").and_then(|i| words.get(i + 1)?.parse::<u64>().ok());
+    let cases = given.unwrap_or(4_000);
+    println!(
+        "family    cases  evaluate[ulp]  by exact  fast[rel]  bounds broken  determinant[rel]  quadrature[rel]  refused"
+    );
+    for (f, family) in FAMILIES.into_iter().enumerate() {
+        let w = (0..cases / 4)
+            .into_par_iter()
+            .map(|seed| case(family, seed + (f as u64) * 10_000_019))
+            .reduce(Worst::default, Worst::join);
+        println!(
+            "{:9} {:5} {:13.4} {:9} {:10.1e} {:14} {:17.1e} {:16.1e} {:8}",
+            format!("{family:?}"),
+            w.cases,
+            w.ulps,
+            w.escalated,
+            w.fast,
+            w.broken_bounds,
+            w.determinant,
+            w.quadrature,
+            w.refused
+        );
+    }
+}
