@@ -53,7 +53,7 @@ pub fn evaluate(p: &Integrand<'_>, target: f64) -> Result<Estimate> {
     let cuts = density.cuts();
     let (rough, _) = density.integrate(&cuts, f64::MAX)?;
     let (fine, evaluations) =
-        density.integrate(&cuts, target * rough.value.abs() / (cuts.len() + 1) as f64)?;
+        density.integrate(&cuts, 0.1 * target * rough.value.abs() / (cuts.len() + 1) as f64)?;
     let back = |x: f64| ldexp(x, density.exponent);
     let estimate =
         Estimate { value: back(fine.value), error_estimate: back(fine.error_estimate), evaluations };
