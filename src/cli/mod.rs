@@ -6,9 +6,11 @@ pub mod fit;
 pub mod formula;
 pub mod input;
 pub mod integral;
+pub mod models;
 pub mod output;
 pub mod progress;
 pub mod record;
+pub mod simulate;
 pub mod table;
 
 use crate::{Error, ErrorKind, Result};
@@ -46,6 +48,10 @@ enum Command {
     Fit(fit::Call),
     /// What is in a recording.
     Record(record::Record),
+    /// Simulate a model on a recording.
+    Simulate(simulate::Call),
+    /// The models that the program brings along.
+    Models(models::Call),
     /// Version and licence.
     About,
 }
@@ -58,6 +64,8 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Explain(call) => return explain::run(&call),
         Command::Fit(call) => return fit::run(&call),
         Command::Record(call) => return record::run(&call),
+        Command::Simulate(call) => return simulate::run(&call),
+        Command::Models(call) => return models::run(&call),
         Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
     }
     Ok(Outcome::Done)

@@ -260,4 +260,12 @@ impl Model {
     pub fn builtin(name: &str) -> Result<Self> {
         builtin::text(name).and_then(Self::parse)
     }
+
+    /// The file of the built-in model of that name.
+    ///
+    /// # Errors
+    /// As [`Model::builtin`].
+    pub fn builtin_text(name: &str) -> Result<&'static str> {
+        builtin::text(name)
+    }
 }

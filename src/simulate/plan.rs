@@ -26,10 +26,27 @@ pub(super) struct Plan {
     pub roughness: f64,
 }
 
-const MOST_EXPLICIT: usize = 64;
-const MOST_STIFF: usize = 16;
-/// From here on the stiff method is tried.
-const MANY: usize = 8;
+/// Steps in an interval at which the stiff method is tried, and at which each method gives up;
+/// a mesh of few intervals may be cut finer, up to so many steps in a run.
+const MANY: (usize, usize) = (8, 100_000);
+const MOST_EXPLICIT: (usize, usize) = (64, 2_000_000);
+const MOST_STIFF: (usize, usize) = (16, 200_000);
+/// Steps in an interval beyond which no mesh is cut.
+const FINEST: usize = 8192;
+
+/// An explicit error below this falls quickly enough with more steps.
+const CONVERGING: f64 = 0.01;
+/// Halving the step must divide the error by so much before the next halving is foretold to.
+const ASYMPTOTIC: f64 = 10.0;
+
+fn limit((least, in_a_run): (usize, usize), intervals: usize) -> usize {
+    (in_a_run / intervals.max(1)).clamp(least, FINEST)
+}
+
+/// The most steps in an interval that the explicit method may take.
+pub(super) fn most_substeps(intervals: usize) -> usize {
+    limit(MOST_EXPLICIT, intervals)
+}
 
 impl Plan {
     /// The error foretold for a run of another roughness.
@@ -42,15 +59,20 @@ impl Plan {
 /// The plan for a model at its own parameters.
 pub(super) fn plan(course: &Course<'_>, parameters: &[f64], given: &[f64], tolerance: f64) -> Result<Plan> {
     let search = Search { course, parameters, given, tolerance };
-    let explicit = search.refine(Method::Explicit, MANY)?;
+    let intervals = course.mesh.intervals();
+    let explicit = search.refine(Method::Explicit, limit(MANY, intervals))?;
     if explicit.error <= tolerance {
         return Ok(explicit);
     }
-    let stiff = search.refine(Method::Stiff, MOST_STIFF)?;
+    let stiff = if explicit.error < CONVERGING {
+        explicit
+    } else {
+        search.refine(Method::Stiff, limit(MOST_STIFF, intervals))?
+    };
     if stiff.error <= tolerance {
         return Ok(stiff);
     }
-    let longer = search.refine(Method::Explicit, MOST_EXPLICIT)?;
+    let longer = search.refine(Method::Explicit, most_substeps(intervals))?;
     // NaN: a run that blew up is worse than any number.
     let worse = |p: &Plan| if p.error.is_nan() { f64::INFINITY } else { p.error };
     Ok(if worse(&longer) <= worse(&stiff) { longer } else { stiff })
@@ -73,7 +95,7 @@ impl Search<'_> {
     fn refine(&self, method: Method, most: usize) -> Result<Plan> {
         let mut coarse = self.run(method, 1)?;
         let mut best = Plan { method, substeps: 1, error: f64::INFINITY, roughness: coarse.roughness };
-        let mut substeps = 1;
+        let (mut substeps, mut last) = (1, f64::INFINITY);
         while substeps < most {
             let fine = self.run(method, 2 * substeps)?;
             let error = difference(&coarse, &fine);
@@ -84,7 +106,11 @@ impl Search<'_> {
             {
                 break;
             }
-            coarse = fine;
+            let next = error / 16.0;
+            if last / error > ASYMPTOTIC && next <= self.tolerance {
+                return Ok(Plan { method, substeps: 2 * substeps, error: next, roughness: fine.roughness });
+            }
+            (coarse, last) = (fine, error);
             substeps *= 2;
         }
         Ok(best)

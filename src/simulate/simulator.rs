@@ -2,7 +2,7 @@
 
 use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
-use super::plan::{Plan, plan};
+use super::plan::{Plan, most_substeps, plan};
 use super::probe::Clock;
 use super::run::{Course, Ran, run};
 use super::signals::{self, OutputSignal};
@@ -331,7 +331,7 @@ impl Simulator {
             let course = Course { clocks: case.clocks, ..self.course(&mesh, plan, &steady) };
             let ran = run(&course, &parameters, &given)?;
             let fine = !(plan.foretold(ran.roughness) > SLACK * self.tolerance.max(self.plan.error));
-            if fine || plan.method == Method::Stiff || plan.substeps >= MOST_SUBSTEPS {
+            if fine || plan.method == Method::Stiff || plan.substeps >= most_substeps(mesh.intervals()) {
                 return Ok(ran);
             }
             plan = Plan { substeps: 2 * plan.substeps, error: plan.error / 16.0, ..plan };
@@ -369,7 +369,6 @@ impl Simulator {
 
 /// How much larger than planned a foretold error may be before a run is repeated with more steps.
 const SLACK: f64 = 8.0;
-const MOST_SUBSTEPS: usize = 64;
 
 /// One run asked for.
 #[derive(Clone)]

@@ -1,7 +1,7 @@
 //! All integration tests, in one binary: one module a capability.
 
-mod fuzz;
 mod formula;
+mod fuzz;
 mod house;
 mod integral;
 mod quality;

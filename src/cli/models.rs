@@ -1,0 +1,40 @@
+//! `gyrospec models`: the models that the program brings along.
+
+use super::Outcome;
+use super::output::print;
+use crate::Result;
+use crate::model::{BUILTIN, Model};
+use clap::Subcommand;
+use std::fmt::Write;
+
+/// Arguments of `gyrospec models`.
+#[derive(clap::Args)]
+pub struct Call {
+    #[command(subcommand)]
+    what: Option<What>,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// Print the file of one model.
+    Show {
+        /// Its name.
+        name: String,
+    },
+}
+
+pub fn run(call: &Call) -> Result<Outcome> {
+    match &call.what {
+        Some(What::Show { name }) => print(Model::builtin_text(name)?.as_bytes())?,
+        None => {
+            let mut out = String::new();
+            for (name, text) in BUILTIN {
+                let title = Model::parse(text)?.name;
+                let _ = writeln!(out, "{name:<28} {title}");
+            }
+            out.push_str("\n`gyrospec models show NAME` prints one; `extends = \"NAME\"` in a model file starts from it.\n");
+            print(out.as_bytes())?;
+        }
+    }
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,139 @@
+//! `gyrospec simulate`: a model on a recording.
+
+use super::Outcome;
+use super::output::Sink;
+use crate::Result;
+use crate::model::Model;
+use crate::record::Recording;
+use crate::simulate::{Options, Simulator, Trajectory};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Arguments of `gyrospec simulate`.
+#[derive(clap::Args)]
+pub struct Call {
+    /// The model file.
+    model: PathBuf,
+    /// The recording: a CSV file or a TOML file.
+    recording: PathBuf,
+    /// Where the predictions go as CSV: time, then measured and predicted for every output.
+    #[arg(long, value_name = "CSV")]
+    out: Option<PathBuf>,
+    /// How far halving the step may move an output, as a share of its spread.
+    #[arg(long, default_value_t = Options::default().tolerance)]
+    tolerance: f64,
+}
+
+pub fn run(call: &Call) -> Result<Outcome> {
+    let sink = call.out.as_deref().map(Sink::open).transpose()?;
+    let model = Model::read(&call.model)?;
+    let recording = Recording::read(&call.recording)?;
+    let options = Options { tolerance: call.tolerance, ..Options::default() };
+    let simulator = Simulator::new(&model, &recording, &options).map_err(|e| match e.file() {
+        None => e.with_file(&call.model),
+        Some(_) => e,
+    })?;
+    let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
+    for note in &recording.notes {
+        eprintln!("note: {note}");
+    }
+    for warning in warnings(&simulator, &ran) {
+        eprintln!("warning: {warning}");
+    }
+    let to_stdout = call.out.as_deref() == Some(std::path::Path::new("-"));
+    if let Some(sink) = sink {
+        sink.finish(csv(&simulator, &ran).as_bytes())?;
+    }
+    if !to_stdout {
+        super::output::print(summary(&simulator, &ran).as_bytes())?;
+    }
+    Ok(Outcome::Done)
+}
+
+/// What the user should know about the run though it went on.
+fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
+    let mut out = Vec::new();
+    if let Some((t, state)) = ran.blew_up {
+        let states = &s.model().states;
+        let name = states.get(state).map_or("a lag or another hidden state", |x| x.name.as_str());
+        out.push(format!(
+            "the model blows up: {name} is beyond all bounds at t = {t} s; there are no predictions from there on. \
+             Start it from other values or look at its signs"
+        ));
+    }
+    if ran.solver_error > 1e-3 {
+        out.push(format!(
+            "the solver's error is {:.1e} of an output's spread; --tolerance cannot be met",
+            ran.solver_error
+        ));
+    }
+    for o in s.outputs() {
+        let lost = o.covered.iter().zip(o.measured.iter()).filter(|(c, y)| !**c && y.is_finite()).count();
+        if lost > 0 {
+            let n = o.measured.len();
+            out.push(format!("{lost} of {n} samples of {} lie outside the inputs or in their gaps", o.name));
+        }
+    }
+    out
+}
+
+/// Measured less predicted, modulo a turn where the angle wraps.
+fn residual(measured: f64, predicted: f64, wraps: bool) -> f64 {
+    let e = measured - predicted;
+    if wraps { e - std::f64::consts::TAU * (e / std::f64::consts::TAU).round() } else { e }
+}
+
+fn summary(s: &Simulator, ran: &Trajectory) -> String {
+    let mut out = format!("{}\n", s.model().name);
+    let (from, to) = s.span();
+    if s.is_dynamic() {
+        let (method, n) = s.steps();
+        let _ = writeln!(
+            out,
+            "simulated from {from} to {to} s, {method:?} steps, {n} in an interval of the inputs, {} events",
+            ran.events
+        );
+        let _ = writeln!(out, "solver error {:.1e} of the spread (by halving the step)", ran.solver_error);
+    }
+    let _ =
+        writeln!(out, "{:<20} {:>8} {:>14} {:>14}  unit", "output", "samples", "rms error", "worst error");
+    for (o, predicted) in s.outputs().iter().zip(&ran.outputs) {
+        let pairs = o.measured.iter().zip(predicted).filter(|(y, f)| y.is_finite() && f.is_finite());
+        let errors: Vec<f64> =
+            pairs.map(|(y, f)| o.unit.difference_from_si(residual(*y, *f, o.wraps))).collect();
+        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+        let worst = errors.iter().fold(0.0f64, |m, e| m.max(e.abs()));
+        let unit = o.unit.of_differences();
+        let _ = writeln!(out, "{:<20} {:>8} {rms:>14.6} {worst:>14.6}  {unit}", o.name, errors.len());
+    }
+    out
+}
+
+/// One row a time of any output: empty cells where an output has no sample.
+fn csv(s: &Simulator, ran: &Trajectory) -> String {
+    let mut times: Vec<f64> = s.outputs().iter().flat_map(|o| o.time.iter().copied()).collect();
+    times.sort_unstable_by(f64::total_cmp);
+    times.dedup();
+    let mut out = String::from("time [s]");
+    for o in s.outputs() {
+        let _ = write!(out, ",{0}_measured [{1}],{0} [{1}]", o.name, o.unit);
+    }
+    out.push('\n');
+    let mut next = vec![0; s.outputs().len()];
+    for t in times {
+        let _ = write!(out, "{t}");
+        for (k, o) in s.outputs().iter().enumerate() {
+            let here = o.time.get(next[k]) == Some(&t);
+            for values in [&o.measured[..], &ran.outputs[k][..]] {
+                let value = if here { values[next[k]] } else { f64::NAN };
+                out.push(',');
+                if value.is_finite() {
+                    let _ = write!(out, "{}", o.unit.from_si(value));
+                }
+            }
+            next[k] += usize::from(here);
+        }
+        out.push('\n');
+    }
+    out
+}
