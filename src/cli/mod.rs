@@ -1,6 +1,7 @@
 //! The command line: one file a subcommand.
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
+pub mod diagnose;
 pub mod explain;
 pub mod fit;
 pub mod formula;
@@ -42,6 +43,8 @@ enum Command {
     Formula(Box<formula::FormulaCall>),
     /// Tables of I_n with letters.
     Table(table::Table),
+    /// Find what a model leaves out, and prove it.
+    Diagnose(diagnose::Call),
     /// What can be missing: the pages of the catalogue.
     Explain(explain::Explain),
     /// Fit a model to recordings.
@@ -61,6 +64,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Integral(call) => return integral::run(&call),
         Command::Formula(call) => return formula::run(&call),
         Command::Table(call) => return table::run(&call),
+        Command::Diagnose(call) => return diagnose::run(&call),
         Command::Explain(call) => return explain::run(&call),
         Command::Fit(call) => return fit::run(&call),
         Command::Record(call) => return record::run(&call),

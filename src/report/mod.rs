@@ -1,3 +1,4 @@
 //! Text, JSON and HTML reports; computes nothing.
 
 pub mod braille;
+pub mod diagnosis;

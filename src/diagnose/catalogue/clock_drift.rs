@@ -33,10 +33,24 @@ fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     let first = inputs.first()?;
     let mut d = Draft::new(scene, "clock-drift", SiteKind::Input, first);
     let rate = d.amplitude("rate", &Unit::one(), (-0.2, 0.2), "relative error of the clock's rate");
+    d.term(&format!("{first} on a clock of another rate"));
     let start = d.constant("t0", &Unit::parse("s").ok()?, scene.from, "beginning of the recording");
+    let parts = 8;
+    let width = d.constant("part", &Unit::parse("s").ok()?, scene.length() / f64::from(parts), "an eighth of the fitted part");
     for input in inputs {
-        d.replace(input, &format!("delay({input}, -{rate}*(t - {start}))"), |_| true);
+        // Between its grid points the shift is interpolated.
+        let copy = |i: u32| {
+            let weight = if i == parts {
+                format!("clamp((t - {start})/{width} - {}, 0, 1)", parts - 1)
+            } else {
+                format!("max(0, 1 - abs((t - {start})/{width} - {i}))")
+            };
+            format!("delay({input}, -{rate}*{i}*{width})*{weight}")
+        };
+        let copies: Vec<String> = (0..=parts).map(copy).collect();
+        d.replace(input, &format!("({})", copies.join(" + ")), |_| true);
     }
+    d.term(&format!("{first}(t + {rate}*(t - {start}))"));
     d.start(&[20.0 * scene.step / scene.length()]);
     d.done(&format!("the clock of {} runs relatively {{0}} slow against the others", scene.words(first)))
 }

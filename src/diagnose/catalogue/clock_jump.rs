@@ -37,7 +37,8 @@ fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     let jump = d.amplitude("jump", &second, (-reach, reach), "time by which the stamps jump late");
     let time = d.parameter("tj", &second, (scene.from, scene.to), "when they jump");
     for input in inputs {
-        d.replace(input, &format!("delay({input}, -{jump}*step(t - {time}))"), |_| true);
+        let early = format!("{input}*(1 - step(t - {time}))");
+        d.replace(input, &format!("({early} + delay({input}, -{jump})*step(t - {time}))"), |_| true);
     }
     let parts = 10;
     for i in 1..parts {

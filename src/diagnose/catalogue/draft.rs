@@ -73,6 +73,30 @@ pub struct Proposal {
     pub says: String,
     /// Signals that it brings in.
     pub depends: Vec<String>,
+    /// Values of the added parameters at which it does nothing, where there are such.
+    pub neutral: Option<Vec<f64>>,
+    /// Limits of the added parameters.
+    pub limits: Vec<Limits>,
+}
+
+impl Proposal {
+    /// Whether its effect is a single force that may have one sign alone.
+    pub fn is_one_sided(&self) -> bool {
+        match self.amplitudes.as_slice() {
+            [] => true,
+            [one] => self.limits[*one].0 >= 0.0,
+            _ => false,
+        }
+    }
+
+    /// A start with its amplitudes at given values.
+    pub fn with_amplitudes(&self, start: &[f64], values: &[f64]) -> Vec<f64> {
+        let mut all = start.to_vec();
+        for (at, value) in self.amplitudes.iter().zip(values) {
+            all[*at] = value.clamp(self.limits[*at].0, self.limits[*at].1);
+        }
+        all
+    }
 }
 
 /// Limits of an added parameter, SI.
@@ -103,6 +127,8 @@ impl<'a> Draft<'a> {
             term: String::new(),
             says: String::new(),
             depends: Vec::new(),
+            neutral: None,
+            limits: Vec::new(),
         };
         Self { scene, proposal, failed: false }
     }
@@ -143,6 +169,7 @@ impl<'a> Draft<'a> {
             meaning: Some(meaning.to_string()),
         });
         self.proposal.added.push(Added { name: name.clone(), unit });
+        self.proposal.limits.push(limits);
         name
     }
 
@@ -298,7 +325,22 @@ impl<'a> Draft<'a> {
     /// The proposal with its sentence, unless a step failed.
     pub fn done(mut self, says: &str) -> Option<Proposal> {
         self.proposal.says = says.to_string();
+        self.proposal.neutral = neutral(&self.proposal);
         let whole = self.proposal.starts.iter().all(|s| s.len() == self.proposal.added.len());
         (!self.failed && whole && !self.proposal.starts.is_empty()).then_some(self.proposal)
     }
+}
+
+/// Amplitudes at zero; else times and widths at zero, levels at their upper limit.
+fn neutral(p: &Proposal) -> Option<Vec<f64>> {
+    let start = p.starts.first()?;
+    if !p.amplitudes.is_empty() {
+        return Some(p.with_amplitudes(start, &vec![0.0; p.amplitudes.len()]));
+    }
+    let at_rest = |l: &Limits| match *l {
+        (0.0, _) => Some(0.0),
+        (low, high) if p.code.contains("saturation") && low < high => Some(high),
+        _ => None,
+    };
+    if p.added.is_empty() { None } else { p.limits.iter().map(at_rest).collect() }
 }

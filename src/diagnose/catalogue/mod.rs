@@ -8,7 +8,7 @@ mod draft;
 pub mod edit;
 mod scene;
 
-pub use draft::{Added, Draft, Proposal, Site, SiteKind};
+pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind};
 pub use scene::{Lag, Motion, Scene, Signal, SignalKind};
 
 use crate::error::nearest;

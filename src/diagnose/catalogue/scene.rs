@@ -43,6 +43,8 @@ pub struct Signal {
     pub levels: usize,
     /// Time in which it changes by its own spread, s.
     pub pace: f64,
+    /// Whether the model takes its sine.
+    pub is_turned: bool,
 }
 
 impl Signal {
@@ -53,9 +55,8 @@ impl Signal {
 
     /// Whether it is an angle that turns far enough for its sine and cosine to matter.
     pub fn is_heading(&self) -> bool {
-        let text = self.unit.text();
-        let angle = ["deg", "rad", "arcmin"].contains(&text);
-        angle && (self.min.abs().max(self.max.abs()) > 0.7)
+        let angle = ["deg", "rad", "arcmin"].contains(&self.unit.text());
+        angle && (self.is_turned || self.min.abs().max(self.max.abs()) > 1.6)
     }
 
     /// Whether it moves at all.
@@ -101,6 +102,8 @@ pub struct Scene<'a> {
     pub measured: BTreeMap<String, (f64, f64)>,
     /// Angular frequencies at which the residual has lines, rad/s.
     pub peaks: Vec<f64>,
+    /// How many of the parameters are the given model's own; mechanisms added theirs behind.
+    pub own_parameters: usize,
 }
 
 impl Scene<'_> {
@@ -227,7 +230,7 @@ impl Scene<'_> {
 
     /// Parameters that may vary: the fitted ones, and the others where they are few.
     pub fn acting_parameters(&self) -> Vec<String> {
-        let all = &self.model.parameters;
+        let all = &self.model.parameters[..self.own_parameters];
         let few = all.len() <= 8;
         all.iter().filter(|p| p.fit || few).map(|p| p.name.clone()).collect()
     }

@@ -10,10 +10,10 @@ mod held_out;
 mod options;
 mod outcome;
 mod problem;
-mod rig;
+pub mod rig;
 mod search;
 mod seen;
-mod setup;
+pub mod setup;
 mod shooting;
 mod simulated;
 

@@ -1,0 +1,259 @@
+//! The answer of a diagnosis, as programs read it.
+
+use serde::Serialize;
+
+/// A number as JSON writes it: what is not finite becomes null.
+fn number<S: serde::Serializer>(x: &f64, s: S) -> Result<S::Ok, S::Error> {
+    if x.is_finite() { s.serialize_f64(*x) } else { s.serialize_none() }
+}
+
+/// What a diagnosis ends with.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// The model says all that the recording shows.
+    NothingMissing,
+    /// What is missing has a name.
+    Named,
+    /// Several names fit as well.
+    Tie,
+    /// Something is missing that no name fits.
+    Unknown,
+    /// The data are at fault.
+    DataFault,
+    /// The recording cannot tell.
+    NotIdentifiable,
+}
+
+/// A whole diagnosis; units are those of the model file.
+#[derive(Debug, Clone, Serialize)]
+pub struct Answer {
+    /// Name and version of the form.
+    pub schema: &'static str,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// One paragraph in plain words.
+    pub says: String,
+    /// Whether anything is missing.
+    pub detection: Detection,
+    /// Where it sits.
+    pub located: Located,
+    /// What it is, largest share first.
+    pub findings: Vec<Finding>,
+    /// What is left.
+    pub unexplained: Option<Unexplained>,
+    /// Before and after, an output each.
+    pub proof: Vec<Proof>,
+    /// What would tell more.
+    pub next_experiment: Option<String>,
+    /// The fitted parameters before and after.
+    pub parameters: Vec<ParameterChange>,
+    /// How the answer was made.
+    pub made: Made,
+}
+
+/// The test for anything missing.
+#[derive(Debug, Clone, Serialize)]
+pub struct Detection {
+    /// Chance that all of it is noise.
+    #[serde(serialize_with = "number")]
+    pub p_value: f64,
+    /// What this recording would have shown of each mechanism.
+    pub smallest_visible: Vec<Visible>,
+}
+
+/// The smallest visible size of a mechanism.
+#[derive(Debug, Clone, Serialize)]
+pub struct Visible {
+    /// Code.
+    pub code: String,
+    /// Its parameter.
+    pub parameter: String,
+    /// Its size.
+    #[serde(serialize_with = "number")]
+    pub value: f64,
+    /// Unit.
+    pub unit: String,
+}
+
+/// Where the mismatch sits.
+#[derive(Debug, Clone, Serialize)]
+pub struct Located {
+    /// Sites that the data cannot tell apart.
+    pub sites: Vec<SiteName>,
+    /// Spans of time, s; empty for everywhere.
+    pub time: Vec<Stretch>,
+    /// Bands of angular frequency.
+    pub bands: Vec<Band>,
+    /// Signals that it goes with.
+    pub signals: Vec<SignalChance>,
+    /// What would part the sites.
+    pub separating_measurement: Option<String>,
+}
+
+/// A site.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct SiteName {
+    /// state, input, output, parameter or definition.
+    pub kind: String,
+    /// Its name.
+    pub name: String,
+}
+
+/// A span of time, s.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Stretch {
+    /// First.
+    pub from: f64,
+    /// Last.
+    pub to: f64,
+}
+
+/// A band of angular frequency with its share of the mismatch.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct Band {
+    /// rad/s.
+    pub from: f64,
+    /// rad/s.
+    pub to: f64,
+    /// Share, 0 to 1.
+    pub share: f64,
+}
+
+/// A signal and the chance that the mismatch does not depend on it.
+#[derive(Debug, Clone, Serialize)]
+pub struct SignalChance {
+    /// Name.
+    pub name: String,
+    /// Chance.
+    #[serde(serialize_with = "number")]
+    pub p_value: f64,
+}
+
+/// A mechanism found.
+#[derive(Debug, Clone, Serialize)]
+pub struct Finding {
+    /// Code of the catalogue.
+    pub code: String,
+    /// Where.
+    pub site: SiteName,
+    /// The term in the equation.
+    pub term: String,
+    /// A sentence.
+    pub says: String,
+    /// Its parameters with 95 % intervals.
+    pub parameters: Vec<Value>,
+    /// Chance that it is noise.
+    #[serde(serialize_with = "number")]
+    pub p_value: f64,
+    /// Share of the held-out improvement.
+    #[serde(serialize_with = "number")]
+    pub share: f64,
+    /// Codes that fit as well.
+    pub ties: Vec<String>,
+}
+
+/// A value with its 95 % interval.
+#[derive(Debug, Clone, Serialize)]
+pub struct Value {
+    /// Name.
+    pub name: String,
+    /// Value.
+    #[serde(serialize_with = "number")]
+    pub value: f64,
+    /// Lower end.
+    #[serde(serialize_with = "number")]
+    pub low: f64,
+    /// Upper end.
+    #[serde(serialize_with = "number")]
+    pub high: f64,
+    /// Unit.
+    pub unit: String,
+}
+
+/// What no name explains.
+#[derive(Debug, Clone, Serialize)]
+pub struct Unexplained {
+    /// Chance that it is noise.
+    #[serde(serialize_with = "number")]
+    pub p_value: f64,
+    /// The signal that it goes with.
+    pub signal: String,
+    /// [signal, effect, low, high] along the signal.
+    pub shape: Vec<[f64; 4]>,
+}
+
+/// One output before and after.
+#[derive(Debug, Clone, Serialize)]
+pub struct Proof {
+    /// Output.
+    pub output: String,
+    /// Unit of all figures.
+    pub unit: String,
+    /// The metric.
+    pub metric: &'static str,
+    /// How the model runs.
+    pub mode: &'static str,
+    /// On the fitted part, before.
+    #[serde(serialize_with = "number")]
+    pub fit_before: f64,
+    /// On the fitted part, after.
+    #[serde(serialize_with = "number")]
+    pub fit_after: f64,
+    /// On the held-out part, before.
+    #[serde(serialize_with = "number")]
+    pub holdout_before: f64,
+    /// On the held-out part, after.
+    #[serde(serialize_with = "number")]
+    pub holdout_after: f64,
+    /// Lower end of the 95 % interval of the fall.
+    #[serde(serialize_with = "number")]
+    pub improvement_low: f64,
+    /// Upper end.
+    #[serde(serialize_with = "number")]
+    pub improvement_high: f64,
+    /// Level of the noise.
+    #[serde(serialize_with = "number")]
+    pub noise_floor: f64,
+}
+
+/// A parameter before and after.
+#[derive(Debug, Clone, Serialize)]
+pub struct ParameterChange {
+    /// Name.
+    pub name: String,
+    /// With the model as given, refitted.
+    #[serde(serialize_with = "number")]
+    pub before: f64,
+    /// With the findings.
+    #[serde(serialize_with = "number")]
+    pub after: f64,
+    /// Lower end of the 95 % interval.
+    #[serde(serialize_with = "number")]
+    pub low: f64,
+    /// Upper end.
+    #[serde(serialize_with = "number")]
+    pub high: f64,
+    /// Unit.
+    pub unit: String,
+}
+
+/// How an answer was made.
+#[derive(Debug, Clone, Serialize)]
+pub struct Made {
+    /// Program and version.
+    pub program: String,
+    /// Seed.
+    pub seed: u64,
+    /// The files read.
+    pub inputs: Vec<InputFile>,
+}
+
+/// A file with its hash.
+#[derive(Debug, Clone, Serialize)]
+pub struct InputFile {
+    /// Path.
+    pub file: String,
+    /// SHA-256 in hexadecimal.
+    pub sha256: String,
+}

@@ -1,0 +1,369 @@
+//! The recordings on the bench: free runs of any model on their fitted parts.
+
+use super::catalogue::edit;
+use super::catalogue::{Scene, Signal, SignalKind};
+use crate::estimate::fit::Effort;
+use crate::estimate::fit::rig::{Record, Unknown};
+use crate::estimate::fit::setup;
+use crate::estimate::{Fit, FitOptions, Stopping};
+use crate::expression::{Expr, Function};
+use crate::model::{Model, Output};
+use crate::record::{Channel, Kind, Recording, Span};
+use crate::{Error, Result};
+use std::collections::BTreeMap;
+
+/// Longest stretch, in samples over all recordings, that the screening runs over.
+const SCREENED: usize = 40_000;
+/// Times at which signals are looked at.
+const LOOKS: usize = 3000;
+
+/// Recordings with what of them is fitted.
+pub struct Bench {
+    /// The recordings, faults masked.
+    pub recordings: Vec<Recording>,
+    /// Whether separate records are held out.
+    pub separate: bool,
+    /// Seed of everything random.
+    pub seed: u64,
+    /// Number of the given model's own parameters.
+    pub own_parameters: usize,
+}
+
+/// One series of a run: an output on a recording.
+pub struct Track {
+    /// Number of the output.
+    pub output: usize,
+    /// Contiguous stretches.
+    pub stretches: Vec<std::ops::Range<usize>>,
+    /// Times, s.
+    pub time: Vec<f64>,
+    /// Measured less predicted.
+    pub residual: Vec<f64>,
+    /// Sensitivities of the prediction.
+    pub sensitivities: Vec<Vec<f64>>,
+}
+
+/// Where a model stands: all parameters, and the initial states of each recording.
+#[derive(Debug, Clone)]
+pub struct Stand {
+    /// Values in the model's order, SI.
+    pub parameters: Vec<f64>,
+    /// One list a recording.
+    pub initials: Vec<Vec<f64>>,
+}
+
+impl Stand {
+    /// Where a fit ended.
+    pub fn of(fit: &Fit) -> Self {
+        Self {
+            parameters: fit.model.parameters.iter().map(|p| p.value).collect(),
+            initials: fit.records.iter().map(|r| r.initials.clone()).collect(),
+        }
+    }
+
+    /// The same for a model with parameters and states added at the end.
+    #[must_use]
+    pub fn extended(&self, model: &Model, added: &[f64]) -> Self {
+        let mut parameters = self.parameters.clone();
+        let mut rest = added.iter();
+        for p in &model.parameters[parameters.len()..] {
+            parameters.push(if p.fit { rest.next().copied().unwrap_or(p.value) } else { p.value });
+        }
+        let start = |s: &crate::model::State| match s.initial {
+            crate::model::Initial::Number(x) => x,
+            _ => 0.0,
+        };
+        let grow = |old: &Vec<f64>| {
+            let mut all = old.clone();
+            all.extend(model.states[old.len().min(model.states.len())..].iter().map(start));
+            all
+        };
+        Self { parameters, initials: self.initials.iter().map(grow).collect() }
+    }
+
+    /// The model with these values in place.
+    pub fn placed(&self, model: &Model) -> Model {
+        let mut placed = model.clone();
+        for (p, v) in placed.parameters.iter_mut().zip(&self.parameters) {
+            p.value = *v;
+        }
+        placed
+    }
+}
+
+impl Bench {
+    /// Options of a fit on this bench.
+    pub fn options(&self, effort: Effort, iterations: usize) -> FitOptions<'static> {
+        FitOptions {
+            effort,
+            seed: self.seed,
+            separate_holdout: self.separate,
+            stopping: Stopping { iterations, reduction: 1e-6, step: 1e-6 },
+            ..FitOptions::default()
+        }
+    }
+
+    /// Whether the recordings are tables of trials.
+    pub fn is_trials(&self) -> bool {
+        self.recordings.iter().any(|r| r.kind == Kind::Trials)
+    }
+
+    /// The fitted spans of a recording.
+    pub fn spans(&self, model: &Model, number: usize) -> Vec<Span> {
+        setup::spans(model, &self.recordings[number], &self.options(Effort::Near, 0)).fit
+    }
+
+    /// The first part of the fitted spans, short enough for screening.
+    fn screened_spans(&self, model: &Model, number: usize) -> Vec<Span> {
+        let spans = self.spans(model, number);
+        let recording = &self.recordings[number];
+        let output = model.outputs.iter().find_map(|o| recording.find(&o.name));
+        let Some(step) = output.and_then(Channel::median_step) else { return spans };
+        let allowed = SCREENED as f64 / self.recordings.len() as f64 * step;
+        let mut left = allowed;
+        let mut short = Vec::new();
+        for s in spans {
+            if left > 0.0 {
+                short.push(Span::new(s.from, s.to.min(s.from + left)));
+                left -= s.length();
+            }
+        }
+        short
+    }
+
+    /// A model ready to run over the parts that the screening uses.
+    pub fn ready(&self, model: &Model) -> Result<Vec<Record>> {
+        let options = self.options(Effort::Near, 0);
+        (0..self.recordings.len())
+            .map(|k| setup::record(model, &self.recordings[k], k, &self.screened_spans(model, k), &options))
+            .collect()
+    }
+
+    /// Statistics of all signals of a fitted model.
+    pub fn scene<'a>(&self, model: &'a Model, stand: &Stand) -> Result<Scene<'a>> {
+        let trials = self.is_trials();
+        let looks = self.look(model, stand)?;
+        let outputs = model.outputs.iter().filter_map(|o| self.recordings[0].find(&o.name));
+        let step = outputs.filter_map(Channel::median_step).fold(f64::INFINITY, f64::min);
+        let spans = self.spans(model, 0);
+        let from = spans.first().map_or(0.0, |s| s.from);
+        let to = spans.last().map_or(1.0, |s| s.to);
+        Ok(Scene {
+            model,
+            trials,
+            signals: looks.signals,
+            sizes: looks.sizes,
+            step: if step.is_finite() { step } else { 1.0 },
+            from,
+            to,
+            tables: self.tables(),
+            measured: self.measured(model),
+            peaks: Vec::new(),
+            own_parameters: self.own_parameters,
+        })
+    }
+
+    fn tables(&self) -> Vec<Vec<String>> {
+        let mut tables: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+        for c in self.recordings.iter().take(1).flat_map(|r| &r.channels) {
+            tables.entry(c.table).or_default().push(c.name.clone());
+        }
+        tables.into_values().collect()
+    }
+
+    fn measured(&self, model: &Model) -> BTreeMap<String, (f64, f64)> {
+        let mut found = BTreeMap::new();
+        for o in &model.outputs {
+            let values = self
+                .recordings
+                .iter()
+                .filter_map(|r| r.find(&o.name))
+                .flat_map(|c| c.values.iter().copied().filter(|v| v.is_finite()));
+            let range = values.fold((f64::INFINITY, f64::NEG_INFINITY), |r, v| (r.0.min(v), r.1.max(v)));
+            if range.0 < range.1 {
+                found.insert(o.name.clone(), range);
+            }
+        }
+        found
+    }
+
+    /// Runs the model with its states, definitions and terms as outputs.
+    fn look(&self, model: &Model, stand: &Stand) -> Result<Looks> {
+        let watched = Watched::of(model);
+        let mut probes = model.clone();
+        probes.outputs = watched.outputs(model);
+        let mut values: Vec<Vec<f64>> = vec![Vec::new(); probes.outputs.len()];
+        let mut pace = 1.0;
+        for (k, recording) in self.recordings.iter().enumerate() {
+            let spans = self.screened_spans(model, k);
+            let times = look_times(recording, &spans);
+            pace = times.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
+            let mut wider = recording.clone();
+            let unused = |c: &Channel| !model.outputs.iter().any(|o| o.name == c.name);
+            wider.channels.retain(unused);
+            for o in &probes.outputs {
+                let zero = vec![0.0; times.len()];
+                wider.channels.push(Channel::new(o.name.clone(), o.unit.clone(), times.clone(), zero));
+            }
+            let record = setup::record(&probes, &wider, k, &spans, &self.options(Effort::Near, 0))?;
+            let run = record.run(&stand.parameters, &stand.initials[k], &[])?;
+            for (track, predicted) in record.tracks.iter().zip(&run.predictions) {
+                values[track.output].extend(predicted);
+            }
+        }
+        Ok(watched.statistics(model, &self.recordings, &values, pace))
+    }
+}
+
+fn look_times(recording: &Recording, spans: &[Span]) -> Vec<f64> {
+    if recording.kind == Kind::Trials {
+        return recording.channels.first().map(|c| c.time.to_vec()).unwrap_or_default();
+    }
+    let Some(span) = spans.first() else { return Vec::new() };
+    let step = recording.channels.iter().filter_map(Channel::median_step).fold(f64::INFINITY, f64::min);
+    let stride = (span.length() / LOOKS as f64).max(step);
+    (0..LOOKS).map(|i| span.from + i as f64 * stride).take_while(|t| *t <= span.to).collect()
+}
+
+struct Looks {
+    signals: Vec<Signal>,
+    sizes: Vec<f64>,
+}
+
+/// What the probing run watches.
+struct Watched {
+    names: Vec<(String, SignalKind)>,
+    terms: Vec<(usize, Expr)>,
+}
+
+impl Watched {
+    fn of(model: &Model) -> Self {
+        let states = model.states.iter().map(|s| (s.name.clone(), SignalKind::State));
+        let definitions = model.definitions.iter().map(|d| (d.name.clone(), SignalKind::Definition));
+        let outputs = model.outputs.iter().map(|o| (o.name.clone(), SignalKind::Output));
+        let inputs = model.inputs.iter().map(|i| (i.name.clone(), SignalKind::Input));
+        let terms = model.states.iter().enumerate().flat_map(|(i, s)| {
+            edit::terms_of(model, edit::sum_of(model, &s.rate)).into_iter().map(move |t| (i, t))
+        });
+        Self {
+            names: states.chain(definitions).chain(outputs).chain(inputs).collect(),
+            terms: terms.collect(),
+        }
+    }
+
+    fn expression(model: &Model, name: &str, kind: SignalKind) -> Expr {
+        let output = model.outputs.iter().find(|o| o.name == name && kind == SignalKind::Output);
+        output.map_or_else(|| Expr::Name(name.to_string()), |o| o.equals.clone())
+    }
+
+    fn outputs(&self, model: &Model) -> Vec<Output> {
+        let of = |e: Expr, i: usize| Output {
+            name: format!("watched_{i}"),
+            unit: edit::unit_of(&e, &|n| edit::unit_of_name(model, n)),
+            equals: e,
+            meaning: None,
+        };
+        let named = self.names.iter().map(|(n, kind)| Self::expression(model, n, *kind));
+        let all = named.chain(self.terms.iter().map(|t| t.1.clone()));
+        all.enumerate().map(|(i, e)| of(e, i)).collect()
+    }
+
+    fn statistics(&self, model: &Model, recordings: &[Recording], values: &[Vec<f64>], pace: f64) -> Looks {
+        let mut signals = Vec::new();
+        for ((name, kind), v) in self.names.iter().zip(values) {
+            let unit = model.outputs.iter().find(|o| o.name == *name && *kind == SignalKind::Output);
+            let unit = unit.map(|o| o.unit.clone()).or_else(|| edit::unit_of_name(model, name));
+            let unit = unit.unwrap_or_else(crate::units::Unit::one);
+            signals.push(statistics(name.clone(), *kind, unit, v, pace));
+        }
+        let used = |name: &str| self.names.iter().any(|(n, _)| n == name);
+        for c in recordings.iter().take(1).flat_map(|r| &r.channels).filter(|c| !used(&c.name)) {
+            let everywhere = recordings.iter().all(|r| r.find(&c.name).is_some());
+            let counts = recordings[0].kind == Kind::Trials && c.values.windows(2).all(|w| w[0] < w[1]);
+            if everywhere && !counts {
+                let stride = (c.values.len() / LOOKS).max(1);
+                let v: Vec<f64> =
+                    c.values.iter().step_by(stride).copied().filter(|v| v.is_finite()).collect();
+                let step = c.median_step().unwrap_or(1.0) * stride as f64;
+                signals.push(statistics(c.name.clone(), SignalKind::Channel, c.unit.clone(), &v, step));
+            }
+        }
+        let size_of = |i: usize| {
+            let own = self.terms.iter().zip(&values[self.names.len()..]).filter(|(t, _)| t.0 == i);
+            own.map(|(_, v)| rms(v)).fold(0.0, f64::max)
+        };
+        for s in &mut signals {
+            s.is_turned = takes_sine(model, &s.name);
+        }
+        let sizes = (0..model.states.len()).map(|i| Some(size_of(i)).filter(|s| *s > 0.0).unwrap_or(1.0));
+        Looks { signals, sizes: sizes.collect() }
+    }
+}
+
+fn rms(v: &[f64]) -> f64 {
+    (v.iter().map(|x| x * x).sum::<f64>() / v.len().max(1) as f64).sqrt()
+}
+
+fn statistics(name: String, kind: SignalKind, unit: crate::units::Unit, v: &[f64], step: f64) -> Signal {
+    let n = v.len().max(1) as f64;
+    let mean = v.iter().sum::<f64>() / n;
+    let spread = (v.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let slope = (v.windows(2).map(|w| (w[1] - w[0]).powi(2)).sum::<f64>() / n).sqrt() / step;
+    let mut sorted = v.to_vec();
+    sorted.sort_unstable_by(f64::total_cmp);
+    sorted.dedup();
+    Signal {
+        name,
+        kind,
+        unit,
+        mean,
+        spread,
+        min: sorted.first().copied().unwrap_or(0.0),
+        max: sorted.last().copied().unwrap_or(0.0),
+        levels: sorted.len().min(64),
+        pace: if slope > 0.0 { (spread / slope).max(0.3 * step) } else { f64::INFINITY },
+        is_turned: false,
+    }
+}
+
+/// Runs records at a stand; sensitivities to some parameters.
+///
+/// # Errors
+/// Where a run fails or does not stay finite.
+pub fn run(records: &[Record], stand: &Stand, wanted: &[usize]) -> Result<Vec<Track>> {
+    let wanted: Vec<Unknown> = wanted.iter().map(|k| Unknown::Parameter(*k)).collect();
+    let mut tracks = Vec::new();
+    for record in records {
+        let initials = stand.initials.get(record.recording).unwrap_or(&record.initials);
+        let run = record.run(&stand.parameters, initials, &wanted)?;
+        for ((track, predicted), sensitivities) in record
+            .tracks
+            .iter()
+            .zip(&run.predictions)
+            .zip(run.sensitivities.into_iter().chain(std::iter::repeat(Vec::new())))
+        {
+            if !sensitivities.iter().flatten().all(|s| s.is_finite()) {
+                return Err(Error::not_computed("a sensitivity does not stay finite"));
+            }
+            tracks.push(Track {
+                output: track.output,
+                stretches: track.stretches.clone(),
+                time: track.time.clone(),
+                residual: track.residual(predicted),
+                sensitivities,
+            });
+        }
+    }
+    Ok(tracks)
+}
+
+/// Whether the model takes the sine of an expression with a name in it.
+fn takes_sine(model: &Model, name: &str) -> bool {
+    let sine =
+        |e: &Expr| matches!(e, Expr::Call(Function::Sin, args) if args.iter().any(|a| a.mentions(name)));
+    let definitions = model.definitions.iter().map(|d| &d.equals);
+    let mut all = definitions
+        .chain(model.states.iter().map(|s| &s.rate))
+        .chain(model.outputs.iter().map(|o| &o.equals));
+    all.any(|e| edit::find(e, &sine).is_some())
+}

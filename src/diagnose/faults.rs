@@ -1,0 +1,211 @@
+//! Faulty data: found first, masked, and never turned into physics.
+
+use super::answer::{Finding, SiteName, Value};
+use super::bench::Bench;
+use super::catalogue;
+use crate::estimate::fit::Effort;
+use crate::estimate::{Fit, fit};
+use crate::model::Model;
+use crate::record::Recording;
+use crate::record::quality::{self, Fault, FaultKind};
+
+/// Faults of the channels that a model uses, and the recordings without them.
+pub struct Cleaned {
+    /// Faults that nothing honest looks like, in channels that the model uses.
+    pub faults: Vec<Fault>,
+    /// The recordings with the spoiled samples made gaps.
+    pub recordings: Vec<Recording>,
+}
+
+/// Looks for faults and masks them.
+pub fn clean(model: &Model, recordings: &[Recording]) -> Cleaned {
+    let used = |name: &str| {
+        model.inputs.iter().any(|i| i.name == name) || model.outputs.iter().any(|o| o.name == name)
+    };
+    let mut all = Vec::new();
+    let mut cleaned = Vec::new();
+    for r in recordings {
+        let mut faults = quality::faults(r);
+        faults.retain(|f| f.sure && used(&f.channel));
+        let mut recording = quality::masked(r, &faults);
+        for f in faults.iter().filter(|f| f.kind == FaultKind::WrappedAngle) {
+            for c in recording.channels.iter_mut().filter(|c| c.name == f.channel) {
+                unwrap(&mut c.values);
+                c.wraps = true;
+            }
+        }
+        fill_inputs(model, &mut recording);
+        cleaned.push(recording);
+        all.extend(faults);
+    }
+    Cleaned { faults: all, recordings: cleaned }
+}
+
+fn unwrap(values: &mut [f64]) {
+    let turn = std::f64::consts::TAU;
+    let mut last: Option<f64> = None;
+    for v in values.iter_mut().filter(|v| v.is_finite()) {
+        if let Some(l) = last {
+            *v -= turn * ((*v - l) / turn).round();
+        }
+        last = Some(*v);
+    }
+}
+
+/// Short masked stretches of inputs are bridged by straight lines, so that the simulation goes on.
+fn fill_inputs(model: &Model, recording: &mut Recording) {
+    for c in &mut recording.channels {
+        if !model.inputs.iter().any(|i| i.name == c.name) {
+            continue;
+        }
+        let known: Vec<usize> = (0..c.values.len()).filter(|i| c.values[*i].is_finite()).collect();
+        for pair in known.windows(2) {
+            let (a, b) = (pair[0], pair[1]);
+            if b > a + 1 && b - a <= 12 {
+                for i in a + 1..b {
+                    let share = (c.time[i] - c.time[a]) / (c.time[b] - c.time[a]);
+                    c.values[i] = c.values[a] + share * (c.values[b] - c.values[a]);
+                }
+            }
+        }
+    }
+}
+
+/// A fault as a finding.
+pub fn finding(model: &Model, recordings: &[Recording], f: &Fault) -> Finding {
+    let kind = if model.inputs.iter().any(|i| i.name == f.channel) { "input" } else { "output" };
+    let unit = recordings.iter().find_map(|r| r.find(&f.channel)).map(|c| c.unit.clone());
+    let place =
+        f.spans.first().map(|s| format!(" from {:.6} s to {:.6} s", s.from, s.to)).unwrap_or_default();
+    let more =
+        if f.spans.len() > 1 { format!(", and {} more spans", f.spans.len() - 1) } else { String::new() };
+    let (name, value, unit_text) = match (f.kind, unit) {
+        (FaultKind::Gap, _) => ("length", f.size, "s".to_string()),
+        (FaultKind::ClockDrift, _) | (_, None) => ("relative", f.size, "1".to_string()),
+        (FaultKind::Frozen, Some(u)) => ("value", u.from_si(f.size), u.text().to_string()),
+        (_, Some(u)) => ("size", u.difference_from_si(f.size), u.of_differences().text().to_string()),
+    };
+    let title = catalogue::find(f.kind.code()).map(|m| m.title).unwrap_or_default();
+    let what = match f.kind {
+        FaultKind::Frozen => format!("{} is stuck at {value:.6} {unit_text}{place}{more}", f.channel),
+        FaultKind::Outliers => format!("{} has {} samples far off{place}{more}", f.channel, f.samples),
+        FaultKind::Gap => format!("{} lacks {} samples{place}{more}", f.channel, f.samples),
+        FaultKind::Quantisation => format!("{} moves in steps of {value:.6} {unit_text}", f.channel),
+        FaultKind::WrappedAngle => format!("{} jumps by a turn and is not marked `wraps = true`", f.channel),
+        FaultKind::ClockDrift => format!("the clock of {} changes its rate{place}", f.channel),
+    };
+    Finding {
+        code: f.kind.code().to_string(),
+        site: SiteName { kind: kind.to_string(), name: f.channel.clone() },
+        term: title.to_string(),
+        says: what,
+        parameters: vec![Value {
+            name: name.to_string(),
+            value,
+            low: f64::NAN,
+            high: f64::NAN,
+            unit: unit_text,
+        }],
+        p_value: 0.0,
+        share: 0.0,
+        ties: Vec::new(),
+    }
+}
+
+/// Factors between units that people confuse, with words.
+const FACTORS: [(f64, &str); 10] = [
+    (std::f64::consts::PI / 180.0, "degrees for radians"),
+    (180.0 / std::f64::consts::PI, "radians for degrees"),
+    (1852.0 / 3600.0, "knots for metres a second"),
+    (3600.0 / 1852.0, "metres a second for knots"),
+    (1e3, "a thousandth for the whole"),
+    (1e-3, "the whole for a thousandth"),
+    (9.80665, "g for metres a second squared"),
+    (1.0 / 9.80665, "metres a second squared for g"),
+    (60.0, "minutes for seconds, or the other way"),
+    (1.0 / 60.0, "seconds for minutes, or the other way"),
+];
+
+/// A channel that fits only turned over or in another unit.
+pub struct Misread {
+    /// The finding.
+    pub finding: Finding,
+    /// The recordings mended.
+    pub recordings: Vec<Recording>,
+    /// The model fitted to them.
+    pub fit: Fit,
+}
+
+/// Looks for a channel of the wrong sign or unit, where the model as given fits badly.
+pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
+    let spread = |name: &str| {
+        let values: Vec<f64> = bench
+            .recordings
+            .iter()
+            .filter_map(|r| r.find(name))
+            .flat_map(|c| c.values.iter().copied().filter(|v| v.is_finite()))
+            .collect();
+        let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+        (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / values.len().max(1) as f64).sqrt()
+    };
+    let badly = model.outputs.iter().zip(&base.rmse).any(|(o, r)| *r > 0.3 * spread(&o.name));
+    if !badly {
+        return None;
+    }
+    let channels = model
+        .inputs
+        .iter()
+        .map(|i| (&i.name, "input"))
+        .chain(model.outputs.iter().map(|o| (&o.name, "output")));
+    let mut best: Option<(f64, Misread)> = None;
+    for (channel, kind) in channels {
+        for (factor, words) in std::iter::once((-1.0, "")).chain(FACTORS) {
+            let mut recordings = bench.recordings.clone();
+            let own = recordings.iter_mut().flat_map(|r| &mut r.channels).filter(|c| c.name == *channel);
+            own.for_each(|c| c.values.iter_mut().for_each(|v| *v *= factor));
+            let Ok(f) = fit(model, &recordings, &bench.options(Effort::Near, 10)) else { continue };
+            // Outputs are compared relative to their own size.
+            let relative = |f: &Fit, scaled: bool| -> f64 {
+                model
+                    .outputs
+                    .iter()
+                    .zip(&f.rmse)
+                    .map(|(o, r)| {
+                        r / (spread(&o.name) * if scaled && o.name == *channel { factor.abs() } else { 1.0 })
+                    })
+                    .fold(0.0, f64::max)
+            };
+            let value = relative(&f, true);
+            if value < 0.25 * relative(base, false) && best.as_ref().is_none_or(|b| value < b.0) {
+                let finding = misread_finding(channel, kind, factor, words);
+                best = Some((value, Misread { finding, recordings, fit: f }));
+            }
+        }
+    }
+    best.map(|b| b.1)
+}
+
+fn misread_finding(channel: &str, kind: &str, factor: f64, words: &str) -> Finding {
+    let sign = factor == -1.0;
+    let says = if sign {
+        format!("{channel} has the wrong sign: turned over, it fits")
+    } else {
+        format!("{channel} holds {words}: multiplied by {factor:.6}, it fits")
+    };
+    Finding {
+        code: if sign { "wrong-sign" } else { "wrong-unit" }.to_string(),
+        site: SiteName { kind: kind.to_string(), name: channel.to_string() },
+        term: format!("{factor:.6}*{channel}"),
+        says,
+        parameters: vec![Value {
+            name: "factor".into(),
+            value: factor,
+            low: f64::NAN,
+            high: f64::NAN,
+            unit: "1".into(),
+        }],
+        p_value: 0.0,
+        share: 0.0,
+        ties: Vec::new(),
+    }
+}

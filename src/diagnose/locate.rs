@@ -1,0 +1,169 @@
+//! Where the mismatch sits: in time, in frequency, and with which signals it goes.
+
+use super::answer::{Band, Stretch};
+use super::bench::Bench;
+use super::prove::Held;
+use crate::estimate::Fit;
+use crate::model::Model;
+use crate::record::Recording;
+use realfft::RealFftPlanner;
+
+/// Windows of time that are compared.
+const WINDOWS: usize = 24;
+/// Bands of frequency.
+const BANDS: usize = 8;
+
+/// Angular frequencies of the lines of the residual's spectrum, rad/s, strongest first.
+pub fn peaks(fit: &Fit) -> Vec<f64> {
+    let mut found: Vec<(f64, f64)> = Vec::new();
+    for series in fit.records.iter().take(1).flat_map(|r| &r.series) {
+        let Some(longest) = series.stretches.iter().max_by_key(|r| r.len()) else { continue };
+        if longest.len() < 64 {
+            continue;
+        }
+        let step = (series.time[longest.end - 1] - series.time[longest.start]) / (longest.len() - 1) as f64;
+        let power = spectrum(&series.residual[longest.clone()]);
+        let width = (power.len() / 50).max(8);
+        for k in 2..power.len().saturating_sub(2) {
+            let window = &power[k.saturating_sub(width)..(k + width).min(power.len())];
+            let mut sorted = window.to_vec();
+            sorted.sort_unstable_by(f64::total_cmp);
+            let level = sorted[sorted.len() / 2];
+            let top = power[k] >= power[k - 1] && power[k] >= power[k + 1];
+            if top && power[k] > 12.0 * level {
+                let w = std::f64::consts::TAU * k as f64 / (2.0 * power.len() as f64 * step);
+                found.push((power[k] / level, w));
+            }
+        }
+    }
+    found.sort_by(|a, b| b.0.total_cmp(&a.0));
+    found.into_iter().take(4).map(|f| f.1).collect()
+}
+
+/// Periodogram with a Hann window, padded to a power of two.
+pub fn spectrum(values: &[f64]) -> Vec<f64> {
+    let n = values.len();
+    let mean = values.iter().sum::<f64>() / n.max(1) as f64;
+    let size = n.next_power_of_two().max(4);
+    let mut padded = vec![0.0; size];
+    for (i, v) in values.iter().enumerate() {
+        let hann = 0.5 - 0.5 * (std::f64::consts::TAU * (i as f64 + 0.5) / n as f64).cos();
+        padded[i] = hann * (v - mean);
+    }
+    let fft = RealFftPlanner::<f64>::new().plan_fft_forward(size);
+    let mut out = fft.make_output_vec();
+    if fft.process(&mut padded, &mut out).is_err() {
+        return Vec::new();
+    }
+    out.iter().take(size / 2).map(|c| c.norm_sqr()).collect()
+}
+
+/// Windows of the fitted part in which the mismatch is large against the rest.
+pub fn times(before: &Fit, after: &Fit) -> Vec<Stretch> {
+    let mut found = Vec::new();
+    let pairs =
+        before.records.iter().flat_map(|r| &r.series).zip(after.records.iter().flat_map(|r| &r.series));
+    for (b, a) in pairs {
+        let n = b.residual.len().min(a.residual.len());
+        let size = n.div_ceil(WINDOWS).max(1);
+        let removed: Vec<f64> = (0..n)
+            .step_by(size)
+            .map(|i| {
+                let square = |e: &[f64]| e[i..(i + size).min(n)].iter().map(|e| e * e).sum::<f64>();
+                square(&b.residual)
+            })
+            .collect();
+        let mut sorted = removed.clone();
+        sorted.sort_unstable_by(f64::total_cmp);
+        let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+        for (k, r) in removed.iter().enumerate() {
+            let (from, to) = (b.time[k * size], b.time[((k + 1) * size).min(n) - 1]);
+            if *r > 4.0 * usual {
+                match found.last_mut() {
+                    Some(Stretch { to: last, .. })
+                        if (*last - from).abs() <= 2.0 * (to - from) / size as f64 =>
+                    {
+                        *last = to
+                    }
+                    _ => found.push(Stretch { from, to }),
+                }
+            }
+        }
+    }
+    found
+}
+
+/// Bands that hold most of what the findings, or else the model, leave in the residual.
+pub fn bands(before: &Fit, after: &Fit) -> Vec<Band> {
+    let _ = after;
+    let Some(series) = before.records.first().and_then(|r| r.series.first()) else { return Vec::new() };
+    let Some(longest) = series.stretches.iter().max_by_key(|r| r.len()).filter(|r| r.len() > 64) else {
+        return Vec::new();
+    };
+    let step = (series.time[longest.end - 1] - series.time[longest.start]) / (longest.len() - 1) as f64;
+    let power = spectrum(&series.residual[longest.clone()]);
+    let total: f64 = power.iter().sum();
+    let unit = std::f64::consts::PI / (power.len() as f64 * step);
+    let edge = |i: usize| ((power.len() as f64).powf(i as f64 / BANDS as f64)) as usize;
+    let mut found = Vec::new();
+    for i in 0..BANDS {
+        let (from, to) = (if i == 0 { 0 } else { edge(i) }, edge(i + 1).min(power.len()));
+        let share = power[from.min(to)..to].iter().sum::<f64>() / total;
+        if share > 0.1 {
+            found.push(Band { from: from as f64 * unit, to: to as f64 * unit, share });
+        }
+    }
+    found
+}
+
+/// Why the fitted part cannot tell what is missing, if it cannot.
+///
+/// Either a direction of the model's own parameters is not seen, or an input has no more than two
+/// levels in the fitted part and others in the held-out part, where the model then fails.
+pub fn blindness(
+    model: &Model,
+    bench: &Bench,
+    base: &Fit,
+    separate: &[Recording],
+    held: &[Held],
+) -> Option<String> {
+    let is_parameter = |name: &str| model.parameters.iter().any(|p| p.name == *name);
+    let unseen =
+        base.unseen.iter().find(|d| d.weights.iter().all(|w| is_parameter(&w.0)) && !d.deviation.is_finite());
+    if let Some(d) = unseen {
+        let names: Vec<&str> = d.weights.iter().map(|w| w.0.as_str()).collect();
+        return Some(format!("the recording does not show {} apart", names.join(" and ")));
+    }
+    let fails = held.iter().zip(&base.rmse).any(|(h, r)| h.rmse() > 2.0 * r);
+    let input = model.inputs.iter().find(|i| few_levels(&i.name, model, bench, separate))?;
+    fails.then(|| {
+        format!(
+            "{} has only two levels in the fitted part, so that any law of it fits alike there, while the model fails at the levels held out",
+            input.meaning.as_ref().unwrap_or(&input.name)
+        )
+    })
+}
+
+/// Whether an input has at most two levels where it is fitted, and others where it is held out.
+fn few_levels(name: &str, model: &Model, bench: &Bench, separate: &[Recording]) -> bool {
+    let mut fitted: Vec<f64> = Vec::new();
+    let mut held: Vec<f64> =
+        separate.iter().filter_map(|r| r.find(name)).flat_map(|c| c.values.clone()).collect();
+    for (k, r) in bench.recordings.iter().enumerate() {
+        let spans = bench.spans(model, k);
+        let Some(c) = r.find(name) else { continue };
+        for (t, v) in c.samples() {
+            if spans.iter().any(|s| s.contains(t)) { fitted.push(v) } else { held.push(v) }
+        }
+    }
+    let levels = |v: &mut Vec<f64>| {
+        v.sort_unstable_by(f64::total_cmp);
+        v.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * b.abs().max(1e-12));
+    };
+    levels(&mut fitted);
+    levels(&mut held);
+    let (low, high) = (fitted.first().copied().unwrap_or(0.0), fitted.last().copied().unwrap_or(0.0));
+    let reach = 0.02 * (high - low);
+    let new = held.iter().any(|v| fitted.iter().all(|f| (f - v).abs() > reach));
+    fitted.len() == 2 && new
+}

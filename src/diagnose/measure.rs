@@ -1,0 +1,190 @@
+//! How good a fitted model is: free run, held-out blocks of the fitted part, likelihood.
+//!
+//! # Purpose
+//! Three figures by which models of the same data are compared: the free-run sum of squares, the same
+//! over blocks left out in turn, and the likelihood with the noise's own colour.
+//!
+//! # Method
+//! Parts, each of several blocks spread over the recording, are left out by the influence formula at the minimum, e_k + J_k (A − A_k)⁻¹ J_kᵀ e_k with
+//! A = Σ JᵀJ. The likelihood is that of an autoregression fitted to the residual, after two steps of
+//! generalised least squares from the free-run minimum along its sensitivities.
+//!
+//! # References
+//! R. D. Cook, S. Weisberg, Residuals and Influence in Regression (1982), ch. 3; D. Cochrane, G. H.
+//! Orcutt, J. Amer. Statist. Assoc. 44 (1949) 32.
+
+use crate::estimate::Triangle;
+use crate::estimate::fit::{Fit, Series, Status};
+use crate::estimate::noise::{Autoregression, NoiseModel, block_means};
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+
+/// Parts that are left out in turn, each of several blocks.
+const BLOCKS: usize = 6;
+/// Blocks of consecutive samples in one part.
+const PIECES: usize = 4;
+/// Share of the whole information that stands in for what a part alone would know.
+const PRIOR: f64 = 2e-3;
+/// Order of the autoregressions whose likelihoods are compared.
+const ORDER: usize = 10;
+
+/// The scale on which models of one set of recordings are compared.
+#[derive(Debug, Clone)]
+pub struct Scale {
+    /// One over the mean square of each output's residual.
+    pub weights: Vec<f64>,
+    /// Decimation of each output.
+    pub decimation: Vec<usize>,
+    /// Whether rows are independent.
+    pub trials: bool,
+}
+
+impl Scale {
+    /// The scale set by a fit.
+    pub fn of(fit: &Fit, trials: bool) -> Self {
+        let inverse = |r: &f64| if *r > 0.0 { 1.0 / (r * r) } else { 0.0 };
+        let decimation =
+            if trials { vec![1; fit.noise.len()] } else { fit.noise.iter().map(|n| n.decimation).collect() };
+        Self { weights: fit.rmse.iter().map(inverse).collect(), decimation, trials }
+    }
+}
+
+/// How good a fit is.
+#[derive(Debug, Clone, Copy)]
+pub struct Measure {
+    /// The same over blocks left out in turn.
+    pub left_out: f64,
+    /// Log-likelihood.
+    pub likelihood: f64,
+    /// Independent samples behind the likelihood.
+    pub samples: f64,
+}
+
+impl Measure {
+    /// Measures a fit.
+    pub fn of(fit: &Fit, scale: &Scale) -> Self {
+        let series: Vec<&Series> = fit.records.iter().flat_map(|r| &r.series).collect();
+        let free = free_unknowns(fit);
+        let (likelihood, samples) = likelihood(&series, &free, scale);
+        // Initial states belong to their block alone: they stay where they are.
+        let shared: Vec<usize> = free.iter().copied().filter(|j| !fit.unknowns[*j].contains("(0)")).collect();
+        Self { left_out: left_out(&series, &shared, scale).unwrap_or(f64::INFINITY), likelihood, samples }
+    }
+}
+
+/// Unknowns that are inside their bounds.
+fn free_unknowns(fit: &Fit) -> Vec<usize> {
+    let pressed = |name: &String| {
+        fit.parameters.iter().any(|p| p.name == *name && matches!(p.status, Status::AtBound(_)))
+    };
+    (0..fit.unknowns.len()).filter(|j| !pressed(&fit.unknowns[*j])).collect()
+}
+
+fn left_out(series: &[&Series], free: &[usize], scale: &Scale) -> Option<f64> {
+    let p = free.len();
+    let total: usize = series.iter().map(|s| s.residual.len()).sum();
+    let size = total.div_ceil(BLOCKS * PIECES).max(1);
+    let mut blocks: Vec<(Mat<f64>, Vec<f64>, Vec<(usize, usize)>)> =
+        (0..BLOCKS).map(|_| (Mat::zeros(p, p), vec![0.0; p], Vec::new())).collect();
+    let mut count = 0;
+    for (k, s) in series.iter().enumerate() {
+        let w = scale.weights[s.output];
+        for i in 0..s.residual.len() {
+            let block = if scale.trials { count % BLOCKS } else { (count / size) % BLOCKS };
+            let (a, g, rows) = &mut blocks[block];
+            for (x, jx) in free.iter().enumerate() {
+                let c = w * s.sensitivities[*jx][i];
+                g[x] += c * s.residual[i];
+                for (y, jy) in free.iter().enumerate().take(x + 1) {
+                    a[(x, y)] += c * s.sensitivities[*jy][i];
+                }
+            }
+            rows.push((k, i));
+            count += 1;
+        }
+    }
+    let mut all = Mat::<f64>::zeros(p, p);
+    for (a, _, _) in &blocks {
+        all += a;
+    }
+    let mut sum = 0.0;
+    for (a, g, rows) in &blocks {
+        let rest = Mat::from_fn(p, p, |x, y| {
+            let (i, j) = if x >= y { (x, y) } else { (y, x) };
+            let value = all[(i, j)] - a[(i, j)];
+            if x == y { value + PRIOR * all[(i, i)] + f64::MIN_POSITIVE } else { value }
+        });
+        let step = rest.partial_piv_lu().solve(Mat::from_fn(p, 1, |x, _| g[x]));
+        for (k, i) in rows {
+            let s = series[*k];
+            let shift: f64 =
+                free.iter().enumerate().map(|(x, j)| s.sensitivities[*j][*i] * step[(x, 0)]).sum();
+            sum += scale.weights[s.output] * (s.residual[*i] + shift).powi(2);
+        }
+    }
+    sum.is_finite().then_some(sum)
+}
+
+/// One output's shortened residual and sensitivities, stretch by stretch.
+struct Short {
+    output: usize,
+    residual: Vec<f64>,
+    columns: Vec<Vec<f64>>,
+}
+
+fn likelihood(series: &[&Series], free: &[usize], scale: &Scale) -> (f64, f64) {
+    let mut shorts: Vec<Short> = Vec::new();
+    for s in series {
+        let m = scale.decimation[s.output];
+        for r in &s.stretches {
+            let columns = free.iter().map(|j| block_means(&s.sensitivities[*j][r.clone()], m)).collect();
+            shorts.push(Short {
+                output: s.output,
+                residual: block_means(&s.residual[r.clone()], m),
+                columns,
+            });
+        }
+    }
+    let outputs = scale.decimation.len();
+    for _ in 0..3 {
+        let noise: Vec<NoiseModel> = (0..outputs).map(|o| colour(&shorts, o, scale.trials)).collect();
+        let mut triangle = Triangle::new(free.len());
+        for s in &shorts {
+            let columns: Vec<&[f64]> = s.columns.iter().map(Vec::as_slice).collect();
+            let rows = noise[s.output].whiten_rows(&s.residual, &columns);
+            let views: Vec<&[f64]> = rows.columns.iter().map(Vec::as_slice).collect();
+            triangle.push(&views, &rows.residual);
+        }
+        let damping: Vec<f64> =
+            triangle.column_norms().iter().map(|n| 1e-6 * n + f64::MIN_POSITIVE).collect();
+        let step = triangle.solve(&damping);
+        if !step.iter().all(|x| x.is_finite()) {
+            break;
+        }
+        for s in &mut shorts {
+            for (c, x) in s.columns.iter().zip(&step) {
+                // δ minimises ‖e + J δ‖.
+                s.residual.iter_mut().zip(c).for_each(|(e, j)| *e += j * x);
+            }
+        }
+    }
+    let mut sum = 0.0;
+    let mut count = 0.0;
+    for o in 0..outputs {
+        let n: usize = shorts.iter().filter(|s| s.output == o).map(|s| s.residual.len()).sum();
+        let variance = colour(&shorts, o, scale.trials).autoregression.innovation_variance();
+        if n > 0 && variance > 0.0 {
+            sum -= 0.5 * n as f64 * variance.ln();
+            count += n as f64;
+        }
+    }
+    (sum, count)
+}
+
+fn colour(shorts: &[Short], output: usize, trials: bool) -> NoiseModel {
+    let own: Vec<&[f64]> =
+        shorts.iter().filter(|s| s.output == output).map(|s| s.residual.as_slice()).collect();
+    let n: usize = own.iter().map(|s| s.len()).sum();
+    let order = if trials { 0 } else { ORDER.min(n / 20) };
+    NoiseModel { decimation: 1, autoregression: Autoregression::burg(&own, order) }
+}

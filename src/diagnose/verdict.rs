@@ -1,0 +1,62 @@
+//! From what was found to one verdict.
+
+use super::answer::{Finding, Verdict};
+use super::rest::Rest;
+use super::search::Found;
+
+/// Chance below which what is left counts as a law.
+const LEFT_CHANCE: f64 = 0.01;
+/// Share of the whitened residual's square that it must explain.
+const LEFT_SHARE: f64 = 0.03;
+/// Left-over gain over the gain of the names from which on the names only resemble.
+const RESEMBLES: f64 = 0.5;
+
+/// What decides.
+pub struct Evidence<'a> {
+    /// Faults of the data.
+    pub faults: &'a [Finding],
+    /// The search's outcome.
+    pub found: &'a Found,
+    /// What is left after it.
+    pub rest: &'a Rest,
+    /// Why the fitted part cannot tell, if so.
+    pub blind: Option<&'a str>,
+}
+
+impl Evidence<'_> {
+    /// Whether something is left that goes with a signal.
+    pub fn is_left(&self) -> bool {
+        let best = self.rest.laws.first();
+        self.rest.p_value < LEFT_CHANCE && best.is_some_and(|l| l.explained > LEFT_SHARE)
+    }
+
+    /// Whether what is left outweighs what was named.
+    fn outweighs(&self) -> bool {
+        let named = 2.0 * (self.found.measures.1.likelihood - self.found.measures.0.likelihood);
+        let left = self.rest.laws.first().map_or(0.0, |l| l.score.chi2 - l.score.degrees as f64);
+        self.is_left() && left > RESEMBLES * named
+    }
+
+    /// The verdict.
+    pub fn verdict(&self) -> Verdict {
+        if !self.faults.is_empty() {
+            return Verdict::DataFault;
+        }
+        let Some(first) = self.found.taken.first() else {
+            return if self.blind.is_some() {
+                Verdict::NotIdentifiable
+            } else if self.is_left() {
+                Verdict::Unknown
+            } else {
+                Verdict::NothingMissing
+            };
+        };
+        if self.outweighs() {
+            Verdict::Unknown
+        } else if first.ties.is_empty() {
+            Verdict::Named
+        } else {
+            Verdict::Tie
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! A diagnosis in the terminal.
+
+use crate::diagnose::Diagnosis;
+use crate::diagnose::answer::{Answer, Verdict};
+use std::fmt::Write;
+
+/// The verdict in one line.
+pub fn headline(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::NothingMissing => "NOTHING MISSING",
+        Verdict::Named => "FOUND what the model leaves out",
+        Verdict::Tie => "FOUND, but several names fit alike",
+        Verdict::Unknown => "SOMETHING IS MISSING that no name of the catalogue fits",
+        Verdict::DataFault => "THE DATA ARE AT FAULT",
+        Verdict::NotIdentifiable => "THIS RECORDING CANNOT TELL",
+    }
+}
+
+/// A figure with four digits.
+pub fn figure(x: f64) -> String {
+    if !x.is_finite() {
+        return "-".into();
+    }
+    let size = x.abs();
+    if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        return format!("{x:.3e}");
+    }
+    let decimals = if size == 0.0 { 0 } else { (3 - size.log10().floor() as i32).max(0) as usize };
+    format!("{x:.decimals$}")
+}
+
+/// The whole report as text: the verdict first.
+pub fn text(d: &Diagnosis) -> String {
+    let a = &d.answer;
+    let mut out = format!("{}\n\n{}\n", headline(a.verdict), wrapped(&a.says));
+    findings(&mut out, a);
+    proof(&mut out, a);
+    parameters(&mut out, a);
+    located(&mut out, a);
+    if let Some(next) = &a.next_experiment {
+        let _ = write!(out, "\nNext:\n{}\n", wrapped(next));
+    }
+    if a.verdict == Verdict::NothingMissing {
+        visible(&mut out, a);
+    }
+    out
+}
+
+fn findings(out: &mut String, a: &Answer) {
+    if a.findings.is_empty() {
+        return;
+    }
+    let _ =
+        writeln!(out, "\n  {:<22} {:<22} {:>6}   values with 95 % intervals", "finding", "where", "share");
+    for f in &a.findings {
+        let site = format!("{} {}", f.site.kind, f.site.name);
+        let values: Vec<String> = f
+            .parameters
+            .iter()
+            .map(|p| {
+                let interval = if p.low.is_finite() && p.high.is_finite() {
+                    format!(" ({} to {})", figure(p.low), figure(p.high))
+                } else {
+                    String::new()
+                };
+                format!("{} = {}{interval} {}", p.name, figure(p.value), p.unit)
+            })
+            .collect();
+        let _ =
+            writeln!(out, "  {:<22} {site:<22} {:>4.0} %   {}", f.code, 100.0 * f.share, values.join(", "));
+        let _ = writeln!(out, "      {}", f.term);
+        if !f.ties.is_empty() {
+            let _ = writeln!(out, "      fits as well: {}", f.ties.join(", "));
+        }
+    }
+    out.push_str("  `gyrospec explain CODE` says more of each.\n");
+}
+
+fn proof(out: &mut String, a: &Answer) {
+    out.push_str("\nFree-run error (root mean square):\n");
+    let _ = writeln!(
+        out,
+        "  {:<16} {:>11} {:>11} {:>13} {:>13}   fall, 95 % interval",
+        "output", "fit before", "fit after", "held before", "held after"
+    );
+    for p in &a.proof {
+        let _ = writeln!(
+            out,
+            "  {:<16} {:>11} {:>11} {:>13} {:>13}   {} to {} {}",
+            p.output,
+            figure(p.fit_before),
+            figure(p.fit_after),
+            figure(p.holdout_before),
+            figure(p.holdout_after),
+            figure(p.improvement_low),
+            figure(p.improvement_high),
+            p.unit
+        );
+    }
+}
+
+fn parameters(out: &mut String, a: &Answer) {
+    if a.parameters.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "\n  {:<16} {:>12} {:>12}   95 % interval", "parameter", "before", "after");
+    for p in &a.parameters {
+        let _ = writeln!(
+            out,
+            "  {:<16} {:>12} {:>12}   {} to {} {}",
+            p.name,
+            figure(p.before),
+            figure(p.after),
+            figure(p.low),
+            figure(p.high),
+            p.unit
+        );
+    }
+}
+
+fn located(out: &mut String, a: &Answer) {
+    if a.verdict == Verdict::NothingMissing {
+        return;
+    }
+    let l = &a.located;
+    if l.sites.len() > 1 {
+        let sites: Vec<String> = l.sites.iter().map(|s| format!("{} {}", s.kind, s.name)).collect();
+        let _ = writeln!(
+            out,
+            "\nThis recording cannot tell these sites apart, or several are at work: {}.",
+            sites.join(", ")
+        );
+    }
+    if let Some(m) = &l.separating_measurement {
+        let _ = writeln!(out, "{}", wrapped(m));
+    }
+    if let Some(u) = &a.unexplained {
+        let _ = writeln!(out, "\nWhat is left goes with {} (chance {}).", u.signal, figure(u.p_value));
+    }
+}
+
+fn visible(out: &mut String, a: &Answer) {
+    if a.detection.smallest_visible.is_empty() {
+        return;
+    }
+    out.push_str("\nThis recording would have shown:\n");
+    for v in &a.detection.smallest_visible {
+        let _ = writeln!(out, "  {:<22} from {} = {} {}", v.code, v.parameter, figure(v.value), v.unit);
+    }
+}
+
+/// Lines of at most 96 characters.
+fn wrapped(text: &str) -> String {
+    let mut out = String::new();
+    let mut length = 0;
+    for word in text.split_whitespace() {
+        let size = word.chars().count();
+        if length > 0 && length + 1 + size > 96 {
+            out.push('\n');
+            length = 0;
+        } else if length > 0 {
+            out.push(' ');
+            length += 1;
+        }
+        out.push_str(word);
+        length += size;
+    }
+    out
+}
