@@ -11,6 +11,7 @@ pub mod models;
 pub mod output;
 pub mod progress;
 pub mod record;
+pub mod roll_error;
 pub mod simulate;
 pub mod table;
 
@@ -55,6 +56,8 @@ enum Command {
     Simulate(simulate::Call),
     /// The models that the program brings along.
     Models(models::Call),
+    /// Mean and spread of the rolling error of a gyrocompass.
+    RollError(roll_error::Arguments),
     /// Version and licence.
     About,
 }
@@ -70,6 +73,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Record(call) => return record::run(&call),
         Command::Simulate(call) => return simulate::run(&call),
         Command::Models(call) => return models::run(&call),
+        Command::RollError(a) => return roll_error::run(&a),
         Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
     }
     Ok(Outcome::Done)

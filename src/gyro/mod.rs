@@ -1,1 +1,18 @@
 //! The gyrosphere family, its rectified error, and the rotating gimbal.
+//!
+//! The horizontal directions are those of the rolling-error paper: W₁ along the parallel,
+//! W₂ along the meridian, with W₁ = −hθ̈ cos K and W₂ = +hθ̈ sin K for roll θ of a ship on
+//! heading K; x is the shift of the centre of mass along the parallel.
+
+pub mod elastic;
+mod gyrosphere;
+mod instrument;
+mod monte_carlo;
+mod motion;
+pub mod rectified;
+pub mod seed;
+
+pub use gyrosphere::Gyrosphere;
+pub use instrument::{EARTH_RADIUS, HeadingError, Instrument};
+pub use monte_carlo::{MonteCarlo, Simulated};
+pub use motion::{Axis, Motion, Signal};

@@ -1,1 +1,16 @@
 //! Transfer functions, state space, covariance, cross-spectral integrals.
+//!
+//! Spectra are two-sided densities S(ω) with K(τ) = (1/2π)∫ S(ω) e^{jωτ} dω, so that white
+//! noise of unit intensity has S = 1 and the variance of W(s)·noise is (1/2π)∫ |W(jω)|² dω.
+
+mod covariance;
+mod cross;
+mod discrete;
+mod state_space;
+mod transfer;
+
+pub use covariance::{Covariance, stationary_covariance};
+pub use cross::{CrossIntegral, cross_integrand, cross_moment};
+pub use discrete::Discrete;
+pub use state_space::StateSpace;
+pub use transfer::TransferFunction;

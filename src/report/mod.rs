@@ -2,3 +2,4 @@
 
 pub mod braille;
 pub mod diagnosis;
+pub mod terminal;

@@ -1,1 +1,20 @@
 //! Roll and sea spectra, shaping filters, rational fits.
+//!
+//! One convention everywhere: two-sided densities S(ω) over angular frequency with
+//! K(τ) = (1/2π)∫ S(ω) e^{jωτ} dω, so that the variance is K(0) = (1/2π)∫ S dω.
+
+mod correlation;
+mod even;
+mod least_squares;
+mod rational;
+mod roll;
+mod sea;
+mod welch;
+
+pub use correlation::{CorrelationFit, autocovariance, fit_correlation};
+pub use even::{EvenSamples, even_samples, without_slow};
+pub use least_squares::{LeastSquares, least_squares};
+pub use rational::{RationalFit, fit_rational};
+pub use roll::Roll;
+pub use sea::{Hull, Sea};
+pub use welch::{Measured, welch};

@@ -1,0 +1,78 @@
+//! A recording of a ship's motion, with or without units in its header.
+
+use crate::record::Recording;
+use crate::{Error, Result};
+use std::io::Write;
+use std::path::Path;
+
+/// Reads a recording. For a bare CSV whose header has no units, `roll` as NAME:UNIT says what
+/// the roll column is; its first column is then time in seconds.
+pub fn read(path: &Path, roll: Option<&str>) -> Result<Recording> {
+    let toml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+    match roll.and_then(|r| r.split_once(':')) {
+        Some((name, unit)) if !toml => with_units(path, name, unit),
+        _ => Recording::read(path).map_err(|e| if toml { e } else { hinted(e) }),
+    }
+}
+
+fn hinted(e: Error) -> Error {
+    match e.hint() {
+        Some(hint) => {
+            let all = format!(
+                "{hint}; or say which column is the roll: --roll NAME:UNIT, such as --roll roll_deg:deg"
+            );
+            e.with_hint(all)
+        }
+        None => e.with_hint("say which column is the roll: --roll NAME:UNIT, such as --roll roll_deg:deg"),
+    }
+}
+
+/// The roll channel: the one asked for, else `roll`, else the only one whose name starts so.
+pub fn roll_name(recording: &Recording, asked: Option<&str>) -> Result<String> {
+    if let Some(name) = asked {
+        return Ok(name.split_once(':').map_or(name, |(n, _)| n).to_owned());
+    }
+    if recording.find("roll").is_some() {
+        return Ok("roll".into());
+    }
+    let mut rolls = recording.channels.iter().filter(|c| c.name.to_lowercase().starts_with("roll"));
+    match (rolls.next(), rolls.next()) {
+        (Some(only), None) => Ok(only.name.clone()),
+        _ => {
+            let names: Vec<&str> = recording.channels.iter().map(|c| c.name.as_str()).collect();
+            Err(Error::usage("which channel is the roll angle?")
+                .with_hint(format!("say --roll NAME; the recording has {}", names.join(", "))))
+        }
+    }
+}
+
+fn with_units(path: &Path, name: &str, unit: &str) -> Result<Recording> {
+    crate::units::Unit::parse(unit)?;
+    let absolute = std::fs::canonicalize(path).map_err(|e| Error::io(path, &e))?;
+    let first = first_column(&absolute)?;
+    let quoted = |t: &str| toml::Value::String(t.to_owned()).to_string();
+    let form = format!(
+        "name = {}\n[[tables]]\nfile = {}\ntime = {{ column = {}, unit = \"s\" }}\n[tables.channels]\n{} = {{ column = {}, unit = {} }}\n",
+        quoted(&path.file_stem().unwrap_or_default().to_string_lossy()),
+        quoted(&absolute.to_string_lossy()),
+        quoted(&first),
+        quoted(name),
+        quoted(name),
+        quoted(unit)
+    );
+    let mut file = tempfile::Builder::new().suffix(".toml").tempfile().map_err(|e| Error::io(path, &e))?;
+    file.write_all(form.as_bytes()).map_err(|e| Error::io(file.path(), &e))?;
+    Recording::read(file.path())
+}
+
+fn first_column(path: &Path) -> Result<String> {
+    use std::io::{BufRead, BufReader, Read};
+    let file = std::fs::File::open(path).map_err(|e| Error::io(path, &e))?;
+    let zipped = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("gz"));
+    let reader: Box<dyn Read> =
+        if zipped { Box::new(flate2::read::GzDecoder::new(file)) } else { Box::new(file) };
+    let mut line = String::new();
+    BufReader::new(reader.take(1 << 16)).read_line(&mut line).map_err(|e| Error::io(path, &e))?;
+    let first = line.trim_start_matches('\u{feff}').split(',').next().unwrap_or("").trim();
+    Ok(first.trim_matches('"').to_owned())
+}

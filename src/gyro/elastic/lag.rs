@@ -1,0 +1,30 @@
+//! The paper's elastic lag, (2.3).
+
+use super::{Elastic, along, positive};
+use crate::Result;
+use crate::gyro::Gyrosphere;
+use crate::lti::{StateSpace, TransferFunction};
+
+/// T ẋ + x = P W₁/(g C₀): a massless spring with a dashpot, along the parallel alone.
+///
+/// | symbol | meaning | unit | where |
+/// |---|---|---|---|
+/// | T | r/C₀, time constant | s | [`Gyrosphere::lag`] |
+/// | C₀ | stiffness | N/m | [`Gyrosphere::stiffness`] |
+///
+/// Reference: the rolling-error paper, (2.3).
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Lag;
+
+impl Elastic for Lag {
+    fn name(&self) -> &'static str {
+        "lag (2.3)"
+    }
+
+    fn system(&self, s: &Gyrosphere, _: &StateSpace) -> Result<StateSpace> {
+        positive(&[("T", s.lag), ("C0", s.stiffness)])?;
+        // T ẋ + x = P W₁/(g C₀)
+        let give = TransferFunction::new(&[s.weight / (s.gravity * s.stiffness)], &[s.lag, 1.0])?;
+        along(&[(0, StateSpace::from_transfer(&give))])
+    }
+}

@@ -1,0 +1,68 @@
+//! How the centre of mass gives way: one elastic part a file.
+
+mod backlash;
+mod compliance;
+mod friction;
+mod inertia;
+mod lag;
+mod relaxing;
+
+pub use backlash::Backlash;
+pub use compliance::Compliance;
+pub use friction::Friction;
+pub use inertia::Inertia;
+pub use lag::Lag;
+pub use relaxing::Relaxing;
+
+use super::Gyrosphere;
+use crate::lti::StateSpace;
+use crate::{Error, Result};
+use faer::Mat;
+
+/// A part of the gyrosphere that gives way to the accelerations (W₁, W₂, W₃), m/s², along the
+/// parallel, the meridian and the vertical.
+pub trait Elastic: std::fmt::Debug + Send + Sync {
+    /// A short name for tables.
+    fn name(&self) -> &'static str;
+
+    /// The linear system from (W₁, W₂, W₃) to the shift (x, y, z) of the centre of mass, m.
+    /// `acceleration` is the motion's system from its white noises to (W₁, W₂, W₃) on the
+    /// heading asked for: parts that are not linear take the best linear one for it.
+    ///
+    /// # Errors
+    /// `BadInput` for numbers that describe no such part.
+    fn system(&self, sphere: &Gyrosphere, acceleration: &StateSpace) -> Result<StateSpace>;
+}
+
+/// Single-input parts side by side: each from one acceleration to one shift.
+fn along(parts: &[(usize, StateSpace)]) -> Result<StateSpace> {
+    let order = parts.iter().map(|(_, p)| p.order()).sum();
+    let (mut a, mut b, mut c) = (Mat::zeros(order, order), Mat::zeros(order, 3), Mat::zeros(3, order));
+    let mut at = 0;
+    for (axis, part) in parts {
+        for i in 0..part.order() {
+            (0..part.order()).for_each(|j| a[(at + i, at + j)] = part.a[(i, j)]);
+            b[(at + i, *axis)] = part.b[(i, 0)];
+            c[(*axis, at + i)] = part.c[(0, i)];
+        }
+        at += part.order();
+    }
+    StateSpace::new(a, b, c, Mat::zeros(3, 3))
+}
+
+fn positive(values: &[(&str, f64)]) -> Result<()> {
+    for (name, value) in values {
+        if !(value.is_finite() && *value > 0.0) {
+            return Err(Error::bad_input(format!("{name} must be positive, not {value}")));
+        }
+    }
+    Ok(())
+}
+
+/// The standard deviations of x and ẋ of m ẍ + r ẋ + c x = m W₁ under an acceleration.
+fn deviations(part: &StateSpace, acceleration: &StateSpace) -> Result<(f64, f64)> {
+    let joint = acceleration.then(&along(&[(0, part.clone())])?)?;
+    let x = joint.state_covariance()?.matrix;
+    let at = acceleration.order();
+    Ok((x[(at, at)].max(0.0).sqrt(), x[(at + 1, at + 1)].max(0.0).sqrt()))
+}

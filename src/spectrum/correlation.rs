@@ -1,0 +1,79 @@
+//! The correlation function of a recording, and the fit of (3.3) to it.
+
+use super::{LeastSquares, Roll, least_squares};
+use crate::{Error, Result};
+
+/// K(kΔt) for k = 0 … `lags` of values with their mean removed; pairs with a gap are left
+/// out, and each lag is divided by the number of all samples (the biased estimate, which is
+/// a correlation function itself).
+pub fn autocovariance(values: &[f64], lags: usize) -> Vec<f64> {
+    let known: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    let mean = known.iter().sum::<f64>() / known.len().max(1) as f64;
+    let x: Vec<f64> = values.iter().map(|v| if v.is_finite() { v - mean } else { 0.0 }).collect();
+    let count = known.len().max(1) as f64;
+    (0..=lags.min(x.len().saturating_sub(1)))
+        .map(|k| x.iter().zip(&x[k..]).map(|(a, b)| a * b).sum::<f64>() / count)
+        .collect()
+}
+
+/// The correlation function (3.3) fitted to a measured one.
+#[derive(Debug, Clone)]
+pub struct CorrelationFit {
+    /// A, μ, ε.
+    pub roll: Roll,
+    /// Part of the measured correlation's sum of squares that the fit explains, at most 1.
+    pub r_squared: f64,
+    /// Root-mean-square misfit over the lags, as a part of K(0).
+    pub misfit: f64,
+    /// The measured correlation function at 0, Δt, 2Δt, …; unit².
+    pub measured: Vec<f64>,
+    /// Δt, s.
+    pub step: f64,
+}
+
+/// Fits A, μ, ε of (3.3) to `measured`, K(kΔt), by least squares over its lags.
+/// `frequency` is a first guess of ε, rad/s.
+///
+/// # Errors
+/// `BadInput` for fewer than 6 lags or no variance, `NotComputed` when no start converges.
+pub fn fit_correlation(measured: &[f64], step: f64, frequency: f64) -> Result<CorrelationFit> {
+    let variance = measured.first().copied().unwrap_or(0.0);
+    if measured.len() < 6 || !(variance.is_finite() && variance > 0.0) {
+        return Err(Error::bad_input("the motion does not move, or the recording is too short to fit"));
+    }
+    // μ and ε stay below the Nyquist frequency, above which nothing was seen
+    let limit = std::f64::consts::PI / step;
+    let bounded = |q: f64| limit / (1.0 + (-q).exp());
+    let unbounded = |x: f64| -(limit / x.clamp(1e-9 * limit, 0.999 * limit) - 1.0).ln();
+    let shaped =
+        |p: &[f64]| Roll { variance: p[0].exp() * variance, decay: bounded(p[1]), frequency: bounded(p[2]) };
+    let residuals = |p: &[f64]| -> Vec<f64> {
+        let roll = shaped(p);
+        let at = |k: usize| roll.correlation(k as f64 * step);
+        measured.iter().enumerate().map(|(k, m)| (m - at(k)) / variance).collect()
+    };
+    let mut best: Option<LeastSquares> = None;
+    for share in [0.02, 0.1, 0.4] {
+        for shift in [0.8, 1.0, 1.25] {
+            let eps = frequency * shift;
+            let found = least_squares(&[0.0, unbounded(share * eps), unbounded(eps)], residuals);
+            if let Ok(f) = found
+                && best.as_ref().is_none_or(|b| f.sum_of_squares < b.sum_of_squares)
+            {
+                best = Some(f);
+            }
+        }
+    }
+    let best =
+        best.ok_or_else(|| Error::not_computed("no roll spectrum of the form (3.3) fits this motion"))?;
+    let Roll { variance: a, decay, frequency } = shaped(&best.parameters);
+    let roll = Roll::new(a, decay, frequency)?;
+    let total: f64 = measured.iter().map(|m| (m / variance).powi(2)).sum();
+    Ok(CorrelationFit {
+        roll,
+        r_squared: 1.0 - best.sum_of_squares / total,
+        misfit: (best.sum_of_squares / measured.len() as f64).sqrt(),
+        measured: measured.to_vec(),
+        step,
+    })
+}

@@ -1,0 +1,137 @@
+//! The paper's rolling errors, and roll spectra, each against another way to them.
+
+use approx::assert_relative_eq;
+use gyrospec::gyro::{Gyrosphere, seed};
+use gyrospec::lti::{TransferFunction, cross_moment};
+use gyrospec::spectrum::{Roll, Sea, autocovariance, fit_correlation, fit_rational, welch};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+#[test]
+fn both_examples_of_the_paper() {
+    let (sphere, roll, heading) = seed::example_2_1();
+    assert_relative_eq!(seed::regular_error(&sphere, &roll, heading).to_degrees(), -0.2824, epsilon = 5e-5);
+    let (sphere, roll, heading) = seed::example_3_1();
+    let derived = seed::irregular_error(&sphere, &roll, heading).unwrap();
+    assert_relative_eq!(derived.to_degrees(), -4.497, epsilon = 5e-4);
+    let printed = seed::irregular_error_as_printed(&sphere, &roll, heading);
+    assert_relative_eq!(printed.to_degrees(), -0.7157, epsilon = 5e-5);
+    assert_relative_eq!(derived, seed::irregular_error_closed(&sphere, &roll, heading), max_relative = 1e-13);
+}
+
+#[test]
+fn narrow_roll_turns_into_regular_roll() {
+    let (sphere, roll, heading) = seed::example_3_1();
+    let amplitude = (2.0 * roll.variance).sqrt();
+    let regular = seed::regular_error(&sphere, &seed::Regular { amplitude, frequency: 0.8 }, heading);
+    for decay in [1e-4, 1e-6, 1e-8] {
+        let narrow = Roll { decay, ..roll };
+        let irregular = seed::irregular_error(&sphere, &narrow, heading).unwrap();
+        // what is left is the white tail, in proportion to μ
+        assert_relative_eq!(irregular, regular, max_relative = 20.0 * decay);
+    }
+}
+
+#[test]
+fn the_density_is_the_transform_of_the_correlation_function() {
+    let roll = Roll::new(0.03, 0.15, 0.7).unwrap();
+    for omega in [0.0_f64, 0.4, 0.7, 1.5] {
+        // S(ω) = 2∫₀^∞ K(τ) cos ωτ dτ
+        let (step, count) = (1e-3, 200_000);
+        let value = |k: i32| {
+            let t = f64::from(k) * step;
+            roll.correlation(t) * (omega * t).cos()
+        };
+        let sum: f64 = (1..count).map(value).sum::<f64>() + 0.5 * value(0);
+        assert_relative_eq!(roll.density(omega), 2.0 * step * sum, max_relative = 1e-6);
+        assert_relative_eq!(roll.density(omega), roll.shaping().power(omega), max_relative = 1e-13);
+    }
+    let one = TransferFunction::constant(1.0);
+    let variance = cross_moment(&roll.shaping(), &one, &one).unwrap().value;
+    assert_relative_eq!(variance, 0.03, max_relative = 1e-14);
+}
+
+#[test]
+fn half_of_example_3_1_is_the_white_tail() {
+    let (sphere, roll, heading) = seed::example_3_1();
+    let low = TransferFunction::new(&[1.0], &[1.0 / 2.5, 1.0]).unwrap();
+    let banded = roll.shaping().then(&low).then(&low).differentiated().unwrap().differentiated().unwrap();
+    let lag = TransferFunction::new(&[1.0], &[sphere.lag, 1.0]).unwrap();
+    let moment = cross_moment(&banded, &TransferFunction::constant(1.0), &lag).unwrap().value;
+    let error = seed::error_of_moment(&sphere, moment, heading).to_degrees();
+    assert_relative_eq!(error, -2.49, epsilon = 5e-3);
+}
+
+/// Exact samples of irregular roll: the process behind (3.3) is AR(2) with one moving average;
+/// here by fine steps of its differential equation instead.
+fn made_roll(roll: &Roll, step: f64, count: usize, seed: u64) -> Vec<f64> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let inner = 200;
+    let dt = step / f64::from(inner);
+    let gain = 2.0 * (roll.variance * roll.decay * roll.b2()).sqrt();
+    let (mut angle, mut rate) = (roll.variance.sqrt(), 0.0);
+    (0..count)
+        .map(|_| {
+            for _ in 0..inner {
+                let noise: f64 = StandardNormal.sample(&mut rng);
+                rate += dt * (-2.0 * roll.decay * rate - roll.b2() * angle) + gain * dt.sqrt() * noise;
+                angle += dt * rate;
+            }
+            angle
+        })
+        .collect()
+}
+
+#[test]
+fn spectrum_and_fit_of_a_made_roll_come_back() {
+    let truth = Roll::new(4e-3, 0.08, 0.65).unwrap();
+    let values = made_roll(&truth, 0.5, 20_000, 11);
+    let spectrum = welch(&values, 0.5, 512).unwrap();
+    let variance = spectrum.integral(|_| 1.0);
+    assert_relative_eq!(variance, truth.variance, max_relative = 0.1);
+    assert!((spectrum.peak() - truth.b2().sqrt()).abs() < 0.08);
+    let fit = fit_correlation(&autocovariance(&values, 120), 0.5, spectrum.peak()).unwrap();
+    assert_relative_eq!(fit.roll.frequency, truth.frequency, max_relative = 0.03);
+    assert_relative_eq!(fit.roll.decay, truth.decay, max_relative = 0.25);
+    assert!(fit.r_squared > 0.97 && fit.misfit < 0.05);
+}
+
+#[test]
+fn a_spectrum_leaves_gaps_out() {
+    let mut values = made_roll(&Roll::new(4e-3, 0.08, 0.65).unwrap(), 0.5, 4000, 12);
+    let whole = welch(&values, 0.5, 256).unwrap();
+    values[1000..1100].fill(f64::NAN);
+    let holed = welch(&values, 0.5, 256).unwrap();
+    assert!(holed.segments < whole.segments && holed.segments > 20);
+    assert_relative_eq!(holed.integral(|_| 1.0), whole.integral(|_| 1.0), max_relative = 0.15);
+}
+
+#[test]
+fn seas_have_their_height_and_rational_fits_state_their_error() {
+    let seas = [
+        Sea::PiersonMoskowitz { height: 3.0 },
+        Sea::Bretschneider { height: 2.0, peak: 0.8 },
+        Sea::Jonswap { height: 2.0, peak: 0.7, gamma: 3.3 },
+    ];
+    for sea in seas {
+        sea.check().unwrap();
+        let omega: Vec<f64> = (1..2000).map(|k| f64::from(k) * 0.02 * sea.peak()).collect();
+        let density: Vec<f64> = omega.iter().map(|w| sea.density(*w)).collect();
+        let area: f64 = density.iter().sum::<f64>() * 0.02 * sea.peak() / std::f64::consts::PI;
+        assert_relative_eq!(4.0 * area.sqrt(), sea.height(), max_relative = 0.02);
+        let fit = fit_rational(&omega[..200], &density[..200], &[1.0; 200], &[1, 3, 5]).unwrap();
+        assert!(fit.error < 0.2, "{sea:?}: {}", fit.error);
+        let made: f64 = omega[..200].iter().map(|w| (fit.shaping.power(*w) - sea.density(*w)).abs()).sum();
+        assert_relative_eq!(fit.error, made / density[..200].iter().sum::<f64>(), max_relative = 1e-6);
+    }
+}
+
+#[test]
+fn the_compass_refuses_impossible_numbers() {
+    let seed = Gyrosphere::seed();
+    assert!(seed.check().is_ok());
+    assert!(Gyrosphere { latitude: std::f64::consts::FRAC_PI_2, ..seed }.check().is_err());
+    assert!(Gyrosphere { stiffness: 0.0, ..seed }.check().is_err());
+    assert!(Gyrosphere { lag: f64::NAN, ..seed }.check().is_err());
+}
