@@ -139,7 +139,9 @@ pub fn run(arguments: &Arguments) -> Result<Outcome> {
     );
     if arguments.check {
         let all = serde_json::to_string_pretty(&crosscheck(&p)).unwrap_or_default();
-        text.push_str(&format!("by every method:\n{all}\n"));
+        text += "by every method:\n";
+        text += &all;
+        text.push('\n');
     }
     output::print(text.as_bytes())?;
     Ok(Outcome::Done)

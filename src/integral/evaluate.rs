@@ -170,7 +170,8 @@ fn pair<const F: bool>(p: &Integrand<'_>, work: &mut Work<Pair<F>>) -> Option<An
     let (scale, weight, r) = attempt(p, work)?;
     let hi = r.value.hi;
     // half a unit in the last place is at least 2⁻⁵⁴ of the value
-    if !(r.bound <= 5.5e-17 * hi.abs()) || hi == 0.0 {
+    let narrow = r.bound <= 5.5e-17 * hi.abs();
+    if !narrow || hi == 0.0 {
         return None;
     }
     let (value, error_bound) = rescale(&scale, hi, r.value.lo.abs() + r.bound)?;

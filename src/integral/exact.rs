@@ -70,7 +70,9 @@ fn stable_array(h: &[f64]) -> Result<(Array, i32, i64)> {
 
 fn tested(mut h: Vec<IBig>) -> Result<Array> {
     if h[0].is_negative() {
-        h.iter_mut().for_each(|a| *a = -a.clone());
+        for a in &mut h {
+            *a = -a.clone();
+        }
     }
     match routh::test(&h) {
         Stability::Stable(array) => Ok(array),

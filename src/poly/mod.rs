@@ -74,7 +74,7 @@ pub fn even_part_of_product(p: &[f64], q: &[f64]) -> Vec<f64> {
         for (j, b) in q.iter().enumerate() {
             if (i + j) % 2 == 0 {
                 // q's power is n−1−j, its sign under s → −s is (−1)^(n−1−j)
-                let sign = if (n - 1 - j) % 2 == 0 { 1.0 } else { -1.0 };
+                let sign = if (n - 1 - j).is_multiple_of(2) { 1.0 } else { -1.0 };
                 out[usize::midpoint(i, j)] += sign * a * b;
             }
         }

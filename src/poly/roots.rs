@@ -81,9 +81,13 @@ fn newton_step(h: &[f64], z: Complex64) -> Option<Complex64> {
         size = size * r + a.abs();
     };
     if inside {
-        h.iter().for_each(|&a| horner(a));
+        for &a in h {
+            horner(a);
+        }
     } else {
-        h.iter().rev().for_each(|&a| horner(a));
+        for &a in h.iter().rev() {
+            horner(a);
+        }
     }
     if p.norm() <= size * f64::EPSILON {
         return None;

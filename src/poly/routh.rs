@@ -119,7 +119,8 @@ mod tests {
 
     #[test]
     fn roots_are_counted_where_they_were_put() {
-        let cases: [(&[i64], &[(i64, i64)], Stability); 10] = [
+        type Case = (&'static [i64], &'static [(i64, i64)], Stability);
+        let cases: [Case; 10] = [
             (&[1], &[], Stability::Unstable(1)),
             (&[-1, 1], &[], Stability::Unstable(1)),
             (&[-1, 0], &[], Stability::Axis),

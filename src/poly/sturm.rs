@@ -59,7 +59,7 @@ fn on_axis(p: &[IBig], k: usize) -> Poly {
     let degree = p.len() - 1;
     let mut out = vec![IBig::ZERO; 2 * degree + 1 + k];
     for (i, a) in p.iter().enumerate() {
-        out[2 * i] = if (degree - i) % 2 == 0 { a.clone() } else { -a };
+        out[2 * i] = if (degree - i).is_multiple_of(2) { a.clone() } else { -a };
     }
     out
 }
@@ -164,9 +164,9 @@ fn quotient(p: &[IBig], q: &[IBig]) -> Poly {
     out
 }
 
-fn trim(p: Poly) -> Poly {
+fn trim(mut p: Poly) -> Poly {
     let zeros = p.iter().take_while(|a| **a == IBig::ZERO).count();
-    p[zeros..].to_vec()
+    p.split_off(zeros)
 }
 
 fn primitive(p: Poly) -> Poly {
