@@ -113,6 +113,12 @@ fn channel_words(channel: &Channel, s: &Summary, kind: Kind) -> String {
         }
         text.push('\n');
     }
+    if !s.peaks.is_empty() {
+        let each = s.peaks.iter().map(|p| {
+            format!("{} rad/s (period {} s, {:.0} %)", short(p.omega), short(p.period()), 100.0 * p.share)
+        });
+        let _ = writeln!(text, "  spectral peaks: {}", each.collect::<Vec<_>>().join(", "));
+    }
     for fault in &s.faults {
         let _ = writeln!(text, "  {} {}", if fault.sure { '!' } else { '?' }, says(fault, channel));
     }
@@ -219,6 +225,9 @@ fn channel_form(channel: &Channel, s: &Summary) -> Value {
         "mean": unit.from_si(s.mean),
         "standard_deviation": difference(s.spread),
         "resolution": s.quantum.map(difference),
+        "peaks": s.peaks.iter().map(|p| json!({
+            "omega": p.omega, "period": p.period(), "share": p.share,
+        })).collect::<Vec<_>>(),
         "faults": s.faults.iter().map(|f| json!({
             "code": f.kind.code(),
             "sure": f.sure,

@@ -18,7 +18,7 @@ mod wrap;
 
 pub use recording::{Channel, Constant, Hold, Kind, Note, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
-pub use summary::{Summary, summaries, summary};
+pub use summary::{Peak, Summary, summaries, summary};
 pub use wrap::unwrap;
 
 use crate::{Error, Result};

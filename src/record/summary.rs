@@ -1,8 +1,21 @@
-//! What a channel holds, in figures: range, rate, resolution, faults.
+//! What a channel holds, in figures: range, rate, resolution, spectral peaks, faults.
 
 use super::quality::{self, Fault, Sampling};
 use super::{Channel, Kind, Recording};
+use crate::spectrum;
 use rayon::prelude::*;
+use statrs::distribution::{ChiSquared, ContinuousCDF};
+use std::f64::consts::TAU;
+
+/// Of longer channels, so many samples in the middle are looked at.
+const LONGEST: usize = 1 << 19;
+const MOST_PEAKS: usize = 3;
+/// The chance that noise alone shows a peak anywhere in a spectrum.
+const CHANCE: f64 = 0.001;
+/// A peak stands out from the median of the frequencies from ω/WIDE to ω·WIDE.
+const WIDE: f64 = 1.6;
+/// Of overlapping segments under a Hann window, so many count as independent.
+const INDEPENDENT: f64 = 0.65;
 
 /// A channel in figures; SI.
 #[derive(Debug, Clone)]
@@ -21,8 +34,26 @@ pub struct Summary {
     pub quantum: Option<f64>,
     /// The clock.
     pub sampling: Option<Sampling>,
+    /// Peaks of the spectrum, largest first.
+    pub peaks: Vec<Peak>,
     /// What is wrong with it.
     pub faults: Vec<Fault>,
+}
+
+/// A peak of a spectrum.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Peak {
+    /// rad/s.
+    pub omega: f64,
+    /// Its share of the variance about the trend.
+    pub share: f64,
+}
+
+impl Peak {
+    /// s.
+    pub fn period(&self) -> f64 {
+        TAU / self.omega
+    }
 }
 
 /// All channels of a recording in figures.
@@ -39,6 +70,7 @@ pub fn summaries(recording: &Recording) -> Vec<Summary> {
 /// let roll = time.iter().map(|t| (0.8 * t).sin()).collect();
 /// let s = summary(&Channel::new("roll", Unit::parse("rad")?, time, roll), Kind::Time);
 /// assert!((s.spread - 0.5_f64.sqrt()).abs() < 0.01);
+/// assert!((s.peaks[0].omega - 0.8).abs() < 0.1);
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn summary(channel: &Channel, kind: Kind) -> Summary {
@@ -55,6 +87,53 @@ pub fn summary(channel: &Channel, kind: Kind) -> Summary {
         spread: square.sqrt(),
         quantum: quality::quantum(channel),
         sampling: if trials { None } else { quality::sampling(channel) },
+        peaks: if trials { Vec::new() } else { peaks(channel) },
         faults: quality::channel_faults(channel, kind),
     }
+}
+
+/// Peaks of the spectrum that noise of the level around them would hardly show.
+fn peaks(channel: &Channel) -> Vec<Peak> {
+    let middle = channel.len().saturating_sub(LONGEST) / 2;
+    let part = middle..(middle + LONGEST).min(channel.len());
+    let Ok(even) = spectrum::even_samples(&channel.time[part.clone()], &channel.values[part]) else {
+        return Vec::new();
+    };
+    let length = (even.values.len() / 8).clamp(64, 8192).min(even.values.len());
+    let Ok(measured) = spectrum::welch(&even.values, even.step, length) else { return Vec::new() };
+    let density = &measured.density;
+    let total: f64 = density.iter().skip(1).sum();
+    if !(total > 0.0) {
+        return Vec::new();
+    }
+    let limit = limit(measured.segments, density.len());
+    let mut found: Vec<Peak> = (2..density.len().saturating_sub(2))
+        .filter(|k| (k - 2..=k + 2).all(|j| density[j] <= density[*k]))
+        .filter(|k| density[*k] > limit * around(density, *k))
+        .map(|k| {
+            let share = density[k - 2..=k + 2].iter().sum::<f64>() / total;
+            Peak { omega: measured.omega[k], share }
+        })
+        .filter(|p| p.share >= 0.01)
+        .collect();
+    found.sort_by(|a, b| b.share.total_cmp(&a.share));
+    found.truncate(MOST_PEAKS);
+    found
+}
+
+/// How far above the median one of many densities of noise may come: mean of χ² deviates.
+fn limit(segments: usize, frequencies: usize) -> f64 {
+    let freedom = (2.0 * (INDEPENDENT * segments as f64)).max(2.0);
+    let Ok(law) = ChiSquared::new(freedom) else { return f64::INFINITY };
+    law.inverse_cdf(1.0 - CHANCE / frequencies as f64) / law.inverse_cdf(0.5)
+}
+
+/// The median density around a frequency, its own peak left out.
+fn around(density: &[f64], k: usize) -> f64 {
+    let reach = |f: f64| (k as f64 * f).round() as usize;
+    let (from, to) = (reach(1.0 / WIDE).min(k.saturating_sub(6)).max(1), reach(WIDE).max(k + 6));
+    let mut beside: Vec<f64> =
+        (from..=to.min(density.len() - 1)).filter(|j| j.abs_diff(k) > 2).map(|j| density[j]).collect();
+    beside.sort_unstable_by(f64::total_cmp);
+    beside.get(beside.len() / 2).copied().unwrap_or(f64::INFINITY)
 }

@@ -231,3 +231,32 @@ fn a_rate_that_changes_is_suspected_and_jitter_is_not() {
         assert_eq!(found.iter().any(|f| f.kind == FaultKind::ClockDrift), change > 0.0, "{found:?}");
     }
 }
+
+/// Real sets: file, time, and columns with their units.
+const REAL: [(&str, &str, &str); 7] = [
+    ("emps/emps_estimation.csv.gz", "column = \"time_s\"", "qm_meas_m:m vir_V:V"),
+    ("emps/emps_validation_pulses.csv.gz", "column = \"time_s\"", "qm_meas_m:m vir_V:V pulses_N:N"),
+    ("kvlcc2_roll_decay/model_test_21338.csv.gz", "column = \"time_s\"", "roll_rad:rad pitch_rad:rad"),
+    ("silverbox/SNLS80mV.csv.gz", "start = 0, step = 0.0016384", "u_V:V y_V:V"),
+    ("cascaded_tanks/cascaded_tanks.csv", "column = \"time_s\"", "u_est_V:V y_est_V:V u_val_V:V y_val_V:V"),
+    ("daisy/dryer.csv", "start = 0.0, step = 0.08", "u_heater:V y_air_temp:V"),
+    ("daisy/heating_system.csv", "column = \"t_s\"", "u_drive_V:V y_temp_C:degC"),
+];
+
+#[test]
+fn real_recordings_have_no_sure_faults() {
+    let folder = tempfile::tempdir().unwrap();
+    for (file, time, columns) in REAL {
+        let Some(set) = crate::record::recordings(file.split('/').next().unwrap()) else { continue };
+        let path = set.parent().unwrap().join(file);
+        let mut toml = format!("[[tables]]\nfile = {path:?}\ntime = {{ {time}, unit = \"s\" }}\n[tables.channels]\n");
+        for (column, unit) in columns.split(' ').filter_map(|c| c.split_once(':')) {
+            toml += &format!("{column} = {{ column = \"{column}\", unit = \"{unit}\" }}\n");
+        }
+        let toml_file = folder.path().join("r.toml");
+        std::fs::write(&toml_file, toml).unwrap();
+        let recording = Recording::read(&toml_file).unwrap();
+        let sure: Vec<Fault> = quality::faults(&recording).into_iter().filter(|f| f.sure).collect();
+        assert!(sure.is_empty(), "{file}: {sure:?}");
+    }
+}

@@ -281,7 +281,7 @@ fn bad_calls_of_logs_are_refused_with_place_and_remedy() {
 }
 
 /// The folder of a real recording, or a word that the test is skipped.
-fn recordings(set: &str) -> Option<PathBuf> {
+pub fn recordings(set: &str) -> Option<PathBuf> {
     let root = std::env::var_os("GYROSPEC_RECORDINGS")
         .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("recordings"), PathBuf::from);
     let folder = root.join(set);

@@ -11,7 +11,8 @@ const LONG_AGAINST_MEDIAN: f64 = 2.5;
 const LONG_AGAINST_UNEVEN: f64 = 2.0;
 
 /// The gaps of a channel: spans from the last sample before to the first after; `size` is the
-/// longest, s. Sure where more than a tenth of the samples is lost.
+/// longest, s. Sure where more than a tenth of the samples is lost, or a stretch of more than a
+/// thirtieth and twenty samples: less does not harm a fit.
 pub fn gaps(channel: &Channel) -> Option<Fault> {
     let time = &channel.time;
     let usual = quantile(steps(time), 0.5)?;
@@ -41,6 +42,7 @@ pub fn gaps(channel: &Channel) -> Option<Fault> {
         return None;
     }
     let size = spans.iter().map(Span::length).fold(0.0, f64::max);
-    let sure = missing * 10 > time.len();
+    let stretch = size > usual * 20.0 && size * 30.0 > time[time.len() - 1] - time[0];
+    let sure = missing * 10 > time.len() || stretch;
     Some(Fault { samples: missing, size, sure, ..Fault::of(FaultKind::Gap, channel, spans) })
 }
