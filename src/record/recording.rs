@@ -78,7 +78,7 @@ impl Channel {
     }
 
     /// The samples that are no gaps: (time, value).
-    pub fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+    pub fn samples(&self) -> impl Iterator<Item = (f64, f64)> + Clone + '_ {
         self.time.iter().copied().zip(self.values.iter().copied()).filter(|(_, v)| !v.is_nan())
     }
 

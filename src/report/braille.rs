@@ -11,11 +11,14 @@ const DOTS: [[u8; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
 /// let lines = gyrospec::report::braille::plot([(0.0, 0.0), (1.0, 1.0)], 1, 1);
 /// assert_eq!(lines, ["⡈"]);
 /// ```
-pub fn plot(points: impl IntoIterator<Item = (f64, f64)>, columns: usize, rows: usize) -> Vec<String> {
-    let points: Vec<(f64, f64)> =
-        points.into_iter().filter(|(x, y)| x.is_finite() && y.is_finite()).collect();
-    let (x0, x1) = ends(points.iter().map(|p| p.0));
-    let (y0, y1) = ends(points.iter().map(|p| p.1));
+pub fn plot(
+    points: impl IntoIterator<Item = (f64, f64), IntoIter: Clone>,
+    columns: usize,
+    rows: usize,
+) -> Vec<String> {
+    let points = points.into_iter().filter(|(x, y)| x.is_finite() && y.is_finite());
+    let (x0, x1) = ends(points.clone().map(|p| p.0));
+    let (y0, y1) = ends(points.clone().map(|p| p.1));
     let (width, height) = (2 * columns, 4 * rows);
     let mut ranges: Vec<Option<(usize, usize)>> = vec![None; width];
     for (x, y) in points {

@@ -249,7 +249,8 @@ fn real_recordings_have_no_sure_faults() {
     for (file, time, columns) in REAL {
         let Some(set) = crate::record::recordings(file.split('/').next().unwrap()) else { continue };
         let path = set.parent().unwrap().join(file);
-        let mut toml = format!("[[tables]]\nfile = {path:?}\ntime = {{ {time}, unit = \"s\" }}\n[tables.channels]\n");
+        let mut toml =
+            format!("[[tables]]\nfile = {path:?}\ntime = {{ {time}, unit = \"s\" }}\n[tables.channels]\n");
         for (column, unit) in columns.split(' ').filter_map(|c| c.split_once(':')) {
             toml += &format!("{column} = {{ column = \"{column}\", unit = \"{unit}\" }}\n");
         }
