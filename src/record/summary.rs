@@ -10,6 +10,8 @@ use std::f64::consts::TAU;
 /// Of longer channels, so many samples in the middle are looked at.
 const LONGEST: usize = 1 << 19;
 const MOST_PEAKS: usize = 3;
+/// Peaks nearer to a larger one than this ratio are its own unevenness.
+const APART: f64 = 1.4;
 /// The chance that noise alone shows a peak anywhere in a spectrum.
 const CHANCE: f64 = 0.001;
 /// A peak stands out from the median of the frequencies from ω/WIDE to ω·WIDE.
@@ -117,8 +119,15 @@ fn peaks(channel: &Channel) -> Vec<Peak> {
         .filter(|p| p.share >= 0.01)
         .collect();
     found.sort_by(|a, b| b.share.total_cmp(&a.share));
-    found.truncate(MOST_PEAKS);
-    found
+    let mut apart: Vec<Peak> = Vec::new();
+    for peak in found {
+        let beside = |p: &Peak| (p.omega / peak.omega).ln().abs() < APART.ln();
+        if !apart.iter().any(beside) {
+            apart.push(peak);
+        }
+    }
+    apart.truncate(MOST_PEAKS);
+    apart
 }
 
 /// How far above the median one of many densities of noise may come: mean of χ² deviates.
