@@ -47,7 +47,9 @@ pub(super) fn finished(
     time: &Arc<[f64]>,
     mut values: Vec<f64>,
 ) -> Channel {
-    values.iter_mut().for_each(|v| *v = unit.to_si(*v));
+    for value in &mut values {
+        *value = unit.to_si(*value);
+    }
     if wanted.wraps {
         super::wrap::unwrap(&mut values);
     }

@@ -105,7 +105,7 @@ fn peaks(channel: &Channel) -> Vec<Peak> {
     let Ok(measured) = spectrum::welch(&even.values, even.step, length) else { return Vec::new() };
     let density = &measured.density;
     let total: f64 = density.iter().skip(1).sum();
-    if !(total > 0.0) {
+    if total.is_nan() || total <= 0.0 {
         return Vec::new();
     }
     let limit = limit(measured.segments, density.len());

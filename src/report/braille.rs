@@ -30,7 +30,8 @@ pub fn plot(
     join(&mut ranges);
     let mut cells = vec![vec![0_u8; columns]; rows];
     for (column, range) in ranges.iter().enumerate() {
-        for row in range.map_or(1..=0, |(top, bottom)| top..=bottom) {
+        let Some((top, bottom)) = *range else { continue };
+        for row in top..=bottom {
             cells[row / 4][column / 2] |= DOTS[column % 2][row % 4];
         }
     }

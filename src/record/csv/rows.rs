@@ -110,8 +110,7 @@ impl Rows {
             self.data[*slot].push(value);
         }
         if self.time == Some(index) {
-            // A NaN fails this comparison as well.
-            if !(value > self.previous) {
+            if value.is_nan() || value <= self.previous {
                 return Err(index);
             }
             self.previous = value;
@@ -159,7 +158,7 @@ impl Rows {
         let place = format!("column {} `{name}`", index + 1);
         let shown = field.shown();
         let error = match number(&field.text) {
-            None => self.explain_text(&place, &shown),
+            None => explain_text(&place, &shown),
             Some(t) if t.is_nan() => Error::bad_input(format!("{place}: the time is empty"))
                 .with_hint("remove rows without a time; values may be empty, times may not"),
             Some(t) if t == self.previous => {
@@ -177,25 +176,6 @@ impl Rows {
             ),
         };
         error.with_column(field.at + 1)
-    }
-
-    fn explain_text(&self, place: &str, shown: &str) -> Error {
-        let error = Error::bad_input(format!("{place} holds `{shown}`, which is no number"));
-        let comma = shown.split_once(',').is_some_and(|(a, b)| {
-            number(a.as_bytes()).is_some() && b.bytes().all(|c| c.is_ascii_digit()) && !b.is_empty()
-        });
-        if comma {
-            error.with_hint("write decimal points: 1.5, not 1,5")
-        } else if shown.contains(';') || shown.contains('\t') {
-            error.with_hint("separate the columns by commas in every row")
-        } else if shown.parse::<f64>().is_ok_and(f64::is_infinite) {
-            Error::bad_input(format!("{place} holds `{shown}`, which is no finite number"))
-                .with_hint("leave the field empty where the value is missing")
-        } else {
-            error.with_hint(
-                "leave the field empty where the value is missing, and remove words from the column",
-            )
-        }
     }
 
     /// Keeps the last whole lines, by which a last line without its end is judged.
@@ -243,6 +223,24 @@ impl Rows {
             .with_hint(format!("rows count from 0; the last is {}", self.row - 1)));
         }
         Ok((self.data, self.notes))
+    }
+}
+
+/// Why a field is no number.
+fn explain_text(place: &str, shown: &str) -> Error {
+    let error = Error::bad_input(format!("{place} holds `{shown}`, which is no number"));
+    let comma = shown.split_once(',').is_some_and(|(a, b)| {
+        number(a.as_bytes()).is_some() && b.bytes().all(|c| c.is_ascii_digit()) && !b.is_empty()
+    });
+    if comma {
+        error.with_hint("write decimal points: 1.5, not 1,5")
+    } else if shown.contains(';') || shown.contains('\t') {
+        error.with_hint("separate the columns by commas in every row")
+    } else if shown.parse::<f64>().is_ok_and(f64::is_infinite) {
+        Error::bad_input(format!("{place} holds `{shown}`, which is no finite number"))
+            .with_hint("leave the field empty where the value is missing")
+    } else {
+        error.with_hint("leave the field empty where the value is missing, and remove words from the column")
     }
 }
 

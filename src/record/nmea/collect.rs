@@ -10,6 +10,9 @@ use crate::units::Unit;
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 
+/// First line and words of what was noticed.
+type Notes = Vec<(Option<usize>, String)>;
+
 /// The sentences of one name and number.
 pub(super) struct Group {
     sentence: String,
@@ -125,8 +128,8 @@ impl Collector {
         Ok(())
     }
 
-    /// The groups and what was noticed: (first line, words).
-    pub(super) fn finish(self) -> Result<(Vec<Group>, Vec<(Option<usize>, String)>)> {
+    /// The groups and what was noticed.
+    pub(super) fn finish(self) -> Result<(Vec<Group>, Notes)> {
         let mut notes = Vec::new();
         for (fault, count) in Fault::ALL.iter().zip(&self.faults).filter(|(_, c)| c.number > 0) {
             let says = format!("{} of {} lines {}; they are left out", count.number, self.line, fault.says());
@@ -146,7 +149,7 @@ impl Collector {
         Ok((self.groups, notes))
     }
 
-    fn judge(&self, group: &Group, notes: &mut Vec<(Option<usize>, String)>) -> Result<()> {
+    fn judge(&self, group: &Group, notes: &mut Notes) -> Result<()> {
         let name = group.label();
         if group.time.is_empty() {
             let kinds = self.seen.keys().map(|a| sentence::kind(a));

@@ -133,7 +133,7 @@ pub fn masked(recording: &Recording, faults: &[Fault]) -> Recording {
 const LOOKED_AT: usize = 50_000;
 
 /// The value below which a share of the numbers lies; of very many, every so-manieth counts.
-fn quantile(values: impl Iterator<Item = f64> + ExactSizeIterator, share: f64) -> Option<f64> {
+fn quantile(values: impl ExactSizeIterator<Item = f64>, share: f64) -> Option<f64> {
     let every = values.len().div_ceil(LOOKED_AT).max(1);
     let mut some: Vec<f64> = values.step_by(every).collect();
     let at = (some.len().checked_sub(1)? as f64 * share).round() as usize;

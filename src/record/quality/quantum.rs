@@ -37,7 +37,7 @@ pub fn quantum(channel: &Channel) -> Option<f64> {
     }
     let whole = |d: &f64| {
         let steps = d / smallest;
-        (steps - steps.round()).abs() < WHOLE * steps.min(20.0).max(1.0)
+        (steps - steps.round()).abs() < WHOLE * steps.clamp(1.0, 20.0)
     };
     distances.iter().all(whole).then_some(smallest)
 }
