@@ -7,7 +7,7 @@
 //! # Method
 //! Singular values of the whitened sensitivities with every column scaled by the size of its unknown.
 //! A direction with singular value s is known to a relative deviation of 1/s; where that exceeds
-//! one, the data do not see it.
+//! five, not even the order of magnitude is seen.
 //!
 //! # References
 //! G. H. Golub, C. F. Van Loan, Matrix Computations, 4th ed. 2013, §5.5; D. A. Belsley, E. Kuh,
@@ -25,7 +25,7 @@ pub struct Direction {
 }
 
 /// Relative deviation from which on a direction counts as unseen.
-const UNSEEN: f64 = 1.0;
+const UNSEEN: f64 = 5.0;
 /// Singular value over the largest one below which nothing but rounding is left.
 const ROUNDING: f64 = 1e-10;
 

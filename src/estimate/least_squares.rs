@@ -44,7 +44,7 @@ pub struct Stopping {
 
 impl Default for Stopping {
     fn default() -> Self {
-        Self { iterations: 60, reduction: 1e-9, step: 1e-10 }
+        Self { iterations: 60, reduction: 1e-8, step: 1e-10 }
     }
 }
 

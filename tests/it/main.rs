@@ -1,5 +1,6 @@
 //! All integration tests, in one binary: one module a capability.
 
+mod fit;
 mod formula;
 mod fuzz;
 mod house;

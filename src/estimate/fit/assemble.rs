@@ -2,6 +2,7 @@
 
 use super::outcome::{Estimate, Fit, InitialEstimate, RecordFit, Series, Status, Warning};
 use super::problem::FreeRun;
+use super::warnings;
 use crate::Result;
 use crate::estimate::coordinates::Range;
 use crate::estimate::covariance::{Stretch, coloured_covariance, half_width, independent_samples};
@@ -28,6 +29,8 @@ pub struct Assembly<'a> {
     pub simulations: usize,
     /// Warnings gathered on the way.
     pub warnings: Vec<Warning>,
+    /// The solver's tolerance.
+    pub tolerance: f64,
 }
 
 impl Assembly<'_> {
@@ -42,12 +45,11 @@ impl Assembly<'_> {
             (0..names.len()).filter(|j| self.minimum.at_bound[*j].is_none() && !blind[*j]).collect();
         let covariance = self.covariance(&records, &noise, &seen);
         let reach = reach(&records, &noise, seen.len());
-        let (parameters, spread) = self.problem.spread(&self.minimum.x);
+        let (parameters, _) = self.problem.spread(&self.minimum.x);
         let mut model = self.model.clone();
         for (p, value) in model.parameters.iter_mut().zip(&parameters) {
             p.value = *value;
         }
-        debug_assert_eq!(spread.len(), records.len());
         Ok(Fit {
             parameters: self.estimates(&parameters, &covariance, reach),
             initials: self.initials(&covariance, reach),
@@ -59,7 +61,8 @@ impl Assembly<'_> {
             noise,
             sum_of_squares: self.minimum.sum_of_squares,
             unseen,
-            warnings: self.warnings,
+            warnings: [self.warnings.clone(), warnings::all(&self)].concat(),
+            tolerance: self.tolerance,
             end: self.minimum.end,
             simulations: self.simulations,
             model,

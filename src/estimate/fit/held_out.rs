@@ -20,6 +20,7 @@ pub fn held_out(
     separate: &[Recording],
     options: &FitOptions<'_>,
 ) -> Result<Vec<HeldOut>> {
+    let options = &FitOptions { tolerance: fit.tolerance.min(options.tolerance), ..options.clone() };
     let mut series = Vec::new();
     for (number, recording) in recordings.iter().enumerate() {
         let spans = setup::spans(&fit.model, recording, options);

@@ -16,6 +16,7 @@ mod seen;
 pub mod setup;
 mod shooting;
 mod simulated;
+mod warnings;
 
 pub use options::{Effort, FitOptions, Progress, Silent, Weighting};
 pub use outcome::{Estimate, Fit, HeldOut, InitialEstimate, RecordFit, Series, Status, Warning};
@@ -31,21 +32,47 @@ use rig::Record;
 /// Rounds in which the weights of several outputs are brought in line with their residuals.
 const ROUNDS: usize = 4;
 
+/// The solver's error is kept below this share of the innovations' deviation.
+const FINER: f64 = 0.03;
+/// No finer tolerance is asked of the simulator, as a share of the spread.
+const FINEST: f64 = 1e-9;
+
 /// Fits a model to the fitted parts of recordings.
 ///
 /// # Errors
 /// Where a channel is missing, no sample is left to fit, or no start can be simulated.
 pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<Fit> {
+    let (mut fitted, wanted) = once(model, recordings, options)?;
+    if wanted < options.tolerance && !model.states.is_empty() {
+        options.progress.says("fitting with finer steps", None);
+        let finer = FitOptions {
+            tolerance: wanted.max(FINEST),
+            effort: Effort::Near,
+            initials: fitted.records.iter().map(|r| r.initials.clone()).collect(),
+            ..options.clone()
+        };
+        let coarse = fitted;
+        fitted = once(&coarse.model, recordings, &finer)?.0;
+        fitted.simulations += coarse.simulations;
+        fitted.warnings = [coarse.warnings, fitted.warnings].concat();
+        fitted.warnings.dedup();
+    }
+    Ok(fitted)
+}
+
+/// One fit at one tolerance, and the tolerance that its noise asks for.
+fn once(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<(Fit, f64)> {
     let records = records(model, recordings, options)?;
     let parameters = model.parameters.iter().map(|p| p.value).collect();
     let mut problem = search::problem(model, &records, parameters, options);
+    let signals = problem.weights.clone();
     let ranges = setup::ranges(model, &problem.free, &records);
     let given = search::given(&problem);
     let mut found = search::Search::new(model, recordings, options, &problem, &ranges).run(&given)?;
     if problem.whitening.is_none() && model.outputs.len() > 1 {
         balance(&mut problem, &mut found.minimum, &ranges, options)?;
     }
-    Assembly {
+    let fitted = Assembly {
         model,
         problem: &problem,
         minimum: &found.minimum,
@@ -53,8 +80,12 @@ pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) ->
         start: &given,
         simulations: found.simulations,
         warnings: found.warnings,
+        tolerance: options.tolerance,
     }
-    .finish()
+    .finish()?;
+    let innovations = fitted.noise.iter().map(|n| n.autoregression.innovation_variance());
+    let share = innovations.zip(&signals).map(|(v, w)| (v * w).sqrt()).fold(f64::INFINITY, f64::min);
+    Ok((fitted, FINER * share))
 }
 
 /// One record a recording.

@@ -52,7 +52,8 @@ pub struct FitOptions<'a> {
     /// Whether separate records are held out, so that fitted ones are used whole unless their file
     /// says otherwise.
     pub separate_holdout: bool,
-    /// Tolerance of the simulator over its own default, 1 for that.
+    /// Share of an output's spread that the solver's error may reach; made finer by the fit where the
+    /// noise turns out to be so small that it would show.
     pub tolerance: f64,
     /// Initial states to start from: one list a recording, one value a state; empty for none.
     pub initials: Vec<Vec<f64>>,
@@ -69,7 +70,7 @@ impl Default for FitOptions<'_> {
             seed: 1,
             stopping: Stopping::default(),
             separate_holdout: false,
-            tolerance: 1.0,
+            tolerance: 1e-4,
             initials: Vec::new(),
             progress: &Silent,
         }

@@ -136,6 +136,8 @@ pub struct Fit {
     pub unseen: Vec<Direction>,
     /// What a user should know.
     pub warnings: Vec<Warning>,
+    /// Share of an output's spread that the solver's error was kept below.
+    pub tolerance: f64,
     /// How the walk ended.
     pub end: End,
     /// Simulations done.

@@ -19,6 +19,9 @@ pub trait Rig: Send + Sync {
     /// Runs freely from the initial states (all of the model's, NaN where it starts by itself);
     /// `wanted` lists the sensitivities to give.
     fn run(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run>;
+
+    /// Time constants and periods of the model about its start, s; empty where there are none.
+    fn time_constants(&self, parameters: &[f64], initials: &[f64]) -> Vec<f64>;
 }
 
 /// The measured samples of one output that a fit compares with.

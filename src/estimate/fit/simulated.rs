@@ -36,11 +36,10 @@ pub fn ready(
     used: &dyn Fn(f64) -> bool,
     options: &FitOptions<'_>,
 ) -> Result<Ready> {
-    let default = Options::default();
     let how = Options {
         window: Some((window.from, window.to)),
-        tolerance: default.tolerance * options.tolerance,
-        ..default
+        tolerance: options.tolerance,
+        ..Options::default()
     };
     let simulator = Simulator::new(model, recording, &how)?;
     let (tracks, rows) = simulator.outputs().iter().map(|o| Track::new(o, used)).unzip();
@@ -52,18 +51,80 @@ pub fn ready(
     })
 }
 
-impl Rig for Simulated {
-    fn run(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run> {
+impl Simulated {
+    /// The rows wanted of every output.
+    fn pick(&self, values: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        values.iter().zip(&self.rows).map(|(y, rows)| rows.iter().map(|i| y[*i]).collect()).collect()
+    }
+
+    fn run_some(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run> {
         let ran = self.simulator.run_with_sensitivities(parameters, initials, wanted)?;
-        let pick = |values: &[f64], rows: &[usize]| rows.iter().map(|i| values[*i]).collect::<Vec<f64>>();
+        let of = |(columns, rows): (&Vec<Vec<f64>>, &Vec<usize>)| {
+            columns.iter().map(|c| rows.iter().map(|i| c[*i]).collect()).collect()
+        };
         Ok(Run {
-            predictions: ran.outputs.iter().zip(&self.rows).map(|(y, rows)| pick(y, rows)).collect(),
-            sensitivities: ran
-                .sensitivities
-                .iter()
-                .zip(&self.rows)
-                .map(|(columns, rows)| columns.iter().map(|c| pick(c, rows)).collect())
-                .collect(),
+            predictions: self.pick(&ran.outputs),
+            sensitivities: ran.sensitivities.iter().zip(&self.rows).map(of).collect(),
         })
     }
+}
+
+/// More sensitivities than this are shared among the cores.
+const TOGETHER: usize = 4;
+
+impl Rig for Simulated {
+    fn run(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run> {
+        if wanted.len() <= TOGETHER {
+            return self.run_some(parameters, initials, wanted);
+        }
+        let (first, second) = wanted.split_at(wanted.len().div_ceil(2));
+        let half = |some: &[Unknown]| self.run_some(parameters, initials, some);
+        let (one, other) = rayon::join(|| half(first), || half(second));
+        let (mut run, other) = (one?, other?);
+        for (columns, more) in run.sensitivities.iter_mut().zip(other.sensitivities) {
+            columns.extend(more);
+        }
+        Ok(run)
+    }
+
+    fn time_constants(&self, parameters: &[f64], initials: &[f64]) -> Vec<f64> {
+        modes(&self.simulator, parameters, initials).unwrap_or_default()
+    }
+}
+
+/// Time constants of the real modes and periods of the oscillating ones, s, at the start of the run.
+fn modes(simulator: &Simulator, parameters: &[f64], initials: &[f64]) -> Option<Vec<f64>> {
+    let n = initials.len();
+    let (from, to) = simulator.span();
+    if n == 0 || initials.iter().any(|x| x.is_nan()) {
+        return None;
+    }
+    let start = simulator.on_window(from, from + 1e-3 * (to - from)).ok()?;
+    let rates = |x: &[f64]| -> Option<Vec<f64>> {
+        let trace = start.trace(parameters, x, vec![from].into()).ok()?;
+        Some(trace.rates.iter().map(|r| r[0]).collect())
+    };
+    let mut jacobian = faer::Mat::<f64>::zeros(n, n);
+    for j in 0..n {
+        let step = 1e-4 * initials[j].abs().max(1e-4);
+        let shifted = |sign: f64| {
+            let mut x = initials.to_vec();
+            x[j] += sign * step;
+            rates(&x)
+        };
+        let (up, down) = (shifted(1.0)?, shifted(-1.0)?);
+        for i in 0..n {
+            jacobian[(i, j)] = (up[i] - down[i]) / (2.0 * step);
+        }
+    }
+    if (0..n).any(|i| (0..n).any(|j| !jacobian[(i, j)].is_finite())) {
+        return None;
+    }
+    let slowest = 1e-6 / (to - from);
+    let values = jacobian.eigenvalues().ok()?;
+    let seen = values.into_iter().filter(|v| v.norm() > slowest);
+    Some(
+        seen.map(|v| if v.im == 0.0 { 1.0 / v.re.abs() } else { std::f64::consts::TAU / v.im.abs() })
+            .collect(),
+    )
 }

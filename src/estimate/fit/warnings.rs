@@ -1,0 +1,62 @@
+//! What a user should know about a fit, although it went on.
+
+use super::assemble::Assembly;
+use super::outcome::Warning;
+use crate::estimate::coordinates::Side;
+use crate::estimate::least_squares::End;
+
+/// All warnings about a minimum.
+pub fn all(fit: &Assembly<'_>) -> Vec<Warning> {
+    let mut found = at_bounds(fit);
+    found.extend(too_short(fit));
+    if fit.minimum.end != End::Converged {
+        found.push(Warning {
+            says: "the fit ended before it came to rest: take its values with care, or start nearer".into(),
+        });
+    }
+    found
+}
+
+fn at_bounds(fit: &Assembly<'_>) -> Vec<Warning> {
+    let free = fit.problem.free.iter().zip(&fit.minimum.at_bound);
+    free.filter_map(|(k, side)| {
+        let p = &fit.model.parameters[*k];
+        let (which, bound) = match (*side)? {
+            Side::Lower => ("lower", p.min?),
+            Side::Upper => ("upper", p.max?),
+        };
+        Some(Warning {
+            says: format!(
+                "{} is pressed against its {which} bound {} {}: widen the bound, or ask whether the model \
+                 needs {} at all",
+                p.name,
+                p.unit.decimal_from_si(bound),
+                p.unit,
+                p.name
+            ),
+        })
+    })
+    .collect()
+}
+
+/// A recording shorter than the longest time constant or period of the model.
+fn too_short(fit: &Assembly<'_>) -> Option<Warning> {
+    let (parameters, initials) = fit.problem.spread(&fit.minimum.x);
+    let mut worst: Option<(f64, f64, &str)> = None;
+    for (record, initials) in fit.problem.records.iter().zip(&initials) {
+        let last = record.tracks.iter().filter_map(|t| t.time.last()).fold(record.start, |a, b| a.max(*b));
+        let length = last - record.start;
+        let modes = record.rig.time_constants(&record.parameters(&parameters), initials);
+        let longest = modes.into_iter().fold(0.0, f64::max);
+        if longest > length && worst.is_none_or(|w| longest > w.0) {
+            worst = Some((longest, length, &record.name));
+        }
+    }
+    let (longest, length, name) = worst?;
+    Some(Warning {
+        says: format!(
+            "the fitted part of '{name}' lasts {length:.3} s, less than the longest time constant or period \
+             of the model, {longest:.3} s: what acts so slowly is hardly seen"
+        ),
+    })
+}
