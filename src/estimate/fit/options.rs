@@ -66,7 +66,7 @@ impl Default for FitOptions<'_> {
         Self {
             weighting: Weighting::FreeRun,
             effort: Effort::Full,
-            drawn_starts: 4,
+            drawn_starts: 6,
             seed: 1,
             stopping: Stopping::default(),
             separate_holdout: false,

@@ -107,7 +107,9 @@ impl<'a> Search<'a> {
         }
         if has_states {
             let near = self.best().map_or(given.to_vec(), |m| m.x.clone());
-            for base in [given.to_vec(), near] {
+            let mut bases = vec![given.to_vec(), near];
+            bases.dedup();
+            for base in bases {
                 if let Some(values) = shoot(self.model, self.recordings, self.options, &self.all(&base)) {
                     self.walk("from multiple shooting", &self.with_parameters(given, &values));
                 }
@@ -158,11 +160,14 @@ impl<'a> Search<'a> {
         self.found.iter().min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares))
     }
 
-    /// Whether two walks ended in the best minimum.
+    /// Whether two walks ended in the best minimum, and at least one of them came there from elsewhere:
+    /// where an output is clipped throughout, say, no walk moves at all.
     fn agreed(&self) -> bool {
         let Some(best) = self.best() else { return false };
         let near = |m: &&Minimum| m.sum_of_squares <= best.sum_of_squares * (1.0 + SAME);
-        self.found.iter().filter(near).count() > 1
+        let moved = |m: &Minimum| m.start_sum_of_squares > m.sum_of_squares * (1.0 + SAME);
+        let there: Vec<&Minimum> = self.found.iter().filter(near).collect();
+        there.len() > 1 && there.into_iter().any(moved)
     }
 
     /// Parameters drawn about x: factors for those of one sign, shifts by their size for the others.

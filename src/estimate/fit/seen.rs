@@ -50,10 +50,27 @@ fn resolved(model: &Model, e: &Expr) -> Expr {
     e
 }
 
-/// First guesses of all states at sample `at` of their tracks: seen ones from the smoothed signal, an
+/// For a state that is not seen: the output that mentions it alone among the states and has its
+/// dimension, such as a clipped or shifted one.
+fn nearly_seen(model: &Model, state: usize) -> Option<Seen> {
+    let own = &model.states[state];
+    let alone = |e: &Expr| {
+        let e = resolved(model, e);
+        model.states.iter().all(|s| e.mentions(&s.name) == (s.name == own.name))
+    };
+    let alike = |unit: &crate::units::Unit| unit.dimension() == own.unit.dimension();
+    let output = model.outputs.iter().position(|o| alike(&o.unit) && alone(&o.equals))?;
+    Some(Seen { output, order: 0 })
+}
+
+/// First guesses of all states at the start of their tracks: seen ones from the smoothed signal, an
 /// unseen one like a seen state of the same dimension, else zero.
 pub fn guess(model: &Model, tracks: &[Track], start: f64) -> Vec<f64> {
-    let seen = seen_states(model);
+    let seen: Vec<Option<Seen>> = seen_states(model)
+        .into_iter()
+        .enumerate()
+        .map(|(k, s)| s.or_else(|| nearly_seen(model, k)))
+        .collect();
     let mut values: Vec<Option<f64>> = seen
         .iter()
         .map(|s| {
