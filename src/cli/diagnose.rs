@@ -42,6 +42,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let model = Model::read(&call.model)?;
     let read = |files: &[PathBuf]| files.iter().map(|f| Recording::read(f)).collect::<Result<Vec<_>>>();
     let (recordings, separate) = (read(&call.recordings)?, read(&call.holdout)?);
+    super::record::tell_notes(recordings.iter().chain(&separate));
     let meter = Meter::new();
     let request = Request {
         model: &model,

@@ -50,6 +50,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let read =
         |files: &[PathBuf]| files.iter().map(|f| Recording::read(f.as_path())).collect::<Result<Vec<_>>>();
     let (recordings, separate) = (read(&call.recordings)?, read(&call.holdout)?);
+    super::record::tell_notes(recordings.iter().chain(&separate));
     let meter = Meter::new();
     let options = FitOptions {
         seed: call.seed,

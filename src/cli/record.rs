@@ -37,6 +37,13 @@ pub fn run(call: &Record) -> Result<Outcome> {
     Ok(if sure { Outcome::Found } else { Outcome::Done })
 }
 
+/// Tells on standard error what the readers noticed.
+pub fn tell_notes<'a>(recordings: impl IntoIterator<Item = &'a Recording>) {
+    for note in recordings.into_iter().flat_map(|r| &r.notes) {
+        eprintln!("note: {note}");
+    }
+}
+
 fn words(recording: &Recording, summaries: &[Summary]) -> String {
     let mut text = headline(recording);
     for note in &recording.notes {

@@ -34,9 +34,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
         Some(_) => e,
     })?;
     let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
-    for note in &recording.notes {
-        eprintln!("note: {note}");
-    }
+    super::record::tell_notes([&recording]);
     for warning in warnings(&simulator, &ran) {
         eprintln!("warning: {warning}");
     }

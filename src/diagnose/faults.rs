@@ -6,8 +6,8 @@ use super::catalogue;
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
 use crate::model::Model;
-use crate::record::Recording;
 use crate::record::quality::{self, Fault, FaultKind};
+use crate::record::{Recording, unwrap};
 
 /// Faults of the channels that a model uses, and the recordings without them.
 pub struct Cleaned {
@@ -16,6 +16,9 @@ pub struct Cleaned {
     /// The recordings with the spoiled samples made gaps.
     pub recordings: Vec<Recording>,
 }
+
+/// A misfit of up to so many times q/√12 is that of the steps alone.
+const STEPS_ALONE: f64 = 1.3;
 
 /// Looks for faults and masks them.
 pub fn clean(model: &Model, recordings: &[Recording]) -> Cleaned {
@@ -41,15 +44,16 @@ pub fn clean(model: &Model, recordings: &[Recording]) -> Cleaned {
     Cleaned { faults: all, recordings: cleaned }
 }
 
-fn unwrap(values: &mut [f64]) {
-    let turn = std::f64::consts::TAU;
-    let mut last: Option<f64> = None;
-    for v in values.iter_mut().filter(|v| v.is_finite()) {
-        if let Some(l) = last {
-            *v -= turn * ((*v - l) / turn).round();
-        }
-        last = Some(*v);
-    }
+/// Outputs whose misfit is no more than their own coarse steps q leave, q/√12: better physics
+/// could not be seen in them.
+pub fn coarse(model: &Model, recordings: &[Recording], base: &Fit) -> Vec<Fault> {
+    let outputs = model.outputs.iter().zip(&base.rmse);
+    let step = |name: &str| recordings.iter().filter_map(|r| r.find(name)).find_map(quality::coarse_steps);
+    outputs
+        .filter_map(|(o, rmse)| Some((step(&o.name)?, rmse)))
+        .filter(|(fault, rmse)| **rmse < STEPS_ALONE * fault.size / 12_f64.sqrt())
+        .map(|(fault, _)| fault)
+        .collect()
 }
 
 /// Short masked stretches of inputs are bridged by straight lines, so that the simulation goes on.

@@ -76,6 +76,7 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
         .faults
         .iter()
         .chain(&separate.faults)
+        .chain(&faults::coarse(model, &bench.recordings, &base))
         .map(|f| faults::finding(model, request.recordings, f))
         .collect();
     if let Some(misread) = faults::misread(&bench, model, &base) {
