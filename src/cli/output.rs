@@ -1,8 +1,13 @@
 //! Results that appear whole or not at all.
+#![allow(clippy::exit)]
 
 use crate::{Error, Result};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, Once, PoisonError};
+
+/// Files under way, to be taken away when the program is interrupted.
+static UNDER_WAY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A place for a result: standard output for `-`, else a file that is written beside its
 /// final name and moved there by [`Sink::finish`]; an interrupt leaves nothing behind.
@@ -21,25 +26,44 @@ impl Sink {
             Some(p) if !p.as_os_str().is_empty() => p,
             _ => Path::new("."),
         };
-        let file = tempfile::Builder::new()
-            .prefix(".gyrospec-")
-            .tempfile_in(folder)
-            .map_err(|e| Error::io(path, &e))?;
+        if path.is_dir() {
+            return Err(Error::usage("this is a folder; name a file").with_file(path));
+        }
+        clean_up_when_interrupted();
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".gyrospec-");
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let file = builder.tempfile_in(folder).map_err(|e| Error::io(path, &e))?;
+        under_way().push(file.path().to_owned());
         Ok(Self { path: path.to_owned(), file: Some(file) })
     }
 
     /// Writes the whole result and puts it in place.
     pub fn finish(self, text: &[u8]) -> Result<()> {
         let path = self.path;
-        match self.file {
-            None => print(text),
-            Some(mut file) => {
-                file.write_all(text).map_err(|e| Error::io(&path, &e))?;
-                file.persist(&path).map_err(|e| Error::io(&path, &e.error))?;
-                Ok(())
-            }
-        }
+        let Some(mut file) = self.file else { return print(text) };
+        file.write_all(text).map_err(|e| Error::io(&path, &e))?;
+        file.persist(&path).map_err(|e| Error::io(&path, &e.error))?;
+        Ok(())
     }
+}
+
+fn under_way() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {
+    UNDER_WAY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn clean_up_when_interrupted() {
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        // where no handler can be set, an interrupt leaves an empty hidden file at worst
+        let _ = ctrlc::set_handler(|| {
+            for path in under_way().drain(..) {
+                let _ = std::fs::remove_file(path);
+            }
+            std::process::exit(130);
+        });
+    });
 }
 
 /// Writes to standard output; a reader that went away ends the program quietly.
