@@ -5,6 +5,7 @@ use super::catalogue::{Scene, Signal, SignalKind};
 use crate::estimate::fit::Effort;
 use crate::estimate::fit::rig::{Record, Unknown};
 use crate::estimate::fit::setup;
+use crate::estimate::noise::robust_deviation;
 use crate::estimate::{Fit, FitOptions, Stopping};
 use crate::expression::{Expr, Function};
 use crate::model::{Model, Output};
@@ -27,6 +28,8 @@ pub struct Bench {
     pub seed: u64,
     /// Number of the given model's own parameters.
     pub own_parameters: usize,
+    /// Tolerance of the simulator over its own default.
+    pub tolerance: f64,
 }
 
 /// One series of a run: an output on a recording.
@@ -91,6 +94,26 @@ impl Stand {
     }
 }
 
+/// Share of the white part of the noise that the simulator's error may have.
+const SOLVER: f64 = 0.05;
+/// The simulator's own tolerance, as a share of an output's spread.
+const TOLERANCE: f64 = 1e-6;
+
+/// The tolerance that keeps the simulator's error far below the noise of the outputs, over its default.
+pub fn tolerance(model: &Model, recordings: &[Recording]) -> f64 {
+    let outputs = recordings.iter().flat_map(|r| model.outputs.iter().filter_map(|o| r.find(&o.name)));
+    let shares = outputs.filter_map(|c| {
+        let v: Vec<f64> = c.values.iter().copied().filter(|v| v.is_finite()).collect();
+        let mean = v.iter().sum::<f64>() / v.len() as f64;
+        let spread = rms(&v.iter().map(|x| x - mean).collect::<Vec<_>>());
+        // Third differences of white noise of deviation σ have deviation √20 σ.
+        let third: Vec<f64> = v.windows(4).map(|w| w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).collect();
+        let noise = robust_deviation(&third) / 20f64.sqrt();
+        (spread > 0.0).then_some(SOLVER * noise / spread)
+    });
+    (shares.fold(f64::INFINITY, f64::min) / TOLERANCE).clamp(1.0, 1000.0)
+}
+
 impl Bench {
     /// Options of a fit on this bench.
     pub fn options(&self, effort: Effort, iterations: usize) -> FitOptions<'static> {
@@ -98,6 +121,7 @@ impl Bench {
             effort,
             seed: self.seed,
             separate_holdout: self.separate,
+            tolerance: self.tolerance,
             stopping: Stopping { iterations, reduction: 1e-6, step: 1e-6 },
             ..FitOptions::default()
         }

@@ -65,6 +65,7 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     let cleaned = faults::clean(model, request.recordings);
     let separate = faults::clean(model, request.separate);
     let mut bench = Bench {
+        tolerance: bench::tolerance(model, &cleaned.recordings),
         recordings: cleaned.recordings,
         separate: !request.separate.is_empty(),
         seed: request.seed,

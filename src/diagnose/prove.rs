@@ -103,7 +103,7 @@ fn left_levels(bench: &Bench, fitted: &Fit) -> Result<Vec<Held>> {
             for c in rest[k].channels.iter_mut().filter(|c| model.outputs.iter().any(|o| o.name == c.name)) {
                 c.values.iter_mut().zip(&fold).filter(|(_, out)| **out).for_each(|(v, _)| *v = f64::NAN);
             }
-            let Ok(f) = fit(model, &rest, &bench.options(Effort::Near, 14)) else { continue };
+            let Ok(f) = fit(model, &rest, &bench.options(Effort::Near, 10)) else { continue };
             let tracks = bench::run(&whole, &Stand::of(&f), &[])?;
             for t in &tracks {
                 let rows = t.time.iter().zip(&t.residual);

@@ -26,7 +26,13 @@ use rayon::prelude::*;
 /// Proposals that are fitted in full in one round.
 const FITTED: usize = 12;
 /// Mechanisms that are added at most.
-const MOST: usize = 4;
+const MOST: usize = 3;
+/// Share of all gains before that a further one must reach.
+const FURTHER: f64 = 0.2;
+/// Weight of the gain of a mechanism that is tied to moments of this recording.
+const ANCHORED: f64 = 0.6;
+/// Steps of a fit.
+const STEPS: usize = 10;
 /// Chance, after correction, above which nothing is added.
 const CHANCE: f64 = 0.01;
 /// Relative fall of the left-out root mean square below which nothing is added.
@@ -124,14 +130,13 @@ impl View {
                 n.autoregression = n.autoregression.truncated(0);
             }
         }
-        let own = own_tracks(bench, fit, &plain);
+        let own = own_tracks(fit, &plain);
         Ok(Self { screen: Screen::new(&own, &noise, bench.seed), stand, tracks: plain })
     }
 }
 
 /// The fit's residuals and sensitivities, cut to the screened parts.
-fn own_tracks(bench: &Bench, fit: &Fit, plain: &[Track]) -> Vec<Track> {
-    let _ = bench;
+fn own_tracks(fit: &Fit, plain: &[Track]) -> Vec<Track> {
     let series = fit.records.iter().flat_map(|r| &r.series);
     series
         .zip(plain)
@@ -149,9 +154,11 @@ fn own_tracks(bench: &Bench, fit: &Fit, plain: &[Track]) -> Vec<Track> {
 }
 
 /// Scores every proposal of the catalogue.
-pub fn screen(bench: &Bench, fit: &Fit, scene: &Scene, view: &View) -> Screening {
-    let _ = fit;
-    let proposals: Vec<Proposal> = catalogue::ALL.iter().flat_map(|m| (m.propose)(scene)).collect();
+pub fn screen(bench: &Bench, scene: &Scene, view: &View) -> Screening {
+    let mut proposals: Vec<Proposal> = catalogue::ALL.iter().flat_map(|m| (m.propose)(scene)).collect();
+    if bench.separate || bench.recordings.len() > 1 {
+        proposals.retain(|p| !is_anchored(p));
+    }
     let scored: Vec<Vec<Screened>> =
         proposals.into_par_iter().map(|p| score_starts(bench, &p, view)).collect();
     let all: Vec<&Score> = scored.iter().flatten().map(|s| &s.score).collect();
@@ -249,11 +256,13 @@ pub fn refit(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Option
     }
     stands.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut best: Option<Fit> = None;
+    let now = stands.first().map_or(0.0, |s| s.0);
     for (value, stand) in stands.into_iter().take(2) {
-        if !value.is_finite() {
+        let enough = best.is_some() && value > 1.2 * now;
+        if !value.is_finite() || enough {
             continue;
         }
-        let mut options = bench.options(Effort::Near, 14);
+        let mut options = bench.options(Effort::Near, STEPS);
         options.initials = stand.initials.clone();
         if let Ok(f) = fit(&stand.placed(&p.model), &bench.recordings, &options) {
             if best.as_ref().is_none_or(|b| f.sum_of_squares < b.sum_of_squares) {
@@ -288,7 +297,7 @@ fn round(bench: &Bench, current: &Fit, now: &Measure, scale: &Scale, given: &[f6
     let view = View::of(bench, current)?;
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
-    let screening = screen(bench, current, &scene, &view);
+    let screening = screen(bench, &scene, &view);
     let tried = screening.screened.len().max(1) as f64;
     let chosen: Vec<Screened> = worth_fitting(&screening).into_iter().cloned().collect();
     let mut fitted: Vec<Refitted> = chosen
@@ -315,6 +324,13 @@ fn worth(r: &Refitted) -> f64 {
     r.measure.likelihood - 0.5 * r.proposal.added.len() as f64 * r.measure.samples.max(2.0).ln()
 }
 
+/// Whether a mechanism is tied to moments of one recording, so that another cannot confirm it.
+fn is_anchored(p: &Proposal) -> bool {
+    let codes =
+        ["drift-force", "output-drift", "parameter-change", "parameter-drift", "clock-jump", "clock-drift"];
+    codes.contains(&p.code) || p.code == "periodic-force" && p.term.contains("*t)")
+}
+
 /// Families whose members are the same thing in a linear model with one input and one output.
 const FAMILIES: [&[&str]; 4] = [
     &["input-delay", "output-delay"],
@@ -336,13 +352,15 @@ struct Choice {
 }
 
 /// Takes the likeliest of those whose gain is near the largest; with its ties.
-fn choose(round: &Round, now: &Measure) -> Option<Choice> {
-    let floor = -2.0 * (1.0 - FLOOR).ln();
-    let passes = |r: &Refitted| r.p_value < CHANCE && gain(now, &r.measure) > floor;
-    let largest =
-        round.fitted.iter().filter(|r| passes(r)).map(|r| gain(now, &r.measure)).fold(0.0, f64::max);
+fn choose(round: &Round, now: &Measure, before: f64) -> Option<Choice> {
+    let floor = (-2.0 * (1.0 - FLOOR).ln()).max(FURTHER * before);
+    let gain = |now: &Measure, r: &Refitted| {
+        gain(now, &r.measure) * if is_anchored(&r.proposal) { ANCHORED } else { 1.0 }
+    };
+    let passes = |r: &Refitted| r.p_value < CHANCE && gain(now, r) > floor;
+    let largest = round.fitted.iter().filter(|r| passes(r)).map(|r| gain(now, r)).fold(0.0, f64::max);
     let rivals: Vec<usize> = (0..round.fitted.len())
-        .filter(|i| passes(&round.fitted[*i]) && gain(now, &round.fitted[*i].measure) >= RIVAL * largest)
+        .filter(|i| passes(&round.fitted[*i]) && gain(now, &round.fitted[*i]) >= RIVAL * largest)
         .collect();
     let likeliest = rivals
         .iter()
@@ -384,6 +402,7 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
     let start = Measure::of(&base, &Scale::of(&base, bench.is_trials()));
     let mut current = base.clone();
     let mut taken: Vec<Taken> = Vec::new();
+    let mut gains = 0.0;
     let mut first: Option<Screening> = None;
     let mut given = given.to_vec();
     loop {
@@ -392,7 +411,7 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
         let now = Measure::of(&current, &scale);
         let mut round = round(bench, &current, &now, &scale, &given)?;
         trace(&round, &now);
-        let chosen = if taken.len() < MOST { choose(&round, &now) } else { None };
+        let chosen = if taken.len() < MOST { choose(&round, &now, gains) } else { None };
         let Some(Choice { best, ties, elsewhere }) = chosen else {
             let rest = round.screening;
             let (first, rest) = match first {
@@ -406,6 +425,7 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
             return Ok(found);
         };
         let r = round.fitted.swap_remove(best);
+        gains += gain(&now, &r.measure);
         let names = r.proposal.model.parameters.len();
         given.extend(r.fit.model.parameters[given.len()..names].iter().map(|p| p.value));
         current = r.fit;
@@ -423,7 +443,7 @@ pub fn without(bench: &Bench, last: &Fit, p: &Proposal) -> Option<Fit> {
         parameter.fit = false;
         parameter.value = *value;
     }
-    let mut options = bench.options(Effort::Near, 14);
+    let mut options = bench.options(Effort::Near, STEPS);
     options.initials = last.records.iter().map(|r| r.initials.clone()).collect();
     fit(&model, &bench.recordings, &options).ok()
 }
