@@ -7,6 +7,7 @@ pub mod fit;
 pub mod formula;
 pub mod input;
 pub mod integral;
+pub mod laboratory;
 pub mod models;
 pub mod output;
 pub mod progress;
@@ -48,6 +49,8 @@ enum Command {
     Diagnose(diagnose::Call),
     /// What can be missing: the pages of the catalogue.
     Explain(explain::Explain),
+    /// How often the diagnosis finds what was concealed.
+    Laboratory(laboratory::Call),
     /// Fit a model to recordings.
     Fit(fit::Call),
     /// What is in a recording.
@@ -69,6 +72,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Table(call) => return table::run(&call),
         Command::Diagnose(call) => return diagnose::run(&call),
         Command::Explain(call) => return explain::run(&call),
+        Command::Laboratory(call) => return laboratory::run(&call),
         Command::Fit(call) => return fit::run(&call),
         Command::Record(call) => return record::run(&call),
         Command::Simulate(call) => return simulate::run(&call),

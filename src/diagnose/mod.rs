@@ -8,6 +8,7 @@ mod assemble;
 pub mod bench;
 pub mod catalogue;
 mod faults;
+pub mod laboratory;
 mod locate;
 mod measure;
 mod next;

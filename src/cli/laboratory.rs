@@ -1,0 +1,79 @@
+//! `gyrospec laboratory`: how often the diagnosis finds what was concealed.
+
+use super::output::print;
+use super::{Outcome, warn};
+use crate::diagnose::laboratory::{self, Case, Scenario};
+use crate::model::Model;
+use crate::record::Recording;
+use crate::{Error, ErrorKind, Result};
+use sha2::{Digest, Sha256};
+use std::path::PathBuf;
+
+/// Conceals effects in made recordings, diagnoses them from their files, and says how often it was right.
+#[derive(clap::Args)]
+pub struct Call {
+    /// A model file; without it, the laboratory's own axis.
+    model: Option<PathBuf>,
+    /// The recording whose inputs drive it.
+    #[arg(requires = "model")]
+    recording: Option<PathBuf>,
+    /// How many recordings are made.
+    #[arg(long, default_value_t = 20)]
+    cases: usize,
+    /// Seed of all that is drawn.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+}
+
+pub fn run(call: &Call) -> Result<Outcome> {
+    let scenario = match (&call.model, &call.recording) {
+        (Some(model), Some(recording)) => {
+            Scenario::of(&Model::read(model)?, &Recording::read(recording)?, call.seed)?
+        }
+        (Some(_), None) => return Err(Error::usage("give the recording whose inputs drive the model")),
+        _ => Scenario::axis(call.seed)?,
+    };
+    let folder = tempfile::tempdir().map_err(|e| Error::io(&std::env::temp_dir(), &e))?;
+    let cases = laboratory::make(&scenario, folder.path(), call.cases, call.seed)?;
+    let broken = |e: serde_json::Error| Error::new(ErrorKind::NotComputed, e.to_string());
+    let sealed = folder.path().join("truth.json");
+    let text = serde_json::to_vec_pretty(&cases).map_err(broken)?;
+    std::fs::write(&sealed, &text).map_err(|e| Error::io(&sealed, &e))?;
+    let seal: String = Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect();
+    print(format!("{} recordings made; the truth is sealed, SHA-256 {seal}\n\n", call.cases).as_bytes())?;
+    drop(cases);
+    let mut answers = Vec::new();
+    for number in 0..call.cases {
+        match laboratory::examine(folder.path(), number, call.seed) {
+            Ok(answer) => answers.push(Some(answer)),
+            Err(e) => {
+                warn(&format!("case {number}: {e}"));
+                answers.push(None);
+            }
+        }
+    }
+    let opened = std::fs::read(&sealed).map_err(|e| Error::io(&sealed, &e))?;
+    let cases: Vec<Case> = serde_json::from_slice(&opened).map_err(broken)?;
+    let kept: Vec<(Case, laboratory::Outcome)> = cases
+        .into_iter()
+        .zip(&answers)
+        .filter_map(|(c, a)| a.as_ref().map(|a| (laboratory::judge(&c, a), c)).map(|(o, c)| (c, o)))
+        .collect();
+    let (cases, outcomes): (Vec<_>, Vec<_>) = kept.into_iter().unzip();
+    let mut lines = String::new();
+    for ((case, outcome), answer) in cases.iter().zip(&outcomes).zip(answers.iter().flatten()) {
+        let named: Vec<&str> = answer.findings.iter().map(|f| f.code.as_str()).collect();
+        lines += &format!(
+            "{:>4}  {:<8} size {:<4} noise {:<5} {:<34} {:?}: {}\n",
+            case.number,
+            case.kind,
+            case.size,
+            case.correlation,
+            case.codes.join(" + "),
+            outcome.verdict,
+            named.join(" + ")
+        );
+    }
+    print(format!("{lines}\n{}", laboratory::tabulate(&cases, &outcomes)).as_bytes())?;
+    Ok(Outcome::Done)
+}
