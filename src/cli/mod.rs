@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
 pub mod diagnose;
+pub mod audit;
 pub mod explain;
 pub mod fit;
 pub mod formula;
@@ -43,6 +44,8 @@ enum Command {
     Integral(integral::Arguments),
     /// A mean value as a formula in your own letters.
     Formula(Box<formula::FormulaCall>),
+    /// Is a printed formula right: dimensions, value, limits.
+    Audit(audit::Audit),
     /// Tables of I_n with letters.
     Table(table::Table),
     /// Find what a model leaves out, and prove it.
@@ -69,6 +72,7 @@ fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
         Command::Integral(call) => return integral::run(&call),
         Command::Formula(call) => return formula::run(&call),
+        Command::Audit(call) => return audit::run(&call),
         Command::Table(call) => return table::run(&call),
         Command::Diagnose(call) => return diagnose::run(&call),
         Command::Explain(call) => return explain::run(&call),

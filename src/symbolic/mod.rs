@@ -1,5 +1,6 @@
 //! Integrals with letters: tables, formulas, rendering, audit.
 
+mod audit;
 mod formula;
 mod fraction;
 mod gcd;
@@ -11,6 +12,10 @@ mod print;
 mod ring;
 mod table;
 
+pub use audit::{
+    AuditRequest, Check, CheckKind, Examined, ExampleEntry, FormulaEntry, IdentityEntry, LimitEntry, audit,
+    seed_audit, seed_audit_text,
+};
 pub use formula::{
     CodeLanguage, Derivation, Derived, Formula, FormulaRequest, Mean, Relation, Sampler, Simplifier, Source,
     Values, completed, derivative, formula, irregular_roll, numeric, value,

@@ -1,6 +1,8 @@
 //! The tables of I_n: exact at rational points, free of common factors, and as code in three languages.
 
 use dashu_ratio::RBig;
+use gyrospec::integral::exact::rational as rational_engine;
+use gyrospec::integral::{Integrand, evaluate};
 use gyrospec::symbolic::{Polynomial, Program, Table, TableFormat, folder, print_tables};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -69,6 +71,7 @@ fn every_printed_order_is_exact_at_random_rational_points() {
             let point = Point::random(n, &mut random);
             let (above, below) = program.evaluate(&point.a, &point.b);
             assert_eq!(&above / &below, point.value, "shared minors, n = {n}");
+            assert_eq!(rational_engine(&point.a, &point.b).unwrap(), point.value, "the engine, n = {n}");
             let at = [point.a.as_slice(), point.b.as_slice()].concat();
             assert_eq!(exact_value(&table.numerator, &at), above, "numerator, n = {n}");
             assert_eq!(exact_value(&table.denominator, &at), below, "denominator, n = {n}");
@@ -177,7 +180,10 @@ fn double_points(orders: impl Iterator<Item = usize>) -> Vec<(Vec<f64>, Vec<f64>
             let sign = |k: usize| if (n - 1 - k) % 2 == 0 { 1 } else { -1 };
             let b = (0..n).map(|k| rational(sign(k) * random.random_range(1..9), 1)).collect();
             let point = Point::new(&RBig::ONE, &roots, b);
-            (doubles(&point.a), doubles(&point.b), point.value.to_f64().value())
+            let (a, b) = (doubles(&point.a), doubles(&point.b));
+            let engine = evaluate(&Integrand::new(&a, &b).unwrap()).unwrap().value;
+            approx::assert_relative_eq!(engine, point.value.to_f64().value(), max_relative = 1e-15);
+            (a, b, engine)
         })
         .collect()
 }

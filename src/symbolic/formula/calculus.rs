@@ -7,6 +7,7 @@
 
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::{Error, Result};
+use std::collections::BTreeSet;
 
 /// The value of an expression where the names have values.
 ///
@@ -37,6 +38,15 @@ pub fn value(expression: &Expr, of: &dyn Fn(&str) -> Option<f64>) -> Result<f64>
             Ok(function.of(&arguments))
         }
     }
+}
+
+/// Every symbol of an expression; unlike its names, with the time `t`.
+pub fn symbols(expression: &Expr) -> BTreeSet<&str> {
+    let mut symbols = expression.names();
+    if expression.mentions("t") {
+        symbols.insert("t");
+    }
+    symbols
 }
 
 /// The derivative of an expression in one name, lightly simplified.

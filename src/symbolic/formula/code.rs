@@ -1,6 +1,7 @@
 //! Formulas as functions in Rust, Python and C.
 
 use super::Formula;
+use super::calculus::symbols;
 use crate::expression::{BinaryOp, Expr, Function};
 use std::fmt::Write;
 
@@ -27,7 +28,7 @@ const RESERVED: [&str; 45] = [
 pub fn function(formula: &Formula, language: CodeLanguage) -> String {
     let left = formula.by.iter().fold(formula.name.clone(), |name, by| format!("{name}_by_{by}"));
     let name = identifier(&left);
-    let names: Vec<String> = formula.expression.names().into_iter().map(identifier).collect();
+    let names: Vec<String> = symbols(&formula.expression).into_iter().map(identifier).collect();
     let typed = |before: &str, after: &str| {
         names.iter().map(|n| format!("{before}{n}{after}")).collect::<Vec<_>>().join(", ")
     };

@@ -140,6 +140,24 @@ impl Simplifier {
         let fraction = desk.alphabet.fraction(expression)?;
         desk.write(&fraction)
     }
+
+    /// Whether an expression is zero for all values of its symbols that satisfy the relations.
+    ///
+    /// # Errors
+    /// Not computed, where it is no ratio of polynomials in symbols and functions.
+    pub fn vanishes(&self, expression: &Expr) -> Result<bool> {
+        let (alphabet, rules) = self.ready(&[expression])?;
+        Ok(rule::normal_form(&alphabet.fraction(expression)?, &rules)?.is_zero())
+    }
+
+    fn ready(&self, expressions: &[&Expr]) -> Result<(Alphabet, Vec<Rule>)> {
+        let sides = self.relations.iter().flat_map(|relation| [&relation.left, &relation.right]);
+        let all: Vec<&Expr> = expressions.iter().copied().chain(&self.keep).chain(sides).collect();
+        let alphabet = Alphabet::new(&all, &self.order)?;
+        let relations = self.relations.iter().cloned().chain(roots(&alphabet));
+        let rules = relations.map(|r| Rule::forward(&r, &alphabet)).collect::<Result<Vec<_>>>()?;
+        Ok((alphabet, rules))
+    }
 }
 
 /// Alphabet, rules and known factors made ready for some expressions.
@@ -151,11 +169,7 @@ struct Desk {
 
 impl Desk {
     fn new(simplifier: &Simplifier, expressions: &[&Expr]) -> Result<Self> {
-        let sides = simplifier.relations.iter().flat_map(|relation| [&relation.left, &relation.right]);
-        let all: Vec<&Expr> = expressions.iter().copied().chain(&simplifier.keep).chain(sides).collect();
-        let alphabet = Alphabet::new(&all, &simplifier.order)?;
-        let relations = simplifier.relations.iter().cloned().chain(roots(&alphabet));
-        let rules = relations.map(|r| Rule::forward(&r, &alphabet)).collect::<Result<Vec<_>>>()?;
+        let (alphabet, rules) = simplifier.ready(expressions)?;
         let mut known = Vec::new();
         for factor in &simplifier.keep {
             known.push(Known::new(factor, true, &alphabet, &rules)?);

@@ -6,7 +6,7 @@
 //! References: none needed.
 //! Numerical aspects: points where H is not stable are drawn anew; the rest must agree to 1e-8.
 
-use super::calculus::value;
+use super::calculus::{symbols, value};
 use super::derive::{LAPLACE, Source};
 use super::rule::Relation;
 use crate::expression::{BinaryOp, Expr};
@@ -37,27 +37,30 @@ impl<'a> Sampler<'a> {
     /// A sampler for all names of some expressions.
     pub fn new(expressions: &[&Expr], relations: &'a [Relation]) -> Self {
         let sides = relations.iter().flat_map(|r| [&r.left, &r.right]);
-        let all = expressions.iter().copied().chain(sides).flat_map(Expr::names);
+        let all = expressions.iter().copied().chain(sides).flat_map(symbols);
         let mut names: Vec<String> = all.filter(|name| *name != LAPLACE).map(String::from).collect();
         names.sort();
         names.dedup();
         Self { names, relations, random: ChaCha8Rng::seed_from_u64(1978) }
     }
 
-    /// Values between 0.3 and 3, or none where the relations have no such point.
+    /// Values between 0.3 and 3 for all names but the fixed ones; none where the relations have no such point.
     ///
     /// # Errors
     /// Bad input, where a relation between given values does not hold.
-    pub fn draw(&mut self) -> Result<Option<Values>> {
+    pub fn draw(&mut self, fixed: &Values) -> Result<Option<Values>> {
+        let random = &mut self.random;
         let mut values: Values = self
             .names
             .iter()
-            .map(|name| (name.clone(), 10f64.powf(self.random.random_range(-0.5..0.5))))
+            .map(|name| (name.clone(), 10f64.powf(random.random_range(-0.5..0.5))))
             .collect();
+        values.extend(fixed.clone());
         let mut solved: Vec<&str> = Vec::new();
         for relation in self.relations {
             let free = powers(&relation.left).into_iter().find(|(name, power)| {
-                *power != 0.0 && !relation.right.mentions(name) && !solved.contains(name)
+                let taken = solved.contains(name) || fixed.contains_key(*name);
+                *power != 0.0 && !relation.right.mentions(name) && !taken
             });
             match free {
                 Some((name, power)) => {
@@ -83,7 +86,7 @@ pub fn completed(values: &Values, relations: &[Relation]) -> Result<Values> {
             *power != 0.0 && !relation.right.mentions(name) && !values.contains_key(*name)
         });
         let known = |e: &Expr| {
-            e.names().iter().all(|n| values.contains_key(*n) || missing.is_some_and(|m| m.0 == *n))
+            symbols(e).iter().all(|n| values.contains_key(*n) || missing.is_some_and(|m| m.0 == *n))
         };
         if !known(&relation.left) || !known(&relation.right) {
             continue;
@@ -142,7 +145,7 @@ pub fn check(source: &Source, times: &Expr, relations: &[Relation], derived: &Ex
     let mut sampler = Sampler::new(&expressions, relations);
     let mut agreed = 0;
     for _ in 0..MOST_DRAWS {
-        let Some(values) = sampler.draw()? else { continue };
+        let Some(values) = sampler.draw(&Values::new())? else { continue };
         let of = |name: &str| values.get(name).copied();
         let Some(mean) = numeric(source, &values)? else { continue };
         let times = value(times, &of)?;

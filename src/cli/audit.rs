@@ -1,0 +1,128 @@
+//! `gyrospec audit`: is a printed formula right?
+
+use super::{Outcome, input, output::Sink};
+use crate::Result;
+use crate::symbolic::{AuditRequest, Examined, audit, seed_audit, seed_audit_text};
+use clap::{Args, ValueEnum};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// Examine printed formulas: dimensions, value, limits, identities and worked examples.
+#[derive(Args)]
+#[command(after_help = HELP)]
+pub struct Audit {
+    /// A TOML file of printed formulas; - is standard input.
+    #[arg(required_unless_present_any = ["seed", "example"])]
+    file: Option<PathBuf>,
+    /// Examine the formulas of the two papers of 1978.
+    #[arg(long, conflicts_with = "file")]
+    seed: bool,
+    /// Print the file behind --seed, as an example of the form.
+    #[arg(long, conflicts_with_all = ["file", "seed"])]
+    example: bool,
+    /// Show only what is wrong.
+    #[arg(long)]
+    wrong: bool,
+    /// The form of the result.
+    #[arg(long, value_enum, default_value = "text")]
+    format: Format,
+    /// Where the result goes; - is standard output.
+    #[arg(long, default_value = "-")]
+    out: PathBuf,
+}
+
+const HELP: &str = "\
+The file:
+  title = \"…\"
+  relations = [\"b^2 = mu^2 + eps^2\"]       hold throughout, solved for a product of powers
+  [units]                                   of every symbol; without it dimensions are not examined
+  mu = \"1/s\"
+  [[formulas]]
+  name = \"(3.4)\"
+  printed = \"…\"                             an expression, or an equation  left = right
+  unit = \"rad^2/s^3\"                        optional: of the printed expression
+  right = \"…\"                               optional: what it should be, or
+  [formulas.derive]                         what it is derived from, as in a file of `gyrospec formula`
+  [[formulas.limits]]                       says, symbol, to, becomes, given = [relations]
+  [[formulas.identities]]                   says, zero (in which `printed` stands for the formula)
+  [[formulas.examples]]                     says, values = { … } in the units above, result = \"…\", unit
+`gyrospec audit --example` prints a whole file. Exit code 1: something is wrong.";
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Text,
+    Json,
+}
+
+/// Runs the subcommand.
+pub fn run(call: &Audit) -> Result<Outcome> {
+    let sink = Sink::open(&call.out)?;
+    if call.example {
+        sink.finish(seed_audit_text().as_bytes())?;
+        return Ok(Outcome::Done);
+    }
+    let request = match &call.file {
+        Some(path) => AuditRequest::parse(&input::text(path)?).map_err(|e| e.with_file(path))?,
+        None => seed_audit()?,
+    };
+    let mut examined = audit(&request)?;
+    let wrong = examined.iter().filter(|one| !one.holds()).count();
+    let all = examined.len();
+    if call.wrong {
+        examined.retain(|one| !one.holds());
+    }
+    let text = match call.format {
+        Format::Text => format!("{}{wrong} of {all} formulas are wrong\n", text(&request.title, &examined)),
+        Format::Json => json(&request.title, &examined),
+    };
+    sink.finish(text.as_bytes())?;
+    Ok(if wrong > 0 { Outcome::Found } else { Outcome::Done })
+}
+
+fn text(title: &str, examined: &[Examined]) -> String {
+    let mut text = format!("{title}\n\n");
+    for one in examined {
+        let says = if one.says.is_empty() { String::new() } else { format!(": {}", one.says) };
+        let _ = writeln!(text, "{}{says}", one.name);
+        let _ = writeln!(text, "  printed     {}", one.printed);
+        if let Some(right) = &one.right {
+            let _ = writeln!(text, "  right       {right}");
+        }
+        for check in &one.checks {
+            let mark = if check.holds { "ok" } else { "WRONG" };
+            let says = check.says.replace('\n', "\n                    ");
+            let _ = writeln!(text, "  {:<11} {mark:<5} {says}", check.kind.name());
+        }
+        text.push('\n');
+    }
+    text
+}
+
+fn json(title: &str, examined: &[Examined]) -> String {
+    let formulas: Vec<_> = examined
+        .iter()
+        .map(|one| {
+            let checks: Vec<_> = one
+                .checks
+                .iter()
+                .map(|check| {
+                    serde_json::json!({
+                        "kind": check.kind.name(),
+                        "holds": check.holds,
+                        "says": check.says,
+                        "ratio": check.ratio.filter(|ratio| ratio.is_finite()),
+                    })
+                })
+                .collect();
+            serde_json::json!({
+                "name": one.name,
+                "says": one.says,
+                "printed": one.printed,
+                "right": one.right,
+                "holds": one.holds(),
+                "checks": checks,
+            })
+        })
+        .collect();
+    format!("{:#}\n", serde_json::json!({"schema": "gyrospec.audit/1", "title": title, "formulas": formulas}))
+}

@@ -1,0 +1,176 @@
+//! Where two expressions differ, and by which number.
+
+use crate::Result;
+use crate::expression::{BinaryOp, Expr};
+use crate::symbolic::{Relation, Sampler, Simplifier, Values, value};
+
+/// Points at which a ratio is tried.
+const POINTS: usize = 12;
+
+/// A difference: what is printed and what should be there; one of them may be missing.
+pub type Place = (Option<Expr>, Option<Expr>);
+
+/// Whether two expressions are equal under the relations.
+pub fn same(x: &Expr, y: &Expr, simplifier: &Simplifier) -> bool {
+    if x == y {
+        return true;
+    }
+    match simplifier.vanishes(&(x.clone() - y.clone())) {
+        Ok(zero) => zero,
+        Err(_) => {
+            constant_ratio(x, y, &simplifier.relations).is_ok_and(|ratio| ratio.is_some_and(|r| near(r, 1.0)))
+        }
+    }
+}
+
+fn near(x: f64, y: f64) -> bool {
+    (x - y).abs() <= 1e-9 * y.abs()
+}
+
+/// y/x, if it is one number at random points.
+///
+/// # Errors
+/// Bad input, where a relation does not hold.
+pub fn constant_ratio(x: &Expr, y: &Expr, relations: &[Relation]) -> Result<Option<f64>> {
+    let mut sampler = Sampler::new(&[x, y], relations);
+    let mut ratios: Vec<f64> = Vec::new();
+    for _ in 0..40 * POINTS {
+        let Some(values) = sampler.draw(&Values::new())? else { continue };
+        let of = |name: &str| values.get(name).copied();
+        ratios.push(value(y, &of)? / value(x, &of)?);
+        if ratios.len() == POINTS {
+            return Ok(ratios.iter().all(|r| r.is_finite() && near(*r, ratios[0])).then_some(ratios[0]));
+        }
+    }
+    Ok(None)
+}
+
+/// A number in words: as a simple fraction times a power of π where it is one.
+pub fn in_words(number: f64) -> String {
+    use std::f64::consts::PI;
+    for (power, below) in [(1.0, ""), (PI, ""), (PI * PI, ""), (1.0 / PI, "π"), (1.0 / (PI * PI), "π²")] {
+        for denominator in 1..=24 {
+            let numerator = number / power * f64::from(denominator);
+            let whole = numerator.round();
+            if whole != 0.0 && whole.abs() <= 1000.0 && near(numerator, whole) {
+                return fraction(whole, denominator, power, below);
+            }
+        }
+    }
+    let decade = number.abs().log10();
+    if near(decade, decade.round()) { format!("10^{}", decade.round()) } else { format!("{number:.6}") }
+}
+
+fn fraction(whole: f64, denominator: i32, power: f64, below: &str) -> String {
+    let pi = match power {
+        p if p <= 1.0 => "",
+        p if p < 4.0 => "π",
+        _ => "π²",
+    };
+    let above = match (whole, pi) {
+        (_, "") => format!("{whole}"),
+        (1.0, _) => pi.into(),
+        _ => format!("{whole}{pi}"),
+    };
+    match (denominator, below) {
+        (1, "") => above,
+        (1, _) => format!("{above}/{below}"),
+        (_, "") => format!("{above}/{denominator}"),
+        _ => format!("{above}/({denominator}{below})"),
+    }
+}
+
+/// The smallest parts in which a printed expression differs from the right one.
+pub fn differences(printed: &Expr, right: &Expr, simplifier: &Simplifier) -> Vec<Place> {
+    if same(printed, right, simplifier) {
+        return Vec::new();
+    }
+    let sums = (terms(printed, false), terms(right, false));
+    if sums.0.len() > 1 || sums.1.len() > 1 {
+        let (left, right) = unmatched(sums.0, sums.1, simplifier);
+        return paired(left, right, simplifier);
+    }
+    let products = (factors(printed, false), factors(right, false));
+    if products.0.len() > 1 || products.1.len() > 1 {
+        let (left, over) = unmatched(products.0, products.1, simplifier);
+        if let ([(x, below_x)], [(y, below_y)]) = (left.as_slice(), over.as_slice())
+            && below_x == below_y
+        {
+            return differences(x, y, simplifier);
+        }
+        return vec![(joined(&left), joined(&over))];
+    }
+    if let (Expr::Call(f, x), Expr::Call(g, y)) = (printed, right)
+        && f == g
+        && let ([x], [y]) = (x.as_slice(), y.as_slice())
+    {
+        return differences(x, y, simplifier);
+    }
+    vec![(Some(printed.clone()), Some(right.clone()))]
+}
+
+/// A part of a sum or product; the flag is its minus, or that it stands below the line.
+type Part = (Expr, bool);
+
+fn unmatched(left: Vec<Part>, mut right: Vec<Part>, simplifier: &Simplifier) -> (Vec<Part>, Vec<Part>) {
+    let mut rest = Vec::new();
+    for part in left {
+        match right.iter().position(|other| other.1 == part.1 && same(&other.0, &part.0, simplifier)) {
+            Some(place) => {
+                right.remove(place);
+            }
+            None => rest.push(part),
+        }
+    }
+    (rest, right)
+}
+
+/// Terms that are left over are held against those with most names in common.
+fn paired(left: Vec<Part>, mut right: Vec<Part>, simplifier: &Simplifier) -> Vec<Place> {
+    let mut places = Vec::new();
+    for (x, minus) in left {
+        let shared = |y: &Expr| y.names().intersection(&x.names()).count();
+        let best = (0..right.len()).max_by_key(|k| shared(&right[*k].0)).filter(|k| shared(&right[*k].0) > 0);
+        match best.map(|k| right.remove(k)) {
+            Some((y, other)) if minus == other => places.extend(differences(&x, &y, simplifier)),
+            Some((y, other)) => places.push((Some(signed(x, minus)), Some(signed(y, other)))),
+            None => places.push((Some(signed(x, minus)), None)),
+        }
+    }
+    places.extend(right.into_iter().map(|(y, minus)| (None, Some(signed(y, minus)))));
+    places
+}
+
+fn signed(term: Expr, minus: bool) -> Expr {
+    if minus { -term } else { term }
+}
+
+fn joined(parts: &[Part]) -> Option<Expr> {
+    let side = |below: bool| {
+        parts.iter().filter(|part| part.1 == below).map(|part| part.0.clone()).reduce(|x, y| x * y)
+    };
+    match (side(false), side(true)) {
+        (above, Some(below)) => Some(above.unwrap_or(Expr::Number(1.0)) / below),
+        (above, None) => above,
+    }
+}
+
+/// The terms of a sum with their signs.
+fn terms(expression: &Expr, minus: bool) -> Vec<Part> {
+    match expression {
+        Expr::Neg(inner) => terms(inner, !minus),
+        Expr::Binary(BinaryOp::Add, x, y) => [terms(x, minus), terms(y, minus)].concat(),
+        Expr::Binary(BinaryOp::Sub, x, y) => [terms(x, minus), terms(y, !minus)].concat(),
+        _ => vec![(expression.clone(), minus)],
+    }
+}
+
+/// The factors of a product and whether they stand below the line.
+fn factors(expression: &Expr, below: bool) -> Vec<Part> {
+    match expression {
+        Expr::Binary(BinaryOp::Mul, x, y) => [factors(x, below), factors(y, below)].concat(),
+        Expr::Binary(BinaryOp::Div, x, y) => [factors(x, below), factors(y, !below)].concat(),
+        Expr::Neg(inner) => [vec![(Expr::number(-1.0), below)], factors(inner, below)].concat(),
+        _ => vec![(expression.clone(), below)],
+    }
+}

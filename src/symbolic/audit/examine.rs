@@ -1,0 +1,279 @@
+//! The checks of one formula.
+
+use super::compare::{Place, constant_ratio, differences, in_words, same};
+use super::request::{AuditRequest, ExampleEntry, FormulaEntry, IdentityEntry, LimitEntry};
+use super::{Check, CheckKind, Examined};
+use crate::expression::{Expr, Scope};
+use crate::symbolic::{Formula, Relation, Sampler, Simplifier, Values, completed, formula, value};
+use crate::units::Unit;
+use crate::{Error, Result};
+use std::collections::BTreeMap;
+
+/// Points at which a limit is tried.
+const POINTS: usize = 8;
+/// How near a symbol is brought to its limit, and how well the formula must then agree.
+const NEAR: f64 = 1e-7;
+const CLOSE: f64 = 1e-4;
+
+/// A printed formula: an expression, or both sides of an equation.
+struct Printed {
+    left: Option<Expr>,
+    right: Expr,
+}
+
+impl Printed {
+    fn read(text: &str) -> Result<Self> {
+        match text.split_once('=') {
+            Some((left, right)) => Ok(Self { left: Some(Expr::parse(left)?), right: Expr::parse(right)? }),
+            None => Ok(Self { left: None, right: Expr::parse(text)? }),
+        }
+    }
+
+    /// One expression: the left side less the right one.
+    fn whole(&self) -> Expr {
+        match &self.left {
+            Some(left) => left.clone() - self.right.clone(),
+            None => self.right.clone(),
+        }
+    }
+
+    fn text(&self) -> String {
+        let right = Formula { name: String::new(), by: Vec::new(), expression: self.right.clone() }.text();
+        let right = right.trim_start_matches([' ', '=']);
+        match &self.left {
+            Some(left) => format!("{} = {right}", shown(left)),
+            None => right.to_owned(),
+        }
+    }
+}
+
+fn shown(expression: &Expr) -> String {
+    let formula = Formula { name: String::new(), by: Vec::new(), expression: expression.clone() };
+    formula.text().trim_start_matches([' ', '=']).to_owned()
+}
+
+/// What all checks of one formula need.
+struct Bench<'a> {
+    printed: Printed,
+    right: Option<Printed>,
+    simplifier: Simplifier,
+    units: BTreeMap<&'a str, Unit>,
+}
+
+/// Examines one formula.
+pub fn examine(request: &AuditRequest, entry: &FormulaEntry) -> Result<Examined> {
+    let bench = Bench::new(request, entry).map_err(|e| within(&entry.name, &e))?;
+    let mut checks = Vec::new();
+    if !bench.units.is_empty() {
+        checks.push(bench.dimensions(entry)?);
+    }
+    checks.extend(bench.value()?);
+    for limit in &entry.limits {
+        checks.push(bench.limit(limit).map_err(|e| within(&entry.name, &e))?);
+    }
+    for identity in &entry.identities {
+        checks.push(bench.identity(identity)?);
+    }
+    for example in &entry.examples {
+        checks.push(bench.example(example).map_err(|e| within(&entry.name, &e))?);
+    }
+    Ok(Examined {
+        name: entry.name.clone(),
+        says: entry.says.clone(),
+        printed: bench.printed.text(),
+        right: bench.right.as_ref().map(Printed::text),
+        checks,
+    })
+}
+
+fn within(name: &str, e: &Error) -> Error {
+    Error::new(e.kind(), format!("formula {name}: {e}"))
+}
+
+impl<'a> Bench<'a> {
+    fn new(request: &'a AuditRequest, entry: &'a FormulaEntry) -> Result<Self> {
+        let mut units = BTreeMap::new();
+        for (name, unit) in request.units.iter().chain(&entry.units) {
+            units.insert(name.as_str(), Unit::parse(unit)?);
+        }
+        let relations =
+            request.relations.iter().map(|text| Relation::parse(text)).collect::<Result<Vec<_>>>()?;
+        let mut simplifier = Simplifier { relations, ..Simplifier::default() };
+        let right = match (&entry.right, &entry.derive) {
+            (Some(_), Some(_)) => {
+                return Err(Error::bad_input("both 'right' and 'derive' are given; one is enough"));
+            }
+            (Some(text), None) => Some(Printed::read(text)?),
+            (None, Some(derive)) => {
+                let own = derive.simplifier()?;
+                simplifier.relations.extend(own.relations);
+                simplifier.keep = own.keep;
+                simplifier.order = own.order;
+                let derived = formula(&derive.derivation()?, &simplifier)?;
+                Some(Printed { left: None, right: derived.formula.expression })
+            }
+            (None, None) => None,
+        };
+        Ok(Self { printed: Printed::read(&entry.printed)?, right, simplifier, units })
+    }
+
+    fn dimensions(&self, entry: &FormulaEntry) -> Result<Check> {
+        let scope: Scope =
+            self.units.iter().map(|(name, unit)| ((*name).to_owned(), unit.dimension())).collect();
+        let whole = self.printed.whole();
+        let wrong = match &entry.unit {
+            Some(unit) => {
+                let wanted = Unit::parse(unit)?.dimension();
+                whole.expect_dimension(wanted, &scope, &whole.to_string()).err()
+            }
+            None => whole.dimension(&scope).err(),
+        };
+        Ok(Check {
+            kind: CheckKind::Dimensions,
+            holds: wrong.is_none(),
+            says: wrong.map_or_else(|| "every term has the right dimension".into(), |e| e.to_string()),
+            ratio: None,
+        })
+    }
+
+    fn value(&self) -> Result<Option<Check>> {
+        let Some(right) = &self.right else { return Ok(None) };
+        let (printed, wanted) = (self.printed.whole(), right.whole());
+        if same(&printed, &wanted, &self.simplifier) {
+            let says = "equal to the right formula".into();
+            return Ok(Some(Check { kind: CheckKind::Value, holds: true, says, ratio: Some(1.0) }));
+        }
+        let ratio = constant_ratio(&printed, &wanted, &self.simplifier.relations)?;
+        let says = match ratio {
+            Some(ratio) => format!("wrong by a constant: right/printed = {}", in_words(ratio)),
+            None => places(&self.differences(right)),
+        };
+        Ok(Some(Check { kind: CheckKind::Value, holds: false, says, ratio }))
+    }
+
+    /// Equations are compared side by side.
+    fn differences(&self, right: &Printed) -> Vec<Place> {
+        let sides = |x: &Expr, y: &Expr| differences(x, y, &self.simplifier);
+        match (&self.printed.left, &right.left) {
+            (Some(x), Some(y)) => [sides(x, y), sides(&self.printed.right, &right.right)].concat(),
+            _ => sides(&self.printed.whole(), &right.whole()),
+        }
+    }
+
+    fn limit(&self, limit: &LimitEntry) -> Result<Check> {
+        let (printed, becomes) = (self.printed.whole(), Expr::parse(&limit.becomes)?);
+        let mut relations = self.simplifier.relations.clone();
+        for text in &limit.given {
+            relations.push(Relation::parse(text)?);
+        }
+        let near = if limit.to == 0.0 { NEAR } else { limit.to * (1.0 + NEAR) };
+        let fixed = Values::from([(limit.symbol.clone(), near)]);
+        let mut sampler = Sampler::new(&[&printed, &becomes], &relations);
+        let mut ratios = Vec::new();
+        for _ in 0..40 * POINTS {
+            let Some(values) = sampler.draw(&fixed)? else { continue };
+            let of = |name: &str| values.get(name).copied();
+            ratios.push(value(&becomes, &of)? / value(&printed, &of)?);
+            if ratios.len() == POINTS {
+                break;
+            }
+        }
+        let name = format!("{} → {}", limit.symbol, limit.to);
+        let about = if limit.says.is_empty() { name } else { format!("{name} ({})", limit.says) };
+        Ok(judged(&ratios, &about, &shown(&becomes)))
+    }
+
+    fn identity(&self, identity: &IdentityEntry) -> Result<Check> {
+        let zero = Expr::parse(&identity.zero)?.substitute("printed", &self.printed.whole());
+        let rest = self.simplifier.simplify(&zero)?;
+        let holds = rest == Expr::Number(0.0);
+        let says = match (holds, identity.says.as_str()) {
+            (true, about) => format!("holds: {about}"),
+            (false, about) => format!("broken ({about}): {} is left where 0 must be", shown(&rest)),
+        };
+        Ok(Check { kind: CheckKind::Identity, holds, says, ratio: None })
+    }
+
+    fn example(&self, example: &ExampleEntry) -> Result<Check> {
+        let unit = Unit::parse(&example.unit)?;
+        let printed: f64 = example.result.parse().map_err(|_| {
+            Error::bad_input(format!("the result '{}' of an example is no number", example.result))
+        })?;
+        let mut values = Values::new();
+        for (name, number) in &example.values {
+            let si = self.units.get(name.as_str()).map_or(*number, |unit| unit.to_si(*number));
+            values.insert(name.clone(), si);
+        }
+        let values = completed(&values, &self.simplifier.relations)?;
+        let of = |name: &str| values.get(name).copied();
+        let own = unit.from_si(value(&self.printed.right, &of)?);
+        let tolerance = half_last_digit(&example.result);
+        let holds = (own - printed).abs() <= tolerance;
+        let mut says = format!(
+            "{}: the printed formula gives {own:.4e} {}, {} is printed",
+            example.says,
+            unit.text(),
+            example.result
+        );
+        if let Some(right) = &self.right {
+            let right = unit.from_si(value(&right.right, &of)?);
+            says += &format!("; the right formula gives {right:.4e}");
+        }
+        let decades = (own / printed).abs().log10();
+        if decades.abs() > 1.5 {
+            says += &format!(
+                "; that is some 10^{:.0} times as much: check the units of the numbers put in",
+                decades
+            );
+        }
+        Ok(Check { kind: CheckKind::Example, holds, says, ratio: (!holds).then_some(own / printed) })
+    }
+}
+
+/// Half a unit of the last printed digit.
+fn half_last_digit(text: &str) -> f64 {
+    let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+    0.5000001 * 10f64.powi(exponent.parse().unwrap_or(0) - decimals as i32)
+}
+
+fn judged(ratios: &[f64], about: &str, becomes: &str) -> Check {
+    let constant =
+        ratios.first().filter(|first| ratios.iter().all(|r| ((r - *first) / *first).abs() < CLOSE)).copied();
+    let holds = constant.is_some_and(|ratio| (ratio - 1.0).abs() < CLOSE);
+    let rounded = |ratio: f64| {
+        let words = in_words(snapped(ratio));
+        format!("{about}: off by a constant, wanted/printed = {words}")
+    };
+    let says = match (holds, constant) {
+        (true, _) => format!("{about}: turns into {becomes}"),
+        (false, Some(ratio)) => rounded(ratio),
+        (false, None) => format!("{about}: does not turn into {becomes}"),
+    };
+    Check { kind: CheckKind::Limit, holds, says, ratio: constant }
+}
+
+/// A number found near a limit, moved onto the simple multiple of a power of π that it is close to.
+fn snapped(ratio: f64) -> f64 {
+    use std::f64::consts::PI;
+    for unit in [1.0, PI, 1.0 / PI] {
+        for denominator in 1..=12 {
+            let step = unit / f64::from(denominator);
+            let near = (ratio / step).round() * step;
+            if near != 0.0 && ((ratio - near) / near).abs() < 1e-6 {
+                return near;
+            }
+        }
+    }
+    ratio
+}
+
+fn places(places: &[Place]) -> String {
+    let say = |place: &Place| match place {
+        (Some(printed), Some(right)) => format!("printed {}, must be {}", shown(printed), shown(right)),
+        (Some(printed), None) => format!("{} does not belong there", shown(printed)),
+        (None, Some(right)) => format!("{} is missing", shown(right)),
+        (None, None) => String::new(),
+    };
+    format!("wrong: {}", places.iter().map(say).collect::<Vec<_>>().join("; "))
+}

@@ -1,0 +1,96 @@
+//! The audit finds every slip of the two papers, and none where there is none.
+
+use gyrospec::symbolic::{AuditRequest, Check, CheckKind, Examined, audit, seed_audit};
+
+fn seed() -> Vec<Examined> {
+    audit(&seed_audit().unwrap()).unwrap()
+}
+
+fn check<'a>(examined: &'a [Examined], name: &str, kind: CheckKind) -> &'a Check {
+    let one = examined.iter().find(|one| one.name == name).unwrap();
+    one.checks.iter().find(|check| check.kind == kind).unwrap()
+}
+
+/// Slip by slip: the formula, the check that finds it, and what it must say.
+#[test]
+fn every_slip_of_the_papers_is_found_and_placed() {
+    let examined = seed();
+    for (name, kind, says) in [
+        ("Example 2.1", CheckKind::Dimensions, "unit"),
+        ("(3.1), line 1", CheckKind::Dimensions, "U*x1*cos(phi)"),
+        ("(3.1), line 1", CheckKind::Value, "printed x2, must be x2_d"),
+        ("(3.1), line 1", CheckKind::Value, "printed −"),
+        ("(3.1), line 2", CheckKind::Dimensions, "^"),
+        ("(3.1), line 2", CheckKind::Value, "printed x1, must be x1_d"),
+        ("(3.1), line 3", CheckKind::Dimensions, "^"),
+        ("(3.1), line 3", CheckKind::Value, "printed x3, must be x3_d"),
+        ("(3.1), line 4", CheckKind::Dimensions, "^"),
+        ("(3.1), line 4", CheckKind::Value, "printed x4, must be x4_d"),
+        ("(3.2), line 1", CheckKind::Value, "printed m2, must be m2_d"),
+        ("text after (3.2)", CheckKind::Dimensions, "^"),
+        ("text after (3.2)", CheckKind::Value, "printed m4, must be m1"),
+        ("(3.4)", CheckKind::Dimensions, "b^2"),
+        ("(3.4)", CheckKind::Value, "printed b², must be b⁴"),
+        ("(3.5)", CheckKind::Dimensions, "^"),
+        ("(3.5)", CheckKind::Value, "theta_dd"),
+        ("(3.6)", CheckKind::Dimensions, "b^2"),
+        ("(3.6)", CheckKind::Value, "printed b², must be b⁴"),
+        ("result after (3.13)", CheckKind::Value, "right/printed = 2π"),
+        ("result after (3.13)", CheckKind::Limit, "wanted/printed = 2π"),
+        ("result after (3.13)", CheckKind::Example, "-1.2492e-2 rad, -0.0131 is printed"),
+        ("gimbal (1), gyroscopic coefficient of line 1", CheckKind::Value, "−I_x is missing"),
+        ("gimbal (1), gyroscopic coefficient of line 1", CheckKind::Identity, "do no work"),
+        ("gimbal (1), line 1", CheckKind::Dimensions, "^"),
+        ("gimbal (1), line 1", CheckKind::Value, "printed β, must be β_d"),
+        ("gimbal (1), line 1", CheckKind::Value, "−I_x is missing"),
+        ("gimbal (1), line 2", CheckKind::Dimensions, "^"),
+        ("gimbal (1), line 2", CheckKind::Value, "printed α, must be α_d"),
+        ("gimbal (1), line 2", CheckKind::Value, "printed Θ_d, must be Θ_dd"),
+        ("gimbal (1), line 2", CheckKind::Value, "printed Ψ_d, must be Ψ_dd"),
+    ] {
+        let found = check(&examined, name, kind);
+        assert!(!found.holds, "{name}: {}", found.says);
+        let text = found.says.replace("θ_dd", "theta_dd");
+        assert!(text.contains(says), "{name}: {}", found.says);
+    }
+}
+
+#[test]
+fn what_is_printed_right_passes() {
+    let examined = seed();
+    let sound: Vec<&str> = examined.iter().filter(|one| one.holds()).map(|one| one.name.as_str()).collect();
+    assert_eq!(sound, ["(2.4)", "(3.13)"]);
+    // a right dimension beside a wrong constant
+    assert!(check(&examined, "result after (3.13)", CheckKind::Dimensions).holds);
+}
+
+#[test]
+fn the_constant_is_recognised() {
+    let ratio = |printed: &str, right: &str| {
+        let request = format!(
+            "relations = ['c^2 = a^2 + d^2']\n[[formulas]]\nname = 'x'\nprinted = '{printed}'\nright = '{right}'\n"
+        );
+        let examined = audit(&AuditRequest::parse(&request).unwrap()).unwrap();
+        examined[0].checks[0].says.clone()
+    };
+    for (printed, right, says) in [
+        ("a*sin(K)*3", "a*sin(K)", "1/3"),
+        ("a/pi^2", "a", "π²"),
+        ("a*c^2", "-(a^3 + a*d^2)/(4*pi)", "-1/(4π)"),
+        ("1000*a", "a", "1/1000"),
+        ("a", "a", "equal"),
+        ("a*c^2", "a^3 + a*d^2", "equal"),
+        ("a + d", "a - d", "printed d, must be −d"),
+        ("a*exp(-d*K)", "a*exp(-2*d*K)", "must be"),
+    ] {
+        assert!(ratio(printed, right).contains(says), "{printed}: {}", ratio(printed, right));
+    }
+}
+
+#[test]
+fn a_request_that_cannot_be_read_says_where() {
+    let error = AuditRequest::parse("[[formulas]]\nname = 'x'\nprintd = 'a'\n").unwrap_err();
+    assert!(error.to_string().contains("printd"), "{error}");
+    let request = AuditRequest::parse("[[formulas]]\nname = 'x'\nprinted = 'a +'\n").unwrap();
+    assert!(audit(&request).unwrap_err().to_string().contains("formula x"));
+}
