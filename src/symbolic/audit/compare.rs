@@ -3,6 +3,7 @@
 use crate::Result;
 use crate::expression::{BinaryOp, Expr};
 use crate::symbolic::{Relation, Sampler, Simplifier, Values, value};
+use std::collections::BTreeSet;
 
 /// Points at which a ratio is tried.
 const POINTS: usize = 12;
@@ -87,18 +88,22 @@ pub fn differences(printed: &Expr, right: &Expr, simplifier: &Simplifier) -> Vec
     }
     let sums = (terms(printed, false), terms(right, false));
     if sums.0.len() > 1 || sums.1.len() > 1 {
-        let (left, right) = unmatched(sums.0, sums.1, simplifier);
-        return paired(left, right, simplifier);
+        let (pairs, left, over) = matched(sums.0, sums.1, simplifier);
+        let inner = pairs.iter().flat_map(|(x, y)| differences(x, y, simplifier));
+        let extra = left.into_iter().map(|(x, minus)| (Some(signed(x, minus)), None));
+        let missing = over.into_iter().map(|(y, minus)| (None, Some(signed(y, minus))));
+        return inner.chain(extra).chain(missing).collect();
     }
     let products = (factors(printed, false), factors(right, false));
     if products.0.len() > 1 || products.1.len() > 1 {
-        let (left, over) = unmatched(products.0, products.1, simplifier);
-        if let ([(x, below_x)], [(y, below_y)]) = (left.as_slice(), over.as_slice())
-            && below_x == below_y
-        {
-            return differences(x, y, simplifier);
+        let (pairs, left, over) = matched(products.0, products.1, simplifier);
+        let sign = |parts: &[Part]| matches!(parts, [(Expr::Neg(one), _)] if **one == Expr::Number(1.0));
+        if pairs.is_empty() && (sign(&left) && over.is_empty() || left.is_empty() && sign(&over)) {
+            return vec![(Some(printed.clone()), Some(right.clone()))];
         }
-        return vec![(joined(&left), joined(&over))];
+        let inner = pairs.iter().flat_map(|(x, y)| differences(x, y, simplifier));
+        let rest = (!left.is_empty() || !over.is_empty()).then(|| (joined(&left), joined(&over)));
+        return inner.chain(rest).collect();
     }
     if let (Expr::Call(f, x), Expr::Call(g, y)) = (printed, right)
         && f == g
@@ -112,7 +117,11 @@ pub fn differences(printed: &Expr, right: &Expr, simplifier: &Simplifier) -> Vec
 /// A part of a sum or product; the flag is its minus, or that it stands below the line.
 type Part = (Expr, bool);
 
-fn unmatched(left: Vec<Part>, mut right: Vec<Part>, simplifier: &Simplifier) -> (Vec<Part>, Vec<Part>) {
+/// Parts that are like each other but not equal, and the parts that are left over on either side.
+type Matched = (Vec<(Expr, Expr)>, Vec<Part>, Vec<Part>);
+
+/// Takes away what is equal, then pairs what is most alike.
+fn matched(left: Vec<Part>, mut right: Vec<Part>, simplifier: &Simplifier) -> Matched {
     let mut rest = Vec::new();
     for part in left {
         match right.iter().position(|other| other.1 == part.1 && same(&other.0, &part.0, simplifier)) {
@@ -122,23 +131,26 @@ fn unmatched(left: Vec<Part>, mut right: Vec<Part>, simplifier: &Simplifier) -> 
             None => rest.push(part),
         }
     }
-    (rest, right)
-}
-
-/// Terms that are left over are held against those with most names in common.
-fn paired(left: Vec<Part>, mut right: Vec<Part>, simplifier: &Simplifier) -> Vec<Place> {
-    let mut places = Vec::new();
-    for (x, minus) in left {
-        let shared = |y: &Expr| y.names().intersection(&x.names()).count();
-        let best = (0..right.len()).max_by_key(|k| shared(&right[*k].0)).filter(|k| shared(&right[*k].0) > 0);
-        match best.map(|k| right.remove(k)) {
-            Some((y, other)) if minus == other => places.extend(differences(&x, &y, simplifier)),
-            Some((y, other)) => places.push((Some(signed(x, minus)), Some(signed(y, other)))),
-            None => places.push((Some(signed(x, minus)), None)),
+    let (mut pairs, mut alone) = (Vec::new(), Vec::new());
+    let single = rest.len() == 1 && right.len() == 1;
+    for (x, flag) in rest {
+        let score =
+            |part: &Part| if part.1 == flag { likeness(&x, &part.0) + usize::from(single) } else { 0 };
+        let best = (0..right.len()).rev().max_by_key(|k| score(&right[*k])).filter(|k| score(&right[*k]) > 0);
+        match best {
+            Some(place) => pairs.push((x, right.remove(place).0)),
+            None => alone.push((x, flag)),
         }
     }
-    places.extend(right.into_iter().map(|(y, minus)| (None, Some(signed(y, minus)))));
-    places
+    (pairs, alone, right)
+}
+
+/// How many names two expressions share; names that differ after `_` count half.
+fn likeness(x: &Expr, y: &Expr) -> usize {
+    let stem = |name: &str| name.split('_').next().unwrap_or_default().to_owned();
+    let (x, y) = (x.names(), y.names());
+    let stems: BTreeSet<String> = y.iter().map(|name| stem(name)).collect();
+    2 * x.intersection(&y).count() + x.difference(&y).filter(|name| stems.contains(&stem(name))).count()
 }
 
 fn signed(term: Expr, minus: bool) -> Expr {

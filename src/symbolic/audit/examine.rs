@@ -4,6 +4,7 @@ use super::compare::{Place, constant_ratio, differences, in_words, same};
 use super::request::{AuditRequest, ExampleEntry, FormulaEntry, IdentityEntry, LimitEntry};
 use super::{Check, CheckKind, Examined};
 use crate::expression::{Expr, Scope};
+use crate::symbolic::formula::leading_minus;
 use crate::symbolic::{Formula, Relation, Sampler, Simplifier, Values, completed, formula, value};
 use crate::units::Unit;
 use crate::{Error, Result};
@@ -32,7 +33,10 @@ impl Printed {
     /// One expression: the left side less the right one.
     fn whole(&self) -> Expr {
         match &self.left {
-            Some(left) => left.clone() - self.right.clone(),
+            Some(left) => match leading_minus(&self.right) {
+                Some(positive) => left.clone() + positive,
+                None => left.clone() - self.right.clone(),
+            },
             None => self.right.clone(),
         }
     }
@@ -145,7 +149,7 @@ impl<'a> Bench<'a> {
         }
         let ratio = constant_ratio(&printed, &wanted, &self.simplifier.relations)?;
         let says = match ratio {
-            Some(ratio) => format!("wrong by a constant: right/printed = {}", in_words(ratio)),
+            Some(ratio) => format!("off by a constant: right/printed = {}", in_words(ratio)),
             None => places(&self.differences(right)),
         };
         Ok(Some(Check { kind: CheckKind::Value, holds: false, says, ratio }))
@@ -275,5 +279,5 @@ fn places(places: &[Place]) -> String {
         (None, Some(right)) => format!("{} is missing", shown(right)),
         (None, None) => String::new(),
     };
-    format!("wrong: {}", places.iter().map(say).collect::<Vec<_>>().join("; "))
+    places.iter().map(say).collect::<Vec<_>>().join("; ")
 }

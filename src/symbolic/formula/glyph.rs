@@ -1,7 +1,7 @@
 //! How names look in print.
 
 /// Names of Greek letters, as text and in LaTeX.
-const GREEK: [(&str, &str, &str); 36] = [
+const GREEK: [(&str, &str, &str); 38] = [
     ("alpha", "α", r"\alpha"),
     ("beta", "β", r"\beta"),
     ("gamma", "γ", r"\gamma"),
@@ -38,6 +38,8 @@ const GREEK: [(&str, &str, &str); 36] = [
     ("Psi", "Ψ", r"\Psi"),
     ("Omega", "Ω", r"\Omega"),
     ("Upsilon", "Υ", r"\Upsilon"),
+    ("om", "ω", r"\omega"),
+    ("Om", "Ω", r"\Omega"),
 ];
 
 /// A name as a letter and its index.

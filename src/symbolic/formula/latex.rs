@@ -1,7 +1,7 @@
 //! Formulas in LaTeX.
 
 use super::glyph::latex_name;
-use super::text::{factors, leading_minus};
+use super::text::{ends_clearly, factors, fraction, leading_minus};
 use crate::expression::{BinaryOp, Expr, Function};
 
 /// The expression in LaTeX, without delimiters.
@@ -17,28 +17,44 @@ pub fn latex(expression: &Expr) -> String {
         Expr::Binary(BinaryOp::Mul | BinaryOp::Div, ..) if leading_minus(expression).is_some() => {
             format!("-{}", leading_minus(expression).as_ref().map(latex).unwrap_or_default())
         }
-        Expr::Binary(BinaryOp::Div, above, below) => {
-            format!(r"\frac{{{}}}{{{}}}", latex(above), latex(below))
-        }
-        Expr::Binary(BinaryOp::Mul, ..) => {
-            let factors: Vec<String> = factors(expression).into_iter().map(factor).collect();
-            let mut line = String::new();
-            for next in factors {
-                let figures = line.ends_with(|c: char| c.is_ascii_digit())
-                    && next.starts_with(|c: char| c.is_ascii_digit());
-                line.push_str(if line.is_empty() {
-                    ""
-                } else if figures {
-                    r" \cdot "
-                } else {
-                    " "
-                });
-                line.push_str(&next);
+        Expr::Binary(BinaryOp::Mul | BinaryOp::Div, ..) => {
+            let (above, below) = fraction(expression);
+            if below.is_empty() {
+                joined(&above)
+            } else {
+                format!(r"\frac{{{}}}{{{}}}", side(&above), side(&below))
             }
-            line
         }
         _ => factor(expression),
     }
+}
+
+/// One side of a line; a sum that stands there alone needs no brackets.
+fn side(factors: &[&Expr]) -> String {
+    if let [one] = factors { latex(one) } else { joined(factors) }
+}
+
+fn joined(factors: &[&Expr]) -> String {
+    let mut line = String::new();
+    for (place, f) in factors.iter().enumerate() {
+        let next = match f {
+            Expr::Call(function, arguments) => {
+                call(*function, arguments, ends_clearly(&factors[place + 1..]))
+            }
+            _ => factor(f),
+        };
+        let figures =
+            line.ends_with(|c: char| c.is_ascii_digit()) && next.starts_with(|c: char| c.is_ascii_digit());
+        line.push_str(if line.is_empty() {
+            ""
+        } else if figures {
+            r" \cdot "
+        } else {
+            " "
+        });
+        line.push_str(&next);
+    }
+    line
 }
 
 fn is_sum(expression: &Expr) -> bool {
@@ -53,7 +69,7 @@ fn factor(expression: &Expr) -> String {
     match expression {
         Expr::Number(value) => number(*value),
         Expr::Name(name) => latex_name(name),
-        Expr::Call(function, arguments) => call(*function, arguments),
+        Expr::Call(function, arguments) => call(*function, arguments, true),
         Expr::Binary(BinaryOp::Pow, base, exponent) => {
             let base = match &**base {
                 simple @ (Expr::Name(_) | Expr::Number(_)) => factor(simple),
@@ -61,7 +77,6 @@ fn factor(expression: &Expr) -> String {
             };
             format!("{base}^{{{}}}", latex(exponent))
         }
-        Expr::Binary(BinaryOp::Div, ..) => latex(expression),
         _ => bracket(expression),
     }
 }
@@ -76,7 +91,8 @@ fn number(value: f64) -> String {
     format!(r"{digits} \cdot 10^{{{exponent}}}")
 }
 
-fn call(function: Function, arguments: &[Expr]) -> String {
+/// A call; `bare` leaves the brackets of a plain argument away.
+fn call(function: Function, arguments: &[Expr], bare: bool) -> String {
     let name = match function {
         Function::Sqrt => return format!(r"\sqrt{{{}}}", arguments.first().map(latex).unwrap_or_default()),
         Function::Abs => {
@@ -96,6 +112,7 @@ fn call(function: Function, arguments: &[Expr]) -> String {
         _ => format!(r"\operatorname{{{}}}", function.name().replace('_', r"\_")),
     };
     if let [argument] = arguments
+        && bare
         && factors(argument).iter().all(|f| matches!(f, Expr::Name(_) | Expr::Number(_)))
     {
         return format!("{name} {}", latex(argument));

@@ -20,6 +20,7 @@ pub use derive::Source;
 pub use request::FormulaRequest;
 pub use rule::Relation;
 pub use seed::irregular_roll;
+pub(super) use text::leading_minus;
 pub use verify::{Mean, Sampler, Values, completed, numeric};
 
 use crate::Result;

@@ -50,17 +50,36 @@ fn bracket(expression: &Expr, depth: usize) -> String {
 }
 
 fn product(expression: &Expr, depth: usize) -> String {
-    if let Expr::Binary(BinaryOp::Div, above, below) = expression {
-        let below_factors = factors(below);
-        let above = joined(&factors(above), depth);
-        let line = if depth == 0 { " / " } else { "/" };
-        return if below_factors.len() == 1 && !matches!(below_factors[0], Expr::Binary(BinaryOp::Div, ..)) {
-            format!("{above}{line}{}", factor(below_factors[0], depth))
-        } else {
-            format!("{above}{line}({})", joined(&below_factors, depth))
-        };
+    let (above, below) = fraction(expression);
+    let line = if depth == 0 { " / " } else { "/" };
+    match below.as_slice() {
+        [] => joined(&above, depth),
+        [one] => format!("{}{line}{}", joined(&above, depth), factor(one, depth)),
+        _ => format!("{}{line}({})", joined(&above, depth), joined(&below, depth)),
     }
-    joined(&factors(expression), depth)
+}
+
+/// The factors above and below the line of a chain of products and quotients; a 1 is left out beside others.
+pub fn fraction(expression: &Expr) -> (Vec<&Expr>, Vec<&Expr>) {
+    let (mut above, mut below) = match expression {
+        Expr::Binary(BinaryOp::Mul, left, right) => {
+            let ((above, below), (more, under)) = (fraction(left), fraction(right));
+            ([above, more].concat(), [below, under].concat())
+        }
+        Expr::Binary(BinaryOp::Div, left, right) => {
+            let ((above, below), (under, more)) = (fraction(left), fraction(right));
+            ([above, more].concat(), [below, under].concat())
+        }
+        _ => (vec![expression], Vec::new()),
+    };
+    let one = |e: &&Expr| **e == Expr::Number(1.0);
+    below.retain(|e| !one(e));
+    if above.iter().any(|e| !one(e)) {
+        above.retain(|e| !one(e));
+    } else {
+        above.truncate(1);
+    }
+    (above, below)
 }
 
 /// The factors of a product, from left to right.
@@ -80,8 +99,13 @@ fn joined(factors: &[&Expr], depth: usize) -> String {
         factors.iter().any(|f| matches!(base(f), Expr::Name(name) if text_name(&name).chars().count() > 1));
     let several = factors.iter().filter(|f| matches!(base(f), Expr::Name(_))).count() > 1;
     let mut line = String::new();
-    for f in factors {
-        let next = factor(f, depth);
+    for (place, f) in factors.iter().enumerate() {
+        let next = match f {
+            Expr::Call(function, arguments) if !ends_clearly(&factors[place + 1..]) => {
+                bracketed_call(*function, arguments, depth)
+            }
+            _ => factor(f, depth),
+        };
         let (last, first) = (line.chars().last(), next.chars().next());
         let calls = matches!(base(f), Expr::Call(..)) || last.is_some_and(|_| line.ends_with(is_argument));
         let letters = |c: Option<char>| c.is_some_and(char::is_alphabetic);
@@ -148,6 +172,16 @@ fn call(function: Function, arguments: &[Expr], depth: usize) -> String {
             _ => format!("{name} {inside}"),
         };
     }
+    bracketed_call(function, arguments, depth)
+}
+
+fn bracketed_call(function: Function, arguments: &[Expr], depth: usize) -> String {
+    let name = if function == Function::Sqrt { "√" } else { function.name() };
     let arguments: Vec<String> = arguments.iter().map(|a| sum(a, depth + 1)).collect();
     format!("{name}({})", arguments.join(", "))
+}
+
+/// Whether an argument without brackets cannot be taken to go on in what follows.
+pub fn ends_clearly(following: &[&Expr]) -> bool {
+    following.first().is_none_or(|next| matches!(next, Expr::Call(..)))
 }
