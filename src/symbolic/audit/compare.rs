@@ -88,11 +88,15 @@ pub fn differences(printed: &Expr, right: &Expr, simplifier: &Simplifier) -> Vec
     }
     let sums = (terms(printed, false), terms(right, false));
     if sums.0.len() > 1 || sums.1.len() > 1 {
-        let (pairs, left, over) = matched(sums.0, sums.1, simplifier);
-        let inner = pairs.iter().flat_map(|(x, y)| differences(x, y, simplifier));
-        let extra = left.into_iter().map(|(x, minus)| (Some(signed(x, minus)), None));
-        let missing = over.into_iter().map(|(y, minus)| (None, Some(signed(y, minus))));
-        return inner.chain(extra).chain(missing).collect();
+        let (pairs, left, mut over) = matched(sums.0, sums.1, simplifier);
+        let mut places: Vec<Place> = pairs.iter().flat_map(|(x, y)| differences(x, y, simplifier)).collect();
+        for (x, minus) in left {
+            let turned =
+                over.iter().position(|(y, _)| same(&x, y, simplifier)).map(|place| over.remove(place));
+            places.push((Some(signed(x, minus)), turned.map(|(y, other)| signed(y, other))));
+        }
+        places.extend(over.into_iter().map(|(y, minus)| (None, Some(signed(y, minus)))));
+        return places;
     }
     let products = (factors(printed, false), factors(right, false));
     if products.0.len() > 1 || products.1.len() > 1 {
