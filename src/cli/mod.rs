@@ -1,8 +1,8 @@
 //! The command line: one file a subcommand.
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
-pub mod diagnose;
 pub mod audit;
+pub mod diagnose;
 pub mod explain;
 pub mod fit;
 pub mod formula;

@@ -21,17 +21,18 @@ impl Fraction {
     ///
     /// # Errors
     /// Bad input, where the denominator is 0.
-    pub fn new(numerator: Polynomial, denominator: Polynomial) -> Result<Self> {
+    pub fn new(numerator: &Polynomial, denominator: &Polynomial) -> Result<Self> {
         if denominator.is_zero() {
             return Err(Error::bad_input("a formula divides by what is zero for all values of its letters"));
         }
-        let mut common = gcd(&numerator, &denominator)?;
+        let mut common = gcd(numerator, denominator)?;
         if denominator.content().is_negative() {
             common = common.scaled(&Integer::from(-1));
         }
-        let reduced =
-            |p: &Polynomial| Ok::<_, Error>(p.divided_by(&common)?.expect("a common divisor divides"));
-        Ok(Self { numerator: reduced(&numerator)?, denominator: reduced(&denominator)? })
+        let reduced = |p: &Polynomial| {
+            p.divided_by(&common)?.ok_or_else(|| Error::not_computed("a common divisor that does not divide"))
+        };
+        Ok(Self { numerator: reduced(numerator)?, denominator: reduced(denominator)? })
     }
 
     /// A polynomial over 1.
@@ -53,11 +54,11 @@ impl Fraction {
     /// Sum.
     pub fn plus(&self, other: &Self) -> Result<Self> {
         if self.denominator == other.denominator {
-            return Self::new(self.numerator.plus(&other.numerator), self.denominator.clone());
+            return Self::new(&self.numerator.plus(&other.numerator), &self.denominator);
         }
         let left = self.numerator.times(&other.denominator)?;
         let right = other.numerator.times(&self.denominator)?;
-        Self::new(left.plus(&right), self.denominator.times(&other.denominator)?)
+        Self::new(&left.plus(&right), &self.denominator.times(&other.denominator)?)
     }
 
     /// The same with the other sign.
@@ -69,18 +70,22 @@ impl Fraction {
 
     /// Product.
     pub fn times(&self, other: &Self) -> Result<Self> {
-        Self::new(self.numerator.times(&other.numerator)?, self.denominator.times(&other.denominator)?)
+        Self::new(&self.numerator.times(&other.numerator)?, &self.denominator.times(&other.denominator)?)
     }
 
     /// Quotient.
     pub fn over(&self, other: &Self) -> Result<Self> {
-        Self::new(self.numerator.times(&other.denominator)?, self.denominator.times(&other.numerator)?)
+        Self::new(&self.numerator.times(&other.denominator)?, &self.denominator.times(&other.numerator)?)
     }
 
     /// Whole power, of either sign.
     pub fn to_power(&self, exponent: i32) -> Result<Self> {
         let size = exponent.unsigned_abs();
         let (above, below) = (self.numerator.to_power(size)?, self.denominator.to_power(size)?);
-        if exponent < 0 { Self::new(below, above) } else { Ok(Self { numerator: above, denominator: below }) }
+        if exponent < 0 {
+            Self::new(&below, &above)
+        } else {
+            Ok(Self { numerator: above, denominator: below })
+        }
     }
 }

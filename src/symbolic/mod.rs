@@ -1,4 +1,14 @@
 //! Integrals with letters: tables, formulas, rendering, audit.
+//!
+//! - [`Program`] and [`Table`]: I_n as shared minors and as a ratio of expanded polynomials; [`print_tables`].
+//! - [`formula`]: a mean value derived from transfer functions in the user's own symbols, simplified, checked against
+//!   the numeric engine, as a [`Formula`] that evaluates, differentiates and prints.
+//! - [`audit`]: is a printed formula right, and if not, where.
+//!
+//! What simplification does not attempt: a factorisation in full (it finds the factors that H was given in, their
+//! Hurwitz determinants and resultants, factors free of some symbol, repeated factors, and those that are named);
+//! relations that are not solved for a product of powers; identities of functions that are not given as a relation;
+//! powers that are neither whole nor half.
 
 mod audit;
 mod formula;

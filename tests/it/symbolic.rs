@@ -281,3 +281,28 @@ fn generated_c_compiles_and_agrees() {
     assert!(cc.status.success(), "{}", String::from_utf8_lossy(&cc.stderr));
     agrees("C", &printed(&mut Command::new(binary)), &points);
 }
+
+/// The program on its command line: output and exit code.
+#[test]
+fn the_program_prints_and_refuses() {
+    let run = |arguments: &[&str]| {
+        let out = Command::new(env!("CARGO_BIN_EXE_gyrospec")).args(arguments).output().unwrap();
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+        (out.status.code(), text(out.stdout), text(out.stderr))
+    };
+    let (code, out, _) = run(&["table", "--orders", "1..10"]);
+    let json: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!((code, json["orders"].as_array().unwrap().len()), (Some(0), 10));
+    for bad in ["0..3", "5..2", "3..99", "x", "1...3"] {
+        let (code, out, err) = run(&["table", "--orders", bad]);
+        assert_eq!((code, out.as_str()), (Some(2), ""), "{bad}");
+        assert!(err.contains("from 1 to 14"), "{bad}: {err}");
+    }
+    let (code, out, _) = run(&["formula", "--seed"]);
+    assert!(code == Some(0) && out.contains("derived/printed = 2π"), "{out}");
+    let (code, out, _) = run(&["audit", "--seed"]);
+    assert!(code == Some(1) && out.ends_with("14 of 16 formulas are wrong\n"), "{out}");
+    assert_eq!(run(&["formula", "--h", "T*s + 1", "--g", "s^2"]).0, Some(3));
+    assert_eq!(run(&["formula"]).0, Some(2));
+    assert_eq!(run(&["audit", "/nowhere/at/all.toml"]).0, Some(2));
+}

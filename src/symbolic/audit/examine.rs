@@ -9,6 +9,7 @@ use crate::symbolic::{Formula, Relation, Sampler, Simplifier, Values, completed,
 use crate::units::Unit;
 use crate::{Error, Result};
 use std::collections::BTreeMap;
+use std::fmt::Write;
 
 /// Points at which a limit is tried.
 const POINTS: usize = 8;
@@ -221,14 +222,12 @@ impl<'a> Bench<'a> {
         );
         if let Some(right) = &self.right {
             let right = unit.from_si(value(&right.right, &of)?);
-            says += &format!("; the right formula gives {right:.4e}");
+            let _ = write!(says, "; the right formula gives {right:.4e}");
         }
         let decades = (own / printed).abs().log10();
         if decades.abs() > 1.5 {
-            says += &format!(
-                "; that is some 10^{:.0} times as much: check the units of the numbers put in",
-                decades
-            );
+            let _ =
+                write!(says, "; that is some 10^{decades:.0} times as much: check the units of the numbers");
         }
         Ok(Check { kind: CheckKind::Example, holds, says, ratio: (!holds).then_some(own / printed) })
     }

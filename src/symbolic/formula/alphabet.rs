@@ -103,7 +103,7 @@ impl Alphabet {
         let scale = IBig::from(10).pow(exponent.unsigned_abs() as usize);
         let constant = |value: IBig| Polynomial::constant(&self.ring, value);
         if exponent < 0 {
-            Fraction::new(constant(digits), constant(scale))
+            Fraction::new(&constant(digits), &constant(scale))
         } else {
             Ok(Fraction::whole(constant(digits * scale)))
         }
@@ -176,7 +176,11 @@ fn gather(expression: &Expr, names: &mut Vec<Expr>, calls: &mut Vec<Expr>) {
                 calls.push(expression.clone());
             }
         }
-        _ => expression.children().into_iter().for_each(|child| gather(child, names, calls)),
+        _ => {
+            for child in expression.children() {
+                gather(child, names, calls);
+            }
+        }
     }
 }
 

@@ -93,19 +93,17 @@ fn binary(op: BinaryOp, left: &Expr, right: &Expr, name: &str) -> Result<Expr> {
             let second = over(times(l, derivative(right, name)?), r.pow(2.0));
             Ok(plus(first, minus(second)))
         }
-        BinaryOp::Pow => match right.constant() {
-            // (lⁿ)′ = n lⁿ⁻¹ l′
-            Some(n) => {
+        BinaryOp::Pow => {
+            if let Some(n) = right.constant() {
+                // (lⁿ)′ = n lⁿ⁻¹ l′
                 let lowered = if n == 2.0 { l } else { l.pow(n - 1.0) };
-                Ok(times(times(Expr::number(n), lowered), derivative(left, name)?))
+                return Ok(times(times(Expr::number(n), lowered), derivative(left, name)?));
             }
             // (lʳ)′ = lʳ (r′ ln l + r l′/l)
-            None => {
-                let growth = times(derivative(right, name)?, Expr::call(Function::Ln, [l.clone()]));
-                let inner = over(times(r.clone(), derivative(left, name)?), l.clone());
-                Ok(times(Expr::Binary(BinaryOp::Pow, Box::new(l), Box::new(r)), plus(growth, inner)))
-            }
-        },
+            let growth = times(derivative(right, name)?, Expr::call(Function::Ln, [l.clone()]));
+            let inner = over(times(r.clone(), derivative(left, name)?), l.clone());
+            Ok(times(Expr::Binary(BinaryOp::Pow, Box::new(l), Box::new(r)), plus(growth, inner)))
+        }
     }
 }
 

@@ -150,7 +150,7 @@ impl Prepared {
         let program = Program::new(self.b.len())?;
         let checked = |p: &Vec<Polynomial>| p.iter().cloned().map(|p| Checked(Ok(p))).collect::<Vec<_>>();
         let (above, below) = program.evaluate(&checked(&self.a), &checked(&self.b));
-        Fraction::new(above.0?, below.0?)?.times(&self.factor)
+        Fraction::new(&above.0?, &below.0?)?.times(&self.factor)
     }
 }
 

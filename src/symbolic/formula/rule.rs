@@ -93,7 +93,7 @@ impl Rule {
                 let lead = Polynomial::term(ring, self.lead, Integer::ONE).times(&self.right.denominator)?;
                 let above = lead.minus(&self.right.numerator.minus(&own));
                 let below = Polynomial::constant(ring, coefficient.clone());
-                rules.push(Self { lead: *monomial, right: Fraction::new(above, below)? });
+                rules.push(Self { lead: *monomial, right: Fraction::new(&above, &below)? });
             }
         }
         Ok(rules)
