@@ -81,7 +81,7 @@ fn the_constant_is_recognised() {
         ("a", "a", "equal"),
         ("a*c^2", "a^3 + a*d^2", "equal"),
         ("a + d", "a - d", "printed d, must be −d"),
-        ("a*exp(-d*K)", "a*exp(-2*d*K)", "must be"),
+        ("a*exp(-d*K)", "a*exp(-2*d*K)", "2 is missing"),
     ] {
         assert!(ratio(printed, right).contains(says), "{printed}: {}", ratio(printed, right));
     }
