@@ -1,7 +1,7 @@
 //! All integration tests, in one binary: one module a capability.
 
-mod fit;
 mod audit;
+mod fit;
 mod formula;
 mod fuzz;
 mod house;
