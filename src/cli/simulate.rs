@@ -59,6 +59,17 @@ fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
              Start it from other values or look at its signs"
         ));
     }
+    let (from, to) = s.span();
+    if let Ok(Some(slowest)) = s.slowest_time(&s.parameters(), &s.initials())
+        && s.is_dynamic()
+        && to - from < slowest
+    {
+        out.push(format!(
+            "the recording ({:.4} s) is shorter than the model's longest time constant ({slowest:.4} s): \
+             what is slow in it cannot be seen",
+            to - from
+        ));
+    }
     if ran.solver_error > 1e-3 {
         out.push(format!(
             "the solver's error is {:.1e} of an output's spread; --tolerance cannot be met",

@@ -25,8 +25,8 @@ pub(super) fn first_step(simulator: &Simulator, mesh: &Mesh, parameters: &[f64])
     let message = format!("states.{}.rate is no number at the first step (t = {t} s)", state.name);
     let fault = find(&state.rate, &lookup).map(|e| (&state.rate, e));
     let fault = fault.or_else(|| {
-        let definitions = model.definitions.iter();
-        definitions.filter_map(|d| Some((&d.equals, find(&d.equals, &lookup)?))).next()
+        let mut definitions = model.definitions.iter();
+        definitions.find_map(|d| Some((&d.equals, find(&d.equals, &lookup)?)))
     });
     Err(shown(Error::not_computed(message), fault))
 }

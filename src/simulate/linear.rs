@@ -71,17 +71,12 @@ impl<T: Scalar> Factors<T> {
     pub fn solve(&self, b: &[T], x: &mut [T]) {
         let n = self.n;
         for i in 0..n {
-            let mut sum = b[self.order[i]];
-            for j in 0..i {
-                sum = sum - self.lu[i * n + j] * x[j];
-            }
-            x[i] = sum;
+            let row = &self.lu[i * n..i * n + i];
+            x[i] = row.iter().zip(&*x).fold(b[self.order[i]], |sum, (l, y)| sum - *l * *y);
         }
         for i in (0..n).rev() {
-            let mut sum = x[i];
-            for j in i + 1..n {
-                sum = sum - self.lu[i * n + j] * x[j];
-            }
+            let row = &self.lu[i * n + i + 1..(i + 1) * n];
+            let sum = row.iter().zip(&x[i + 1..]).fold(x[i], |sum, (u, y)| sum - *u * *y);
             x[i] = sum / self.lu[i * n + i];
         }
     }

@@ -84,10 +84,10 @@ pub(super) fn between<T: Scalar>(s: &Stretch<'_, T>, t: f64, x: &mut [T]) {
     let theta = (t - s.from) / h;
     // x(θ) = (1−θ)x₀ + θx₁ + θ(θ−1)·((1−2θ)(x₁−x₀) + (θ−1)hk₀ + θhk₁)
     let bend = theta * (theta - 1.0);
-    for i in 0..x.len() {
+    for (i, x) in x.iter_mut().enumerate() {
         let rise = s.x1[i] - s.x0[i];
         let curve =
             rise.scale(1.0 - 2.0 * theta) + s.k0[i].scale((theta - 1.0) * h) + s.k1[i].scale(theta * h);
-        x[i] = s.x0[i] + rise.scale(theta) + curve.scale(bend);
+        *x = s.x0[i] + rise.scale(theta) + curve.scale(bend);
     }
 }

@@ -7,7 +7,7 @@ use super::start::start;
 use super::steps::{Method, Stepper};
 use crate::Result;
 use crate::model::Scalar;
-use crate::model::program::Program;
+use crate::model::program::{Program, Switching};
 
 /// Events within one step before the rest of it is taken without looking.
 const MOST_EVENTS: usize = 40;
@@ -124,7 +124,7 @@ impl<T: Scalar> Runner<'_, T> {
                 let end = if s + 1 == pieces { to } else { from + (s + 1) as f64 * h };
                 self.advance(from + s as f64 * h, end);
             }
-            if let Some(bad) = self.x.iter().position(|x| !(x.value().abs() < TOO_LARGE)) {
+            if let Some(bad) = self.x.iter().position(|x| x.value().is_nan() || x.value().abs() > TOO_LARGE) {
                 return Some((to, bad));
             }
         }
@@ -151,8 +151,8 @@ impl<T: Scalar> Runner<'_, T> {
         if let Some(delay) = self.m.jumping_delay() {
             let before = self.k.clone();
             self.m.rates(t, &self.x, &mut self.k);
-            for i in 0..self.x.len() {
-                self.x[i] += (before[i] - self.k[i]) * delay;
+            for (x, (before, after)) in self.x.iter_mut().zip(before.iter().zip(&self.k)) {
+                *x += (*before - *after) * delay;
             }
         }
     }
@@ -166,6 +166,11 @@ impl<T: Scalar> Runner<'_, T> {
             }
             self.stepper.step(&mut self.m, (t, to - t), (&self.x, &self.k), &mut self.x1);
             self.m.rates(to, &self.x1, &mut self.k1);
+            if !self.m.program.watches.is_empty() && self.k1.iter().any(|k| !k.value().is_finite()) {
+                self.step_following(t, to);
+                self.accept(t, to);
+                return;
+            }
             let quiet = self.m.program.watches.is_empty() || self.m.worst_margin().1 >= 0.0;
             if quiet || event >= MOST_EVENTS {
                 if let Some(last) = self.stepper.last_stage() {
@@ -188,6 +193,18 @@ impl<T: Scalar> Runner<'_, T> {
                 return;
             }
         }
+    }
+
+    /// A step in which the switches follow at every stage: for rates that do not exist beyond a
+    /// switch, like √max(x, 0). It is of first order there.
+    fn step_following(&mut self, t: f64, to: f64) {
+        self.m.sliding.clear();
+        self.m.switching = Switching::Follow;
+        self.m.forget_time();
+        self.stepper.step(&mut self.m, (t, to - t), (&self.x, &self.k), &mut self.x1);
+        self.m.forget_time();
+        self.m.rates(to, &self.x1, &mut self.k1);
+        self.m.switching = Switching::Hold;
     }
 
     /// A slide may have to end at once where an input bends.

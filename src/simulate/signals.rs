@@ -91,7 +91,7 @@ pub(super) fn span(
     let from = if known.0.is_finite() { known.0 } else { measured.0 };
     let window = window.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let span = (from.max(window.0), known.1.min(measured.1).min(window.1));
-    if span.0 < span.1 || (span.0 == span.1 && span.0.is_finite()) {
+    if span.0 <= span.1 && span.0.is_finite() && measured.0 <= span.1 {
         Ok(span)
     } else {
         Err(Error::bad_input("inputs and outputs share no time")
@@ -130,4 +130,23 @@ pub(super) fn clocks(outputs: &[OutputSignal], program: &Program) -> (Vec<Clock>
         clocks[k].registers.push(register);
     }
     (clocks, places)
+}
+
+/// Parameters that the recording knows itself: (number, SI value).
+pub(super) fn constants(model: &Model, recording: &Recording) -> Result<Vec<(usize, f64)>> {
+    let mut found = Vec::new();
+    for c in &recording.constants {
+        if let Some(k) = model.parameters.iter().position(|p| p.name == c.name) {
+            let wanted = &model.parameters[k].unit;
+            if wanted.dimension() != c.unit.dimension() {
+                let message = format!(
+                    "the constant {} has the unit {} in the recording, but {wanted} in the model",
+                    c.name, c.unit
+                );
+                return Err(Error::new(ErrorKind::Units, message));
+            }
+            found.push((k, c.value));
+        }
+    }
+    Ok(found)
 }

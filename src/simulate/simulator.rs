@@ -4,6 +4,7 @@ use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
 use super::plan::{Plan, most_substeps, plan};
 use super::probe::Clock;
+use super::request::{Options, Trajectory, Unknown};
 use super::run::{Course, Ran, run};
 use super::signals::{self, OutputSignal};
 use super::steps::Method;
@@ -11,50 +12,8 @@ use super::{faults, static_run};
 use crate::model::program::Program;
 use crate::model::{Dual, Initial, Model, Scalar};
 use crate::record::{Kind, Recording};
-use crate::units::Unit;
 use crate::{Error, Result};
 use std::sync::Arc;
-
-/// How to simulate.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Options {
-    /// Share of an output's spread by which halving the step may move it; 1e-6.
-    pub tolerance: f64,
-    /// Simulate from here to there only, s; the initial states then stand at the first.
-    pub window: Option<(f64, f64)>,
-    /// Fixed method and number of steps in a usual interval of the inputs; no check then.
-    pub fixed: Option<(Method, usize)>,
-}
-
-impl Default for Options {
-    fn default() -> Self {
-        Self { tolerance: 1e-6, window: None, fixed: None }
-    }
-}
-
-/// Something that a run depends on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Unknown {
-    /// A parameter, by its number in the model.
-    Parameter(usize),
-    /// An initial state, by the state's number in the model.
-    Initial(usize),
-}
-
-/// One run.
-#[derive(Debug, Clone)]
-pub struct Trajectory {
-    /// Predictions in SI, by output, at the times of the output; NaN where not covered.
-    pub outputs: Vec<Vec<f64>>,
-    /// By output, by unknown asked for, at the times of the output; empty where none were asked for.
-    pub sensitivities: Vec<Vec<Vec<f64>>>,
-    /// The solver's error as a share of the outputs' spread, by halving the step.
-    pub solver_error: f64,
-    /// The time and the state at which it blew up; what follows is NaN.
-    pub blew_up: Option<(f64, usize)>,
-    /// Number of events (switches that changed).
-    pub events: usize,
-}
 
 /// A model on a recording, ready to run; shared freely between threads.
 ///
@@ -112,7 +71,7 @@ impl Simulator {
         signals::cover(&mut outputs, &samples, span, recording.kind);
         let (clocks, places) = signals::clocks(&outputs, &program);
         let mut simulator = Self {
-            constants: constants(model, recording)?,
+            constants: signals::constants(model, recording)?,
             model: Arc::new(model.clone()),
             program: Arc::new(program),
             samples: samples.into(),
@@ -141,17 +100,14 @@ impl Simulator {
         if !self.program.columns.iter().any(|c| c.delay.is_some()) {
             self.mesh = Some(Arc::new(self.new_mesh(&parameters)));
         }
-        self.plan = match options.fixed {
-            Some((method, substeps)) => {
-                Plan { method, substeps: substeps.max(1), error: f64::NAN, roughness: 0.0 }
-            }
-            None => {
-                let mesh = self.mesh_at(&parameters);
-                faults::first_step(self, &mesh, &parameters)?;
-                let (given, steady) = self.starts(&self.initials());
-                plan(&self.course(&mesh, self.plan, &steady), &parameters, &given, self.tolerance)?
-            }
-        };
+        if let Some((method, substeps)) = options.fixed {
+            self.plan = Plan { method, substeps: substeps.max(1), error: f64::NAN, roughness: 0.0 };
+            return Ok(());
+        }
+        let mesh = self.mesh_at(&parameters);
+        faults::first_step(self, &mesh, &parameters)?;
+        let (given, steady) = self.starts(&self.initials());
+        self.plan = plan(&self.course(&mesh, self.plan, &steady), &parameters, &given, self.tolerance)?;
         Ok(())
     }
 
@@ -330,8 +286,8 @@ impl Simulator {
         loop {
             let course = Course { clocks: case.clocks, ..self.course(&mesh, plan, &steady) };
             let ran = run(&course, &parameters, &given)?;
-            let fine = !(plan.foretold(ran.roughness) > SLACK * self.tolerance.max(self.plan.error));
-            if fine || plan.method == Method::Stiff || plan.substeps >= most_substeps(mesh.intervals()) {
+            let coarse = plan.foretold(ran.roughness) > SLACK * self.tolerance.max(self.plan.error);
+            if !coarse || plan.method == Method::Stiff || plan.substeps >= most_substeps(mesh.intervals()) {
                 return Ok(ran);
             }
             plan = Plan { substeps: 2 * plan.substeps, error: plan.error / 16.0, ..plan };
@@ -368,7 +324,7 @@ impl Simulator {
 }
 
 /// How much larger than planned a foretold error may be before a run is repeated with more steps.
-const SLACK: f64 = 8.0;
+const SLACK: f64 = 4.0;
 
 /// One run asked for.
 #[derive(Clone)]
@@ -377,22 +333,4 @@ pub(super) struct Case<'a> {
     pub initials: &'a [f64],
     pub unknowns: &'a [Unknown],
     pub clocks: &'a [Clock],
-}
-
-fn constants(model: &Model, recording: &Recording) -> Result<Vec<(usize, f64)>> {
-    let mut found = Vec::new();
-    for c in &recording.constants {
-        if let Some(k) = model.parameters.iter().position(|p| p.name == c.name) {
-            let wanted: &Unit = &model.parameters[k].unit;
-            if wanted.dimension() != c.unit.dimension() {
-                let message = format!(
-                    "the constant {} has the unit {} in the recording, but {wanted} in the model",
-                    c.name, c.unit
-                );
-                return Err(Error::new(crate::ErrorKind::Units, message));
-            }
-            found.push((k, c.value));
-        }
-    }
-    Ok(found)
 }

@@ -204,11 +204,9 @@ impl Builder {
     fn shifted(&mut self, x: Id, by: Id) -> Id {
         let mut map: HashMap<Id, Id> = HashMap::new();
         let needed = reachable(&self.graph, &[x], PassSwitches::Yes);
-        for id in 0..=x {
-            if needed[id] {
-                let new = self.shifted_node(id, by, &map);
-                map.insert(id, new);
-            }
+        for (id, _) in needed.iter().enumerate().filter(|(_, needed)| **needed) {
+            let new = self.shifted_node(id, by, &map);
+            map.insert(id, new);
         }
         map[&x]
     }

@@ -69,8 +69,7 @@ pub(crate) fn execute<T: Scalar>(code: &[Op], r: &mut [T], switching: Switching)
                 let from = if a.value() > 0.0 { op.b } else { op.c };
                 r[usize::from(from)]
             }
-            Action::Sign if switching == Switching::Hold => continue,
-            Action::Relay if switching == Switching::Hold => continue,
+            Action::Sign | Action::Relay if switching == Switching::Hold => continue,
             _ => rare(op, a, r),
         };
         r[usize::from(op.to)] = value;
@@ -112,10 +111,10 @@ fn whole_power<T: Scalar>(a: T, n: i32) -> T {
     a.chain(x.powi(n), slope)
 }
 
-/// f′(x) with y = f(x).
+/// f′(x) with y = f(x); 0 where it is infinite, as at √0, so that fits can start there.
 #[inline]
 fn slope(f: Function, x: f64, y: f64) -> f64 {
-    match f {
+    let slope = match f {
         Function::Sin => x.cos(),
         Function::Cos => -x.sin(),
         Function::Tan => 1.0 + y * y,
@@ -129,5 +128,6 @@ fn slope(f: Function, x: f64, y: f64) -> f64 {
         Function::Ln => 1.0 / x,
         Function::Sqrt => 0.5 / y,
         _ => 0.0,
-    }
+    };
+    if slope.is_infinite() { 0.0 } else { slope }
 }

@@ -265,12 +265,11 @@ impl<'a> Emitter<'a> {
             Node::Sign(k) => {
                 let switch = self.graph.switches[k];
                 let held = moving[id] && self.graph.levels[id] > Level::Run;
-                match switch.half_width {
-                    Some(w) => op(Action::Relay, r(switch.argument), r(w), 0),
-                    None => {
-                        let action = if held { Action::Sign } else { Action::SignNow };
-                        op(action, r(switch.argument), Register::from(switch.at_zero), 0)
-                    }
+                let (argument, at_zero) = (r(switch.argument), Register::from(switch.at_zero));
+                match (switch.half_width, held) {
+                    (Some(w), _) => op(Action::Relay, argument, r(w), 0),
+                    (None, true) => op(Action::Sign, argument, at_zero, 0),
+                    (None, false) => op(Action::SignNow, argument, at_zero, 0),
                 }
             }
             _ => None,

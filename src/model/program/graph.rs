@@ -171,10 +171,8 @@ impl Graph {
     pub fn product(&mut self, a: Id, b: Id) -> Id {
         match (self.value(a), self.value(b)) {
             (Some(x), Some(y)) => self.constant(x * y),
-            (Some(0.0), _) => a,
-            (_, Some(0.0)) => b,
-            (Some(1.0), _) => b,
-            (_, Some(1.0)) => a,
+            (Some(0.0), _) | (_, Some(1.0)) => a,
+            (_, Some(0.0)) | (Some(1.0), _) => b,
             (_, Some(-1.0)) => self.negative(a),
             (Some(-1.0), _) => self.negative(b),
             _ => self.add(Node::Two(Two::Mul, a, b)),

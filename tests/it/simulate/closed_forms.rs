@@ -216,3 +216,25 @@ fn the_gyrosphere_agrees_with_another_integrator() {
     }
     assert!(worst < 1e-8, "{worst}");
 }
+
+#[test]
+fn the_slowest_time_is_that_of_the_slowest_root() {
+    // Roots: a double 0 of the position, -0.5 of a lag of 2 s, -10 of one of 0.1 s.
+    let model = r#"
+        name = "chain"
+        [parameters]
+        T1 = { value = 2, unit = "s" }
+        T2 = { value = 0.1, unit = "s" }
+        [states]
+        x = { rate = "v", unit = "m", initial = 0 }
+        v = { rate = "a", unit = "m/s", initial = 0 }
+        a = { rate = "(b - a)/T1", unit = "m/s^2", initial = 1 }
+        b = { rate = "-b/T2", unit = "m/s^2", initial = 1 }
+        [outputs]
+        y = { equals = "x", unit = "m" }
+    "#;
+    let r = recording(vec![channel("y", "m", &times(1.0, 0.1), |_| 0.0)]);
+    let s = simulator(model, &r);
+    let slowest = s.slowest_time(&s.parameters(), &s.initials()).unwrap().unwrap();
+    assert!((slowest - 2.0).abs() < 1e-6, "{slowest}");
+}

@@ -1,6 +1,7 @@
 //! The simulator against closed forms, against an independent integrator, and against itself.
 
 mod closed_forms;
+mod faults;
 mod memory;
 mod sensitivities;
 
@@ -25,7 +26,8 @@ pub fn recording(channels: Vec<Channel>) -> Recording {
 }
 
 pub fn simulator(model: &str, recording: &Recording) -> Simulator {
-    Simulator::new(&Model::parse(model).unwrap(), recording, &Options::default()).unwrap()
+    let options = Options { tolerance: 1e-7, ..Options::default() };
+    Simulator::new(&Model::parse(model).unwrap(), recording, &options).unwrap()
 }
 
 /// Runs at the model's own parameters and starts.

@@ -1,0 +1,44 @@
+//! What is asked of a run, and what it gives.
+
+use super::steps::Method;
+
+/// How to simulate.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Share of an output's spread by which halving the step may move it; 1e-5.
+    pub tolerance: f64,
+    /// Simulate from here to there only, s; the initial states then stand at the first.
+    pub window: Option<(f64, f64)>,
+    /// Fixed method and number of steps in a usual interval of the inputs; no check then.
+    pub fixed: Option<(Method, usize)>,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { tolerance: 1e-5, window: None, fixed: None }
+    }
+}
+
+/// Something that a run depends on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unknown {
+    /// A parameter, by its number in the model.
+    Parameter(usize),
+    /// An initial state, by the state's number in the model.
+    Initial(usize),
+}
+
+/// One run.
+#[derive(Debug, Clone)]
+pub struct Trajectory {
+    /// Predictions in SI, by output, at the times of the output; NaN where not covered.
+    pub outputs: Vec<Vec<f64>>,
+    /// By output, by unknown asked for, at the times of the output; empty where none were asked for.
+    pub sensitivities: Vec<Vec<Vec<f64>>>,
+    /// The solver's error as a share of the outputs' spread, by halving the step.
+    pub solver_error: f64,
+    /// The time and the state at which it blew up; what follows is NaN.
+    pub blew_up: Option<(f64, usize)>,
+    /// Number of events (switches that changed).
+    pub events: usize,
+}

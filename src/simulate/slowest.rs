@@ -1,0 +1,75 @@
+//! # Purpose
+//! The slowest time of a model near the start of a run, to tell when a recording is too short.
+//!
+//! # Method
+//! The characteristic polynomial of the Jacobian by the Faddeev-LeVerrier recursion; its roots.
+//! Pure integrations (roots at 0) have no time and are left out.
+//!
+//! # References
+//! F. R. Gantmacher, The Theory of Matrices, vol. 1, Chelsea 1959, chapter IV §5.
+//!
+//! # Numerical aspects
+//! The recursion loses digits for large or badly scaled matrices; for a warning it is good enough.
+
+use super::machine::Machine;
+use super::simulator::Simulator;
+use super::start::start;
+use crate::Result;
+use crate::poly;
+
+/// A coefficient below this share of its natural size counts as 0.
+const NONE: f64 = 1e-10;
+
+impl Simulator {
+    /// The longest time constant near the start, 1/|λ| of the slowest root, s; none where the
+    /// model has no dynamics.
+    ///
+    /// # Errors
+    /// No steady state.
+    pub fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Result<Option<f64>> {
+        let parameters = self.with_constants(parameters);
+        let mesh = self.mesh_at(&parameters);
+        let mut m = Machine::<f64>::new(&self.program, &mesh, &parameters);
+        let (given, steady) = self.starts(initials);
+        let x = start(&mut m, mesh.time[0], &given, &steady)?;
+        let n = x.len();
+        let (mut jacobian, mut explicit) = (vec![0.0; n * n], vec![0.0; n]);
+        m.load(mesh.time[0], &x);
+        m.slopes(&mut jacobian, &mut explicit);
+        let slowest = roots(&jacobian, n).into_iter().fold(f64::INFINITY, f64::min);
+        Ok((slowest.is_finite() && slowest > 0.0).then(|| 1.0 / slowest))
+    }
+}
+
+/// The magnitudes of the eigenvalues that are not 0.
+fn roots(a: &[f64], n: usize) -> Vec<f64> {
+    let size = a.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+    if n == 0 || size == 0.0 || !size.is_finite() {
+        return Vec::new();
+    }
+    // c₀ = 1, Mₖ = A·Mₖ₋₁ + cₖ₋₁·1, cₖ = −tr(A·Mₖ)/k
+    let (mut c, mut product) = (vec![1.0], vec![0.0; n * n]);
+    for k in 1..=n {
+        let mut m = product.clone();
+        for i in 0..n {
+            m[i * n + i] += c[k - 1];
+        }
+        product = times(a, &m, n);
+        let trace: f64 = (0..n).map(|i| product[i * n + i]).sum();
+        c.push(-trace / k as f64);
+    }
+    while c.len() > 1 && c[c.len() - 1].abs() <= NONE * size.powi(c.len() as i32 - 1) {
+        c.pop();
+    }
+    if c.len() == 1 { Vec::new() } else { poly::roots(&c).iter().map(|r| r.norm()).collect() }
+}
+
+fn times(a: &[f64], b: &[f64], n: usize) -> Vec<f64> {
+    let mut out = vec![0.0; n * n];
+    for i in 0..n {
+        for j in 0..n {
+            out[i * n + j] = (0..n).map(|k| a[i * n + k] * b[k * n + j]).sum();
+        }
+    }
+    out
+}
