@@ -61,7 +61,7 @@ fn roots(a: &[f64], n: usize) -> Vec<f64> {
     while c.len() > 1 && c[c.len() - 1].abs() <= NONE * size.powi(c.len() as i32 - 1) {
         c.pop();
     }
-    if c.len() == 1 { Vec::new() } else { poly::roots(&c).iter().map(|r| r.norm()).collect() }
+    if c.len() == 1 { Vec::new() } else { poly::roots::roots(&c).iter().map(|r| r.norm()).collect() }
 }
 
 fn times(a: &[f64], b: &[f64], n: usize) -> Vec<f64> {
