@@ -28,7 +28,7 @@ pub struct Bench {
     pub seed: u64,
     /// Number of the given model's own parameters.
     pub own_parameters: usize,
-    /// Tolerance of the simulator over its own default.
+    /// The simulator's tolerance, as a share of an output's spread.
     pub tolerance: f64,
 }
 
@@ -96,10 +96,10 @@ impl Stand {
 
 /// Share of the white part of the noise that the simulator's error may have.
 const SOLVER: f64 = 0.05;
-/// The simulator's own tolerance, as a share of an output's spread.
-const TOLERANCE: f64 = 1e-6;
+/// Bounds of the simulator's tolerance, as a share of an output's spread.
+const TOLERANCES: (f64, f64) = (1e-6, 1e-3);
 
-/// The tolerance that keeps the simulator's error far below the noise of the outputs, over its default.
+/// The tolerance, a share of an output's spread, that keeps the simulator's error far below the noise.
 pub fn tolerance(model: &Model, recordings: &[Recording]) -> f64 {
     let outputs = recordings.iter().flat_map(|r| model.outputs.iter().filter_map(|o| r.find(&o.name)));
     let shares = outputs.filter_map(|c| {
@@ -111,7 +111,7 @@ pub fn tolerance(model: &Model, recordings: &[Recording]) -> f64 {
         let noise = robust_deviation(&third) / 20f64.sqrt();
         (spread > 0.0).then_some(SOLVER * noise / spread)
     });
-    (shares.fold(f64::INFINITY, f64::min) / TOLERANCE).clamp(1.0, 1000.0)
+    shares.fold(f64::INFINITY, f64::min).clamp(TOLERANCES.0, TOLERANCES.1)
 }
 
 impl Bench {
