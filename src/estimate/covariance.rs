@@ -145,7 +145,6 @@ mod tests {
     fn intervals_hold_the_truth_at_any_correlation() {
         for (phi, low) in [(0.0, 0.93), (0.9, 0.93), (0.98, 0.92)] {
             let share = coverage(phi, 4000, 200);
-            println!("{phi} {share}");
             assert!((low..=0.975).contains(&share), "correlation {phi}: {share}");
         }
     }

@@ -124,8 +124,8 @@ pub fn minimise<P: Problem + ?Sized>(
         x,
         sum,
         triangle,
-        damping: 1e-3,
-        growth: 2.0,
+        damping: 1e-6,
+        growth: GROWTH,
         iterations: 0,
         evaluations: 1,
     };
@@ -142,8 +142,12 @@ pub fn minimise<P: Problem + ?Sized>(
     })
 }
 
-/// Shortest worthwhile damping and the one at which no step is left.
+/// Smallest damping, and the one at which no step is left.
 const DAMPING: (f64, f64) = (1e-12, 1e12);
+/// Damping after the first step that is refused: near a minimum none is needed, so none is begun with.
+const FIRST_REFUSAL: f64 = 1e-4;
+/// How much stronger the damping becomes by a first refusal.
+const GROWTH: f64 = 4.0;
 
 struct Walk<'a, P: ?Sized> {
     problem: &'a P,
@@ -255,10 +259,10 @@ impl<P: Problem + ?Sized> Walk<'_, P> {
             return self.refuse(promised_fall);
         }
         let gain = (self.sum - sum) / (self.sum - step.promised).max(f64::MIN_POSITIVE);
-        // λ ← λ·max(1/3, 1 − (2ϱ − 1)³)
-        let factor = (1.0 - (2.0 * gain.min(1.0) - 1.0).powi(3)).max(1.0 / 3.0);
-        self.damping = (self.damping * if gain > 0.9 { 0.1 } else { factor }).max(DAMPING.0);
-        self.growth = 2.0;
+        // λ ← λ·max(1/10, 1 − (2ϱ − 1)³)
+        let factor = (1.0 - (2.0 * gain.min(1.0) - 1.0).powi(3)).max(0.1);
+        self.damping = (self.damping * factor).max(DAMPING.0);
+        self.growth = GROWTH;
         let relative = |(a, b): (&f64, &f64)| (a - b).abs() / a.abs().max(b.abs()).max(f64::MIN_POSITIVE);
         let relative_step = self.x.iter().zip(&trial).map(relative).fold(0.0, f64::max);
         let fall = (self.sum - sum) / self.sum.max(f64::MIN_POSITIVE);
@@ -268,7 +272,7 @@ impl<P: Problem + ?Sized> Walk<'_, P> {
     }
 
     fn refuse(&mut self, promised_fall: f64) -> Taken {
-        self.damping *= self.growth;
+        self.damping = (self.damping * self.growth).max(FIRST_REFUSAL);
         self.growth *= 2.0;
         Taken::No { promised_fall }
     }

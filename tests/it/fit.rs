@@ -1,4 +1,5 @@
 //! Fits: made recordings give back what they were made with, real ones reach their known residuals.
+#![allow(clippy::print_stderr)] // what was skipped and what was reached is said aloud
 
 use gyrospec::estimate::fit::{Fit, FitOptions, HeldOut, Status, fit, holdout};
 use gyrospec::estimate::{Side, improvement};
@@ -7,6 +8,7 @@ use gyrospec::record::{Channel, Recording, Span};
 use gyrospec::units::Unit;
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 fn unit(text: &str) -> Unit {
@@ -232,7 +234,7 @@ fn table(folder: &Path, t: &Table<'_>) -> String {
     );
     for (name, column, unit) in t.channels {
         let wraps = if name.starts_with("heading") { ", wraps = true" } else { "" };
-        text += &format!("{name} = {{ column = \"{column}\", unit = \"{unit}\"{wraps} }}\n");
+        let _ = writeln!(text, "{name} = {{ column = \"{column}\", unit = \"{unit}\"{wraps} }}");
     }
     text
 }
