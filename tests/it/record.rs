@@ -268,6 +268,7 @@ fn bad_calls_of_logs_are_refused_with_place_and_remedy() {
         ("h = { sentence = \"THS\", field = 1, unit = \"deg\" }", "no THS sentence"),
         ("h = { sentence = \"HDT\", field = 2, unit = \"1\" }", "`T`, which is no number"),
         ("h = { sentence = \"HDT\", unit = \"deg\" }", "`sentence` and `field`"),
+        ("h = { sentence = \"PSXN\", field = 2, unit = \"deg\" }", "write id = 20, 22 or 23"),
         ("h = { sentence = \"PSXN\", id = 23, field = 4, unit = \"m\" }", "is in deg, not in m"),
         ("h = { sentence = \"PSXN\", id = 23, field = 1, unit = \"deg\" }", "field 2"),
     ] {

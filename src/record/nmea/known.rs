@@ -162,6 +162,11 @@ fn entry(sentence: &str, id: Option<u32>) -> Option<&'static Entry> {
     SENTENCES.iter().find(|e| (e.0 == sentence || e.0 == kind(sentence)) && e.1 == id)
 }
 
+/// Whether sentences of this name differ by a number.
+pub(super) fn is_numbered(sentence: &str) -> bool {
+    SENTENCES.iter().any(|e| e.0 == sentence && e.1.is_some())
+}
+
 /// What is known of a field.
 pub(super) fn field(sentence: &str, id: Option<u32>, field: usize) -> Option<&'static Known> {
     entry(sentence, id)?.2.iter().find(|k| k.field == field)

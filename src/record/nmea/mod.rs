@@ -50,6 +50,10 @@ impl Selection {
         if field == 0 {
             return Err(Error::bad_input("fields count from 1, after the sentence's name"));
         }
+        if let (true, None) = (known::is_numbered(&sentence), id) {
+            return Err(Error::bad_input(format!("{sentence} comes in several sorts, by its number"))
+                .with_hint("write id = 20, 22 or 23"));
+        }
         if let (true, Some(id)) = (field == 1, id) {
             return Err(Error::bad_input(format!("field 1 of {sentence} is its number, {id}"))
                 .with_hint("the first value after it is field 2"));
