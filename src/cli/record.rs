@@ -12,8 +12,35 @@ use std::path::PathBuf;
 const PICTURE: (usize, usize) = (64, 3);
 const SPANS_SHOWN: usize = 4;
 
+const FORM: &str = r#"A CSV file has a header such as `t [s],roll [deg],heading [deg]` (time first); empty cells are gaps.
+A TOML recording joins tables of different rates and gives units where headers do not:
+
+  name = "trial 7"
+  [[tables]]
+  file = "gyro.csv"                            # beside this file; .csv.gz as well
+  time = { column = "t_s", unit = "s" }        # or { start = 0.0, step = 0.001, unit = "s" }
+  rows = [100, 5000]                           # optional: first and last row, from 0
+  [tables.channels]
+  heading_gyro = { column = "heading_deg", unit = "deg", wraps = true }
+  [[tables]]
+  file = "ship.nmea"                           # a time stamp, then a sentence, line by line
+  format = "nmea0183"
+  time = { start = "2018-12-06T00:00:00Z" }    # the zero of time
+  [tables.channels]
+  heading = { sentence = "HDT", field = 1, unit = "deg", wraps = true }
+  roll = { sentence = "PSXN", id = 23, field = 2, unit = "deg" }   # field 1 is the id
+  [spans]                                      # optional; else the last 40 % is held out
+  fit = [[0.0, 600.0]]
+  holdout = [[600.0, 1000.0]]
+  [constants]                                  # optional: known parameters
+  lat = { value = 46.5, unit = "deg" }
+
+kind = "trials" at the top makes each row a steady trial, without time.
+Exit code: 0, or 1 where a fault is sure, or 2 where the file cannot be read."#;
+
 /// Shows what is in a recording: channels, units, rates, gaps, faults, spectral peaks.
 #[derive(clap::Args)]
+#[command(after_help = FORM)]
 pub struct Record {
     /// CSV file (.csv, .csv.gz), NMEA 0183 log, or TOML recording
     file: PathBuf,
