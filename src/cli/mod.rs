@@ -6,6 +6,7 @@ pub mod diagnose;
 pub mod explain;
 pub mod fit;
 pub mod formula;
+pub mod gimbal;
 pub mod input;
 pub mod integral;
 pub mod laboratory;
@@ -62,6 +63,8 @@ enum Command {
     Simulate(simulate::Call),
     /// The models that the program brings along.
     Models(models::Call),
+    /// A gyroscope in a rotating gimbal as a sensor of slow rates.
+    Gimbal(gimbal::GimbalCall),
     /// Mean and spread of the rolling error of a gyrocompass.
     RollError(roll_error::Arguments),
     /// Version and licence.
@@ -81,6 +84,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Record(call) => return record::run(&call),
         Command::Simulate(call) => return simulate::run(&call),
         Command::Models(call) => return models::run(&call),
+        Command::Gimbal(call) => return gimbal::run(&call),
         Command::RollError(a) => return roll_error::run(&a),
         Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
     }

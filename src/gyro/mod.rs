@@ -5,14 +5,19 @@
 //! heading K; x is the shift of the centre of mass along the parallel.
 
 pub mod elastic;
+pub mod gimbal;
 mod gyrosphere;
+mod identify;
 mod instrument;
 mod monte_carlo;
 mod motion;
 pub mod rectified;
 pub mod seed;
+mod sweep;
 
 pub use gyrosphere::Gyrosphere;
+pub use identify::{Estimate, Identified, Trial, identify};
 pub use instrument::{EARTH_RADIUS, HeadingError, Instrument};
 pub use monte_carlo::{MonteCarlo, Simulated};
 pub use motion::{Axis, Motion, Signal};
+pub use sweep::sweep;

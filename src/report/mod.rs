@@ -2,4 +2,5 @@
 
 pub mod braille;
 pub mod diagnosis;
+pub mod polar;
 pub mod terminal;

@@ -156,4 +156,26 @@ impl Hull {
         let averaged = TransferFunction::new(&[1.0], &[1.0 / (short * short), 2.0 / short, 1.0])?;
         Ok(resonance.then(&averaged))
     }
+
+    /// Pitch/ζ = (−s²/g)/(1 + s/ω_L)²: the wave's slope along the ship, rad/m.
+    ///
+    /// # Errors
+    /// `BadInput` when the beam is not positive.
+    pub fn pitch_response(&self) -> Result<TransferFunction> {
+        TransferFunction::new(&[-1.0 / GRAVITY, 0.0, 0.0], self.along_ship()?.denominator())
+    }
+
+    /// Heave/ζ = 1/(1 + s/ω_L)²: the wave's height, m/m.
+    ///
+    /// # Errors
+    /// `BadInput` when the beam is not positive.
+    pub fn heave_response(&self) -> Result<TransferFunction> {
+        self.along_ship()
+    }
+
+    /// 1/(1 + s/ω_L)², ω_L² = 2g/(6B): waves shorter than a ship of six beams averaged out.
+    fn along_ship(&self) -> Result<TransferFunction> {
+        let corner = (2.0 * GRAVITY / (6.0 * self.beam)).sqrt();
+        TransferFunction::new(&[1.0], &[1.0 / (corner * corner), 2.0 / corner, 1.0])
+    }
 }

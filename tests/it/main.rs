@@ -4,6 +4,7 @@ mod audit;
 mod fit;
 mod formula;
 mod fuzz;
+mod gyro;
 mod house;
 mod integral;
 mod lti;

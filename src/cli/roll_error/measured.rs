@@ -1,7 +1,10 @@
 //! The rolling error on a recorded roll.
 
+use super::Arguments;
+use super::options::{Against, Described};
 use super::parameters::Compass;
-use crate::gyro::seed;
+use super::table::{Case, Plan};
+use crate::gyro::{Motion, seed};
 use crate::record::Recording;
 use crate::report::terminal::{Trace, picture};
 use crate::spectrum::{
@@ -9,7 +12,6 @@ use crate::spectrum::{
 };
 use crate::{Error, Result};
 use std::f64::consts::{PI, TAU};
-use std::fmt::Write;
 use std::path::Path;
 
 /// A recorded roll with its spectrum and the fit of (3.3).
@@ -90,48 +92,51 @@ fn quadrature_over(limit: f64, f: impl Fn(f64) -> f64) -> f64 {
     h / 3.0 * (f(0.0) + inner + f(limit))
 }
 
-pub fn text(compass: &Compass, path: &Path, roll: Option<&str>) -> Result<String> {
-    let recording = super::recording::read(path, roll)?;
-    let mut compass_here = compass.sphere;
-    if let Some(latitude) = recording.constant("lat") {
-        compass_here.latitude = latitude;
-        compass_here.check()?;
+/// The table for a recorded roll: by I_n on the fit of (3.3), with the mean by quadrature over
+/// the measured spectrum beside it.
+pub fn plan(compass: &Compass, path: &Path, a: &Arguments) -> Result<Plan> {
+    if a.motion.given() || a.rows.against != Against::Heading {
+        return Err(Error::usage("a recording is the motion, and its rows run over headings")
+            .with_hint("leave the options of the motion and --against away"));
     }
-    let analysis = analyse(&recording, &super::recording::roll_name(&recording, roll)?)?;
-    let mut out = motion(&analysis);
-    let m = moments(&analysis, compass_here.lag)?;
-    // the error on heading 45° a unit of the moment
-    let unit = seed::error_of_moment(&compass_here, 1.0, PI / 4.0).to_degrees();
-    let _ = writeln!(
-        out,
-        "Mean rolling error of this gyrocompass on this ship ({}): h = {} m, latitude {:.1}°\n\
-         \x20 heading    fit, all frequencies    fit, measured band    measured spectrum\n\
-         \x20             (I₃, exact)             (to {:.2} rad/s)       (quadrature)",
-        compass.described(),
-        compass_here.lever,
-        compass_here.latitude.to_degrees(),
-        PI / analysis.samples.step
-    );
-    for heading in (0..360).step_by(15) {
-        let sine = (2.0 * f64::from(heading).to_radians()).sin() * unit;
-        let _ = writeln!(
-            out,
-            "  {heading:>4}°     {:>12.5}°          {:>12.5}°        {:>12.5}°",
-            shown(sine * m.integral),
-            shown(sine * m.banded),
-            shown(sine * m.measured)
+    let recording = super::recording::read(path, a.roll.as_deref())?;
+    let name = super::recording::roll_name(&recording, a.roll.as_deref())?;
+    let mut compass = compass.clone();
+    if let (Some(latitude), None) = (recording.constant("lat"), &a.instrument.latitude) {
+        compass.sphere.latitude = latitude;
+        compass.sphere.check()?;
+    }
+    let analysis = analyse(&recording, &name)?;
+    let m = moments(&analysis, compass.sphere.lag)?;
+    let motion = || -> Described {
+        let says = format!(
+            "the recorded roll by its fit (columns 1 to 4) and by its measured spectrum to {:.2} rad/s (last)",
+            PI / analysis.samples.step
         );
+        Described { motion: Motion::roll(&analysis.fit.roll), says, regular: false }
+    };
+    let mut cases = Vec::new();
+    let mut measured = Vec::new();
+    for heading in a.rows.headings()? {
+        let instrument = compass.instrument(&a.instrument)?;
+        measured.push(
+            instrument.sailing_error(heading) + seed::error_of_moment(&compass.sphere, m.measured, heading),
+        );
+        cases.push(Case { instrument, motion: motion(), heading, value: heading.to_degrees() });
     }
-    out.push_str(&tail(&m));
-    Ok(out)
+    Ok(Plan {
+        motion_says: motion().says,
+        before: told(&analysis),
+        after: tail(&m),
+        roll: analysis.fit.roll,
+        cases,
+        against: Against::Heading,
+        measured: a.instrument.is_lag().then_some(measured),
+        compass,
+    })
 }
 
-/// No sign on a zero.
-fn shown(degrees: f64) -> f64 {
-    if degrees.abs() < 5e-6 { 0.0 } else { degrees }
-}
-
-fn motion(a: &Analysis) -> String {
+fn told(a: &Analysis) -> String {
     let (n, step) = (a.samples.values.len(), a.samples.step);
     let roll = a.fit.roll;
     let sigma = a.deviation.to_degrees();
@@ -182,10 +187,12 @@ fn motion(a: &Analysis) -> String {
 fn tail(m: &Moments) -> String {
     let share = 100.0 * (1.0 - m.banded / m.integral);
     if share < 10.0 {
-        return format!("{share:.0} % of the first column comes from frequencies above the measured band.\n");
+        return format!(
+            "{share:.0} % of the mean by the fit comes from frequencies above the measured band.\n"
+        );
     }
     format!(
-        "{share:.0} % of the first column comes from frequencies above the measured band, where (3.3) gives the\n\
-         acceleration a white tail of infinite variance: nothing measured supports it. Use the other two columns.\n"
+        "{share:.0} % of the mean by the fit comes from frequencies above the measured band, where (3.3) gives the\n\
+         acceleration a white tail of infinite variance: nothing measured supports it. Trust the last column.\n"
     )
 }

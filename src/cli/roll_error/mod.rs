@@ -1,48 +1,127 @@
 //! `gyrospec roll-error`: mean and spread of the rolling error.
 
 mod examples;
+mod formulas;
+mod json;
 mod measured;
+mod options;
 mod parameters;
 mod recording;
+mod table;
 
+use super::output::Sink;
 use super::{Outcome, output};
-use crate::Result;
-use std::path::PathBuf;
+use crate::report::polar;
+use crate::{Error, Result};
+use std::path::{Path, PathBuf};
 
+/// Mean and spread of a gyrocompass's heading error on a rolling ship.
+///
+/// Without arguments: the two examples of the rolling-error paper, as derived and as printed.
 #[derive(clap::Args)]
+#[command(after_help = HELP)]
 pub struct Arguments {
-    /// Parameters of the compass: a model file or a file with [parameters]; without it the
-    /// gyrocompass of the rolling-error paper.
+    /// Parameters of the compass: a model file, a file with [parameters], or a built-in model's
+    /// name; without it the gyrocompass of the rolling-error paper.
     model_or_parameters: Option<PathBuf>,
     /// A recording of the ship's roll (CSV, or TOML).
     recording: Option<PathBuf>,
     /// Channel that is the roll angle, with its unit if the header has none: NAME or NAME:UNIT.
     #[arg(long, value_name = "NAME[:UNIT]")]
     roll: Option<String>,
+    #[command(flatten)]
+    instrument: options::InstrumentOptions,
+    #[command(flatten)]
+    motion: options::MotionOptions,
+    #[command(flatten)]
+    rows: options::RowOptions,
+    /// Closed form of the mean error.
+    #[arg(long)]
+    formula: bool,
+    /// Polar picture of the error against heading, as SVG; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
     /// One JSON object instead of text.
     #[arg(long)]
     json: bool,
 }
 
-pub fn run(arguments: &Arguments) -> Result<Outcome> {
-    let text = match files(arguments) {
-        (None, None) => examples::text()?,
-        (parameters, recording) => {
-            let compass = parameters::read(parameters)?;
-            match recording {
-                Some(path) => measured::text(&compass, path, arguments.roll.as_deref())?,
-                None => examples::text()?,
-            }
-        }
+const HELP: &str = "\
+Quantities are written with their unit, as 3m, 12kn, 5deg, 1.35e5N/m; without one they are in SI.
+Examples:
+  gyrospec roll-error
+  gyrospec roll-error examples/roll.csv
+  gyrospec roll-error --irregular 4deg,0.06,0.65 --latitude 60deg --svg error.svg
+  gyrospec roll-error --sea jonswap --height 3m --period 8s --also pitch,heave --against latitude
+  gyrospec roll-error compass.toml ship.csv --roll roll_deg:deg --json
+  gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --heading 45deg --simulate 40";
+
+pub fn run(a: &Arguments) -> Result<Outcome> {
+    let picture = a.svg.as_deref().map(Sink::open).transpose()?;
+    let (parameters, recording) = files(a);
+    let bare = parameters.is_none() && recording.is_none() && !a.motion.given() && !a.rows.given();
+    if bare && !a.formula && !a.json && picture.is_none() && a.instrument.plain() {
+        output::print(examples::text()?.as_bytes())?;
+        return Ok(Outcome::Done);
+    }
+    if a.formula {
+        output::print(formulas::text(&a.instrument, &a.motion)?.as_bytes())?;
+        return Ok(Outcome::Done);
+    }
+    let compass = parameters::read(parameters, &a.instrument)?;
+    let plan = match recording {
+        Some(path) => measured::plan(&compass, path, a)?,
+        None => table::Plan::of_options(compass, a)?,
     };
+    let result = plan.evaluate(&a.rows)?;
+    let text = if a.json { json::text(&plan, &result)? } else { table::text(&plan, &result)? };
+    if let Some(sink) = picture {
+        sink.finish(polar::svg(&plan.polar(&result)?).as_bytes())?;
+        if a.svg.as_deref() == Some(Path::new("-")) {
+            return Ok(Outcome::Done);
+        }
+    }
     output::print(text.as_bytes())?;
     Ok(Outcome::Done)
 }
 
 /// A lone file is the compass if it has parameters, else the recording.
-fn files(a: &Arguments) -> (Option<&PathBuf>, Option<&PathBuf>) {
-    match (&a.model_or_parameters, &a.recording) {
+fn files(a: &Arguments) -> (Option<&Path>, Option<&Path>) {
+    match (a.model_or_parameters.as_deref(), a.recording.as_deref()) {
         (Some(only), None) if !parameters::has_parameters(only) => (None, Some(only)),
-        (first, second) => (first.as_ref(), second.as_ref()),
+        (first, second) => (first, second),
     }
+}
+
+/// `3m`, `3 m` or `3`: a number with a unit of the dimension of `si`, or in SI without one.
+fn quantity(option: &str, text: &str, si: &str) -> Result<f64> {
+    let text = text.trim();
+    // the longest head that is a number
+    let cut = (1..=text.len())
+        .rev()
+        .filter(|i| text.is_char_boundary(*i))
+        .find(|i| text[..*i].trim().parse::<f64>().is_ok());
+    let wrong = || Error::usage(format!("--{option}: `{text}` is no quantity, such as 3{si}"));
+    let (number, unit) = text.split_at(cut.ok_or_else(wrong)?);
+    let value: f64 = number.trim().parse().map_err(|_| wrong())?;
+    if !value.is_finite() {
+        return Err(wrong());
+    }
+    if unit.trim().is_empty() {
+        return Ok(value);
+    }
+    let unit = crate::units::Unit::parse(unit.trim())?;
+    if unit.dimension() != crate::units::Unit::parse(si)?.dimension() {
+        return Err(Error::new(crate::ErrorKind::Units, format!("--{option}: {unit} where {si} is meant")));
+    }
+    Ok(unit.to_si(value))
+}
+
+/// A list of quantities of given units.
+fn quantities(option: &str, text: &str, si: &[&str]) -> Result<Vec<f64>> {
+    let parts: Vec<&str> = text.split(',').collect();
+    if parts.len() != si.len() {
+        return Err(Error::usage(format!("--{option} takes {} numbers with commas between", si.len())));
+    }
+    parts.iter().zip(si).map(|(p, u)| quantity(option, p, u)).collect()
 }

@@ -1,0 +1,220 @@
+//! `gyrospec gimbal`: the gyroscope in a rotating gimbal as a sensor of slow rates.
+
+use super::{Outcome, output};
+use crate::gyro::gimbal::{Demodulator, Gimbal, Noise, Run, Sample, State};
+use crate::report::terminal::{Trace, picture};
+use crate::units::Unit;
+use crate::{Error, Result};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// Scale factor, band and noise of a gyroscope in a rotating gimbal, and its reading of a manoeuvre.
+#[derive(clap::Args)]
+#[command(after_help = HELP)]
+pub struct GimbalCall {
+    /// Parameters: a TOML file with [parameters]; what it leaves out is a made example.
+    parameters: Option<PathBuf>,
+    /// Corner of the demodulator's low-pass, rad/s.
+    #[arg(long, default_value_t = 2.0)]
+    corner: f64,
+    /// One JSON object instead of text.
+    #[arg(long)]
+    json: bool,
+}
+
+const HELP: &str = "\
+Names in [parameters], as { value = …, unit = \"…\" }: Ix1 … Iz3 (moments of inertia of bodies 1 to 3), H, Omega,
+cx, cy (springs), dx, dy (damping), Qx, Qy (white torque noise, N^2*m^2*s), sigma, omega0, zeta (random base rates:
+standard deviation, prevailing frequency, damping ratio).";
+
+/// What the file says.
+struct Given {
+    gimbal: Gimbal,
+    noise: Noise,
+}
+
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(rename = "name")]
+    _name: Option<String>,
+    parameters: BTreeMap<String, Entry>,
+}
+
+#[derive(serde::Deserialize)]
+struct Entry {
+    value: f64,
+    unit: Option<String>,
+}
+
+/// Runs the subcommand.
+pub fn run(call: &GimbalCall) -> Result<Outcome> {
+    let given = read(call.parameters.as_deref())?;
+    given.gimbal.check()?;
+    let text = if call.json { json(&given, call.corner)? } else { text(&given, call.corner)? };
+    output::print(text.as_bytes())?;
+    Ok(Outcome::Done)
+}
+
+fn read(path: Option<&Path>) -> Result<Given> {
+    let mut given = Given {
+        gimbal: Gimbal::example(),
+        noise: Noise { torque: [1e-18, 1e-18], base: Some([1e-3, 10.0, 0.5]) },
+    };
+    let Some(path) = path else { return Ok(given) };
+    let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, &e))?;
+    let file: File =
+        toml::from_str(&text).map_err(|e| Error::bad_input(e.to_string().trim_end()).with_file(path))?;
+    for (name, entry) in &file.parameters {
+        put(&mut given, name, entry).map_err(|e| e.with_file(path))?;
+    }
+    Ok(given)
+}
+
+fn put(given: &mut Given, name: &str, entry: &Entry) -> Result<()> {
+    const NAMES: [&str; 20] = [
+        "Ix1", "Iy1", "Iz1", "Ix2", "Iy2", "Iz2", "Ix3", "Iy3", "Iz3", "H", "Omega", "cx", "cy", "dx", "dy",
+        "Qx", "Qy", "sigma", "omega0", "zeta",
+    ];
+    let g = &mut given.gimbal;
+    let (place, si) = match name {
+        "H" => (&mut g.momentum, "N*m*s"),
+        "Omega" => (&mut g.speed, "rad/s"),
+        "cx" => (&mut g.springs[0], "N*m"),
+        "cy" => (&mut g.springs[1], "N*m"),
+        "dx" => (&mut g.damping[0], "N*m*s"),
+        "dy" => (&mut g.damping[1], "N*m*s"),
+        "Qx" => (&mut given.noise.torque[0], "N^2*m^2*s"),
+        "Qy" => (&mut given.noise.torque[1], "N^2*m^2*s"),
+        "sigma" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[0], "rad/s"),
+        "omega0" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[1], "rad/s"),
+        "zeta" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[2], "1"),
+        _ => match NAMES[..9].iter().position(|n| *n == name) {
+            Some(k) => {
+                let body = &mut g.bodies[k / 3];
+                (
+                    [&mut body.x, &mut body.y, &mut body.z].into_iter().nth(k % 3).expect("three axes"),
+                    "kg*m^2",
+                )
+            }
+            None => {
+                let near = crate::error::nearest(name, NAMES).map(|n| format!("did you mean {n}? "));
+                return Err(Error::bad_input(format!("a gimbal has no parameter `{name}`"))
+                    .with_hint(format!("{}it has {}", near.unwrap_or_default(), NAMES.join(", "))));
+            }
+        },
+    };
+    *place = match &entry.unit {
+        None => entry.value,
+        Some(text) => {
+            let unit = Unit::parse(text)?;
+            if unit.dimension() != Unit::parse(si)?.dimension() {
+                return Err(Error::new(crate::ErrorKind::Units, format!("{name} is in {text}, not in {si}")));
+            }
+            unit.to_si(entry.value)
+        }
+    };
+    Ok(())
+}
+
+/// Rates of the manoeuvre, rad/s and rad/s²: a smooth turn about one axis, then about the other.
+fn manoeuvre(t: f64, unit: f64) -> ([f64; 2], [f64; 2]) {
+    let bump = |from: f64| -> (f64, f64) {
+        let x = (t - from) / (12.0 * unit);
+        if !(0.0..=1.0).contains(&x) {
+            return (0.0, 0.0);
+        }
+        let (sin, cos) = (std::f64::consts::PI * x).sin_cos();
+        (sin * sin, 2.0 * sin * cos * std::f64::consts::PI / (12.0 * unit))
+    };
+    let ((a, da), (b, db)) = (bump(2.0 * unit), bump(10.0 * unit));
+    ([0.01 * a, -0.006 * b], [0.01 * da, -0.006 * db])
+}
+
+/// The manoeuvre simulated: the true rates and those read, at the samples of α.
+struct Shown {
+    samples: Vec<Sample>,
+    read: Vec<(f64, f64)>,
+    unit: f64,
+}
+
+fn simulated(given: &Given, corner: f64) -> Result<Shown> {
+    let g = &given.gimbal;
+    let fastest = g.free_frequencies().map_or(g.speed, |f| f[1].max(g.speed));
+    let unit = 2.0 / corner;
+    let run = Run { step: 0.1 / fastest, duration: 26.0 * unit, noise: given.noise.torque, seed: 1 };
+    let samples = g.simulate(State::default(), &run, |t| manoeuvre(t, unit))?;
+    let read = Demodulator::new(g, corner)?.rates(&samples);
+    Ok(Shown { samples, read, unit })
+}
+
+fn text(given: &Given, corner: f64) -> Result<String> {
+    let g = &given.gimbal;
+    let mut out = String::new();
+    let [slow, fast] = g.free_frequencies().unwrap_or([f64::NAN; 2]);
+    let a = g.scale_factor(0.0);
+    let band = g.band();
+    let noise = g.noise_equivalent(&given.noise, corner)?;
+    let springs: Vec<String> = g.tuned_springs().iter().map(|c| format!("{c:.4e}")).collect();
+    let _ = writeln!(
+        out,
+        "Gyroscope in a gimbal that turns with Ω = {} rad/s\n\
+         \x20 free frequencies              {slow:.3} and {fast:.3} rad/s (without damping)\n\
+         \x20 springs for resonance at Ω    {} N·m/rad (c_x = c_y; a negative one is no spring); now {:.4e}, {:.4e}\n\
+         \x20 scale factor                  {:.4e} rad of α at Ω for each rad/s, phase {:.2}°\n\
+         \x20 band of slow rates            1 % to {:.3} rad/s, 3 dB to {:.3} rad/s (gimbal alone)\n\
+         \x20 demodulator                   two low-passes at {corner} rad/s\n\
+         \x20 noise-equivalent rate         {:.3e} rad/s by torque noise, {:.3e} rad/s by random base motion\n",
+        g.speed,
+        springs.join(" or "),
+        g.springs[0],
+        g.springs[1],
+        a.norm(),
+        a.arg().to_degrees(),
+        band.one_percent,
+        band.three_decibel,
+        noise.torque,
+        noise.base
+    );
+    let shown = simulated(given, corner)?;
+    for (name, axis) in [("Θ′", 0usize), ("Ψ′", 1)] {
+        out.push_str(&drawn(&shown, name, axis));
+    }
+    Ok(out)
+}
+
+fn drawn(s: &Shown, name: &str, axis: usize) -> String {
+    let every = (s.samples.len() / 256).max(1);
+    let mrad = |v: f64| 1e3 * v;
+    let truth: Vec<f64> =
+        s.samples.iter().step_by(every).map(|p| mrad(manoeuvre(p.time, s.unit).0[axis])).collect();
+    let read: Vec<f64> =
+        s.read.iter().step_by(every).map(|r| mrad(if axis == 0 { r.0 } else { r.1 })).collect();
+    let end = format!("{:.1} s", s.samples.last().map_or(0.0, |p| p.time));
+    format!(
+        "{name}, mrad/s: · the base's rate, o read from α\n{}\n",
+        picture(
+            &[Trace { mark: '·', values: &truth }, Trace { mark: 'o', values: &read }],
+            (64, 11),
+            ("0 s", &end)
+        )
+    )
+}
+
+fn json(given: &Given, corner: f64) -> Result<String> {
+    let g = &given.gimbal;
+    let (a, band, noise) = (g.scale_factor(0.0), g.band(), g.noise_equivalent(&given.noise, corner)?);
+    let value = serde_json::json!({
+        "schema": "gyrospec.gimbal/1",
+        "free_frequencies_rad_per_s": g.free_frequencies(),
+        "tuned_springs_Nm_per_rad": g.tuned_springs(),
+        "scale_factor": { "magnitude_s": a.norm(), "phase_deg": a.arg().to_degrees() },
+        "band": { "one_percent_rad_per_s": band.one_percent, "three_decibel_rad_per_s": band.three_decibel },
+        "demodulator_corner_rad_per_s": corner,
+        "noise_equivalent_rate_rad_per_s": { "torque": noise.torque, "base": noise.base },
+    });
+    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
+    text.push('\n');
+    Ok(text)
+}

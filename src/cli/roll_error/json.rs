@@ -1,0 +1,59 @@
+//! The same as one JSON object.
+
+use super::options::Against;
+use super::table::{Plan, Row};
+use crate::{Error, Result};
+use serde_json::{Value, json};
+
+pub fn text(plan: &Plan, rows: &[Row]) -> Result<String> {
+    let s = &plan.compass.sphere;
+    let against = match plan.against {
+        Against::Heading => "heading_deg",
+        Against::Latitude => "latitude_deg",
+        Against::Height => "significant_height_m",
+    };
+    let value = json!({
+        "schema": "gyrospec.roll-error/1",
+        "instrument": plan.compass.instrument_name,
+        "compass": {
+            "P_N": s.weight, "H_Nms": s.momentum, "lP_Nm": s.pendulous, "C_Nm": s.damper, "F_per_s": s.flow,
+            "C0_N_per_m": s.stiffness, "T_s": s.lag, "h_m": s.lever, "lat_deg": s.latitude.to_degrees(),
+            "g_m_per_s2": s.gravity, "U_rad_per_s": s.earth_rate, "speed_m_per_s": plan.compass.speed,
+        },
+        "motion": plan.motion_says,
+        "roll": { "A_rad2": plan.roll.variance, "mu_per_s": plan.roll.decay, "eps_rad_per_s": plan.roll.frequency },
+        "against": against,
+        "rows": rows.iter().enumerate().map(|(i, r)| row(plan, i, r, against)).collect::<Vec<_>>(),
+        "note": plan.after.trim_end(),
+    });
+    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn row(plan: &Plan, index: usize, r: &Row, against: &str) -> Value {
+    let e = &r.error;
+    let mut out = json!({
+        against: r.value,
+        "heading_deg": r.heading.to_degrees(),
+        "mean_deg": e.mean().to_degrees(),
+        "sailing_deg": e.sailing.to_degrees(),
+        "rectified_deg": e.rectified.to_degrees(),
+        "spread_deg": e.spread.to_degrees(),
+        "spread_linear_deg": e.spread_linear.to_degrees(),
+        "spread_quadratic_deg": e.spread_quadratic.to_degrees(),
+    });
+    if let Some(measured) = &plan.measured {
+        out["measured_spectrum_mean_deg"] = json!(measured[index].to_degrees());
+    }
+    if let Some(m) = &r.simulated {
+        let to2 = 1f64.to_degrees().powi(2);
+        out["simulated"] = json!({
+            "mean_deg": m.mean.to_degrees(),
+            "mean_margin_deg": m.mean_margin.to_degrees(),
+            "variance_deg2": m.variance * to2,
+            "variance_margin_deg2": m.variance_margin * to2,
+        });
+    }
+    out
+}

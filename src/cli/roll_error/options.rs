@@ -1,0 +1,290 @@
+//! What the command line says of the instrument, the motion and the rows wanted.
+
+use super::{quantities, quantity};
+use crate::gyro::elastic::{Backlash, Compliance, Elastic, Friction, Inertia, Lag, Relaxing};
+use crate::gyro::{Axis, Motion};
+use crate::lti::TransferFunction;
+use crate::spectrum::{Hull, RationalFit, Roll, Sea, fit_rational};
+use crate::{Error, Result};
+use clap::{Args, ValueEnum};
+
+#[derive(Args)]
+pub struct InstrumentOptions {
+    /// The elastic part with its inertia, (2.2) in place of (2.3).
+    #[arg(long, group = "part")]
+    inertia: bool,
+    /// A second relaxing part, liquid flow: its time and its give as a part of the spring's.
+    #[arg(long, group = "part", value_name = "TIME,SHARE", allow_hyphen_values = true)]
+    flow: Option<String>,
+    /// Compliance along the meridian too: stiffness and time.
+    #[arg(long, group = "part", value_name = "STIFFNESS,TIME")]
+    meridian: Option<String>,
+    /// Compliance along the vertical: stiffness and time.
+    #[arg(long, value_name = "STIFFNESS,TIME")]
+    vertical: Option<String>,
+    /// Dry friction in the suspension, stochastically linearised.
+    #[arg(long, group = "part", value_name = "FORCE")]
+    friction: Option<String>,
+    /// Free play (half-width) in the suspension, stochastically linearised.
+    #[arg(long, group = "part", value_name = "GAP")]
+    free_play: Option<String>,
+    /// Latitude.
+    #[arg(long, allow_hyphen_values = true)]
+    pub latitude: Option<String>,
+    /// Height of the compass above the roll axis.
+    #[arg(long, allow_hyphen_values = true)]
+    pub lever: Option<String>,
+    /// Speed of the ship over the ground.
+    #[arg(long, allow_hyphen_values = true)]
+    pub speed: Option<String>,
+}
+
+impl InstrumentOptions {
+    /// Whether nothing was said.
+    pub fn plain(&self) -> bool {
+        self.is_lag() && self.latitude.is_none() && self.lever.is_none() && self.speed.is_none()
+    }
+
+    /// Whether the part is the paper's lag.
+    pub fn is_lag(&self) -> bool {
+        !self.inertia
+            && [&self.flow, &self.meridian, &self.vertical, &self.friction, &self.free_play]
+                .iter()
+                .all(|o| o.is_none())
+    }
+
+    /// Whether the part is the one with inertia.
+    pub fn is_inertia(&self) -> bool {
+        self.inertia
+    }
+
+    /// Whether the part has a second relaxation.
+    pub fn is_flow(&self) -> bool {
+        self.flow.is_some()
+    }
+
+    /// The elastic part asked for.
+    pub fn part(&self) -> Result<Box<dyn Elastic>> {
+        let pair = |name: &str, text: &Option<String>| -> Result<Option<(f64, f64)>> {
+            let Some(text) = text else { return Ok(None) };
+            quantities(name, text, &["N/m", "s"]).map(|v| Some((v[0], v[1])))
+        };
+        if self.meridian.is_some() || self.vertical.is_some() {
+            let meridian = pair("meridian", &self.meridian)?;
+            return Ok(Box::new(Compliance { meridian, vertical: pair("vertical", &self.vertical)? }));
+        }
+        if let Some(text) = &self.flow {
+            let v = quantities("flow", text, &["s", "1"])?;
+            return Ok(Box::new(Relaxing { time: v[0], share: v[1] }));
+        }
+        if let Some(text) = &self.friction {
+            return Ok(Box::new(Friction { force: quantity("friction", text, "N")? }));
+        }
+        if let Some(text) = &self.free_play {
+            return Ok(Box::new(Backlash { gap: quantity("free-play", text, "m")? }));
+        }
+        Ok(if self.inertia { Box::new(Inertia) } else { Box::new(Lag) })
+    }
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub enum SeaKind {
+    /// Pierson-Moskowitz: fully grown, by its height alone.
+    Pm,
+    Bretschneider,
+    Jonswap,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub enum Also {
+    Pitch,
+    Heave,
+}
+
+#[derive(Args)]
+pub struct MotionOptions {
+    /// Irregular roll of the paper's form: standard deviation, decay mu, frequency eps.
+    #[arg(long, value_name = "SIGMA,MU,EPS", group = "motion")]
+    irregular: Option<String>,
+    /// Regular roll: amplitude, frequency.
+    #[arg(long, value_name = "AMPLITUDE,FREQUENCY", group = "motion")]
+    regular: Option<String>,
+    /// Roll in a wind sea from abeam.
+    #[arg(long, value_enum, group = "motion")]
+    sea: Option<SeaKind>,
+    /// Significant wave height of the sea.
+    #[arg(long, requires = "sea")]
+    height: Option<String>,
+    /// Peak period of the sea.
+    #[arg(long, requires = "sea")]
+    period: Option<String>,
+    /// Peakedness of JONSWAP.
+    #[arg(long, requires = "sea", default_value_t = 3.3)]
+    gamma: f64,
+    /// The ship: roll period, damping ratio, effective wave slope, beam.
+    #[arg(long, requires = "sea", value_name = "PERIOD,DAMPING,SLOPE,BEAM")]
+    ship: Option<String>,
+    /// Other motions in the same sea.
+    #[arg(long, requires = "sea", value_enum, value_delimiter = ',')]
+    also: Vec<Also>,
+    /// Two first-order low-passes on the motion, at this frequency.
+    #[arg(long, value_name = "FREQUENCY")]
+    band: Option<String>,
+}
+
+/// A motion with what is to be said of it.
+pub struct Described {
+    pub motion: Motion,
+    pub says: String,
+    /// Regular roll has no spread of its own products.
+    pub regular: bool,
+}
+
+impl MotionOptions {
+    /// Whether a motion was asked for.
+    pub fn given(&self) -> bool {
+        self.irregular.is_some() || self.regular.is_some() || self.sea.is_some() || self.band.is_some()
+    }
+
+    /// Whether the motion is a sea.
+    pub fn is_sea(&self) -> bool {
+        self.sea.is_some()
+    }
+
+    /// The motion asked for; in a sea of significant height `height` if given.
+    pub fn motion(&self, default: &Roll, height: Option<f64>) -> Result<Described> {
+        let mut described = match (self.sea, &self.regular) {
+            (Some(kind), _) => self.in_sea(kind, height)?,
+            (None, Some(text)) => regular(text)?,
+            (None, None) => self.irregular(default)?,
+        };
+        if let Some(text) = &self.band {
+            let corner = quantity("band", text, "rad/s")?;
+            described.motion = described.motion.band_limited(corner, 2)?;
+            described.says.push_str(&format!("; behind two low-passes at {corner} rad/s"));
+        }
+        Ok(described)
+    }
+
+    fn irregular(&self, default: &Roll) -> Result<Described> {
+        let roll = match &self.irregular {
+            Some(text) => {
+                let v = quantities("irregular", text, &["rad", "rad/s", "rad/s"])?;
+                Roll::new(v[0] * v[0], v[1], v[2])?
+            }
+            None => *default,
+        };
+        let says = format!(
+            "irregular roll, standard deviation {:.2}°, μ = {} 1/s, ε = {} rad/s",
+            roll.variance.sqrt().to_degrees(),
+            roll.decay,
+            roll.frequency
+        );
+        Ok(Described { motion: Motion::roll(&roll), says, regular: false })
+    }
+
+    fn in_sea(&self, kind: SeaKind, height: Option<f64>) -> Result<Described> {
+        let asked = self.height.as_deref().map(|t| quantity("height", t, "m")).transpose()?;
+        let height = height.or(asked).unwrap_or(3.0);
+        let period = self.period.as_deref().map(|t| quantity("period", t, "s")).transpose()?;
+        let peak = std::f64::consts::TAU / period.unwrap_or(8.0);
+        let sea = match kind {
+            SeaKind::Pm if period.is_some() => {
+                return Err(Error::usage("the sea of Pierson and Moskowitz has the period of its height")
+                    .with_hint("leave --period away, or use --sea bretschneider"));
+            }
+            SeaKind::Pm => Sea::PiersonMoskowitz { height },
+            SeaKind::Bretschneider => Sea::Bretschneider { height, peak },
+            SeaKind::Jonswap => Sea::Jonswap { height, peak, gamma: self.gamma },
+        };
+        sea.check()?;
+        let fit = rational_sea(&sea)?;
+        let motion = Motion::in_sea(&fit.shaping, &self.responses()?)?;
+        let says = format!(
+            "{} sea, significant height {height:.2} m, peak period {:.1} s; rational spectrum within {:.1} % (its slope's power {:+.1} %)",
+            ["Pierson-Moskowitz", "Bretschneider", "JONSWAP"][kind as usize],
+            std::f64::consts::TAU / sea.peak(),
+            100.0 * fit.error,
+            100.0 * fit.power_error
+        );
+        Ok(Described { motion, says, regular: false })
+    }
+
+    fn responses(&self) -> Result<Vec<(Axis, TransferFunction)>> {
+        let hull = match &self.ship {
+            Some(text) => {
+                let v = quantities("ship", text, &["s", "1", "1", "m"])?;
+                Hull { frequency: std::f64::consts::TAU / v[0], damping: v[1], slope: v[2], beam: v[3] }
+            }
+            None => Hull::default(),
+        };
+        let mut all = vec![(Axis::Roll, hull.roll_response()?)];
+        for also in &self.also {
+            all.push(match also {
+                Also::Pitch => (Axis::Pitch, hull.pitch_response()?),
+                Also::Heave => (Axis::Heave, hull.heave_response()?),
+            });
+        }
+        Ok(all)
+    }
+}
+
+/// The sea's surface by a rational spectrum, weighted with ω⁴ as slopes are.
+fn rational_sea(sea: &Sea) -> Result<RationalFit> {
+    let omega: Vec<f64> = (1..=240).map(|k| f64::from(k) * 0.02 * sea.peak()).collect();
+    let density: Vec<f64> = omega.iter().map(|w| sea.density(*w)).collect();
+    let weight: Vec<f64> = omega.iter().map(|w| w.powi(4)).collect();
+    fit_rational(&omega, &density, &weight, &[1, 3, 5])
+}
+
+/// Regular roll as the limit of ever narrower irregular roll: θ₀² = 2A, p = ε, μ → 0.
+fn regular(text: &str) -> Result<Described> {
+    let v = quantities("regular", text, &["rad", "rad/s"])?;
+    let roll = Roll::new(0.5 * v[0] * v[0], 1e-7 * v[1], v[1])?;
+    let says = format!("regular roll, amplitude {:.2}°, frequency {} rad/s", v[0].to_degrees(), v[1]);
+    Ok(Described { motion: Motion::roll(&roll), says, regular: true })
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub enum Against {
+    Heading,
+    Latitude,
+    /// Significant wave height of the sea.
+    Height,
+}
+
+#[derive(Args)]
+pub struct RowOptions {
+    /// What the rows of the table run over.
+    #[arg(long, value_enum, default_value = "heading")]
+    pub against: Against,
+    /// Heading; may be given often.
+    #[arg(long = "heading", allow_hyphen_values = true)]
+    headings: Vec<String>,
+    /// Simulate this many days beside the formula.
+    #[arg(long, value_name = "DAYS")]
+    pub simulate: Option<usize>,
+    /// Seed of the simulation.
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+}
+
+impl RowOptions {
+    /// Whether something was said.
+    pub fn given(&self) -> bool {
+        self.against != Against::Heading || !self.headings.is_empty() || self.simulate.is_some()
+    }
+
+    /// The headings, rad.
+    pub fn headings(&self) -> Result<Vec<f64>> {
+        if self.headings.is_empty() {
+            return Ok((0..360).step_by(15).map(|k| f64::from(k).to_radians()).collect());
+        }
+        // a bare number on the compass card is in degrees
+        let one = |text: &String| match text.trim().parse::<f64>() {
+            Ok(v) if v.is_finite() => Ok(v.to_radians()),
+            _ => quantity("heading", text, "rad"),
+        };
+        self.headings.iter().map(one).collect()
+    }
+}

@@ -1,0 +1,238 @@
+//! The table of errors: mean ± spread against heading, latitude or sea state.
+
+use super::Arguments;
+use super::options::{Against, Described, RowOptions};
+use super::parameters::Compass;
+use crate::gyro::{HeadingError, Instrument, MonteCarlo, Simulated, seed};
+use crate::report::polar::{Point, Polar};
+use crate::spectrum::Roll;
+use crate::{Error, Result};
+use rayon::prelude::*;
+use std::fmt::Write;
+
+/// One row to compute: its instrument, motion and heading.
+pub struct Case {
+    pub instrument: Instrument,
+    pub motion: Described,
+    /// rad.
+    pub heading: f64,
+    /// The value of what the rows run over, in its unit of print.
+    pub value: f64,
+}
+
+/// What is computed, with the words around it.
+pub struct Plan {
+    pub compass: Compass,
+    pub motion_says: String,
+    /// Text before the table: the analysis of a recording.
+    pub before: String,
+    pub after: String,
+    pub roll: Roll,
+    pub cases: Vec<Case>,
+    pub against: Against,
+    /// A further column: by quadrature over a measured spectrum, rad, for each case.
+    pub measured: Option<Vec<f64>>,
+}
+
+/// One row computed.
+pub struct Row {
+    pub heading: f64,
+    pub value: f64,
+    pub error: HeadingError,
+    pub simulated: Option<Simulated>,
+}
+
+impl Plan {
+    /// The plan of the options alone.
+    pub fn of_options(compass: Compass, a: &Arguments) -> Result<Self> {
+        let roll = match compass.roll {
+            Some(roll) => roll,
+            None => seed::example_3_1().1,
+        };
+        let described = a.motion.motion(&roll, None)?;
+        let motion_says = described.says.clone();
+        let cases = cases(&compass, &roll, a)?;
+        let after = tail(&compass, &described)?;
+        let against = a.rows.against;
+        Ok(Self { compass, motion_says, before: String::new(), after, roll, cases, against, measured: None })
+    }
+
+    pub fn evaluate(&self, rows: &RowOptions) -> Result<Vec<Row>> {
+        self.cases.par_iter().map(|case| case.evaluate(rows)).collect()
+    }
+
+    /// The polar picture of the rows, where they run over headings.
+    pub fn polar(&self, rows: &[Row]) -> Result<Polar> {
+        if self.against != Against::Heading {
+            return Err(Error::usage("the polar picture runs over headings; leave --against away"));
+        }
+        let point = |r: &Row| Point {
+            heading: r.heading,
+            mean: r.error.mean().to_degrees(),
+            spread: r.error.spread.to_degrees(),
+        };
+        let title = format!("Heading error, {}", self.compass.instrument_name);
+        Ok(Polar { title, subtitle: self.motion_says.clone(), points: rows.iter().map(point).collect() })
+    }
+}
+
+fn cases(compass: &Compass, roll: &Roll, a: &Arguments) -> Result<Vec<Case>> {
+    let headings = a.rows.headings()?;
+    let lone = if a.rows.against == Against::Heading || !headings.len().eq(&1) {
+        45f64.to_radians()
+    } else {
+        headings[0]
+    };
+    let case = |instrument, heading, height, value| -> Result<Case> {
+        Ok(Case { instrument, motion: a.motion.motion(roll, height)?, heading, value })
+    };
+    match a.rows.against {
+        Against::Heading => headings
+            .iter()
+            .map(|k| case(compass.instrument(&a.instrument)?, *k, None, k.to_degrees()))
+            .collect(),
+        Against::Latitude => (0..=16)
+            .map(|k| {
+                let degrees = 5.0 * f64::from(k);
+                let mut instrument = compass.instrument(&a.instrument)?;
+                instrument.sphere.latitude = degrees.to_radians();
+                case(instrument, lone, None, degrees)
+            })
+            .collect(),
+        Against::Height if !a.motion.is_sea() => {
+            Err(Error::usage("--against height needs a sea")
+                .with_hint("say --sea pm, bretschneider or jonswap"))
+        }
+        Against::Height => (1..=16)
+            .map(|k| {
+                let height = 0.5 * f64::from(k);
+                case(compass.instrument(&a.instrument)?, lone, Some(height), height)
+            })
+            .collect(),
+    }
+}
+
+impl Case {
+    fn evaluate(&self, rows: &RowOptions) -> Result<Row> {
+        let mut error = self.instrument.error(&self.motion.motion, self.heading)?;
+        if self.motion.regular {
+            // a steady sine has a steady product: only its own swing spreads
+            (error.spread, error.spread_quadratic) = (error.spread_linear, 0.0);
+        }
+        let simulated = match rows.simulate {
+            None => None,
+            Some(days) => {
+                let plan = MonteCarlo {
+                    step: 0.1,
+                    duration: 86400.0,
+                    settle: 6.0 * 3600.0,
+                    runs: days.max(2),
+                    seed: rows.seed,
+                };
+                let system = self.instrument.system(&self.motion.motion, self.heading)?;
+                Some(plan.run(&system, 0, error.mean())?)
+            }
+        };
+        Ok(Row { heading: self.heading, value: self.value, error, simulated })
+    }
+}
+
+/// What of the error hangs on a white tail of the acceleration.
+fn tail(compass: &Compass, described: &Described) -> Result<String> {
+    if !described.motion.has_white_acceleration() || described.regular {
+        return Ok(String::new());
+    }
+    let heading = 45f64.to_radians();
+    let corner = 2.5;
+    let instrument = compass.plain_instrument();
+    let whole = instrument.rectified_error(&described.motion, heading)?.to_degrees();
+    let banded =
+        instrument.rectified_error(&described.motion.band_limited(corner, 2)?, heading)?.to_degrees();
+    Ok(format!(
+        "This motion's acceleration has a white tail (infinite variance), which no ship has. By the lag alone on heading 45°\n\
+         the mean is {whole:.3}° with it and {banded:.3}° behind two low-passes at {corner} rad/s: {:.0} % hang on the tail (see --band).\n",
+        100.0 * (1.0 - banded / whole)
+    ))
+}
+
+/// A number without a sign on its zero.
+fn plain(degrees: f64) -> f64 {
+    if degrees.abs() < 5e-6 { 0.0 } else { degrees }
+}
+
+pub fn text(plan: &Plan, rows: &[Row]) -> Result<String> {
+    let mut out = plan.before.clone();
+    let s = &plan.compass.sphere;
+    let place = match plan.against {
+        Against::Latitude => format!("heading {:.0}°", plan.cases[0].heading.to_degrees()),
+        Against::Heading => format!("latitude {:.1}°", s.latitude.to_degrees()),
+        Against::Height => {
+            format!(
+                "heading {:.0}°, latitude {:.1}°",
+                plan.cases[0].heading.to_degrees(),
+                s.latitude.to_degrees()
+            )
+        }
+    };
+    let _ = writeln!(
+        out,
+        "Heading error of a gyrosphere: {}; h = {} m, {place}\n\
+         compass: {}\nmotion: {}\n",
+        plan.compass.instrument_name, s.lever, plan.compass.says, plan.motion_says
+    );
+    let simulated = rows.iter().any(|r| r.simulated.is_some());
+    out.push_str(&heads(plan, simulated));
+    for (index, row) in rows.iter().enumerate() {
+        let e = &row.error;
+        let _ = write!(
+            out,
+            "{:>9}   {:>10.5}° ±{:>9.5}°  {:>9.5}°  {:>9.5}°",
+            format!("{:.1}", row.value),
+            plain(e.mean().to_degrees()),
+            e.spread.to_degrees(),
+            e.spread_linear.to_degrees(),
+            e.spread_quadratic.to_degrees()
+        );
+        if let Some(measured) = &plan.measured {
+            let _ = write!(out, "   {:>10.5}°", plain(measured[index].to_degrees()));
+        }
+        if let Some(m) = &row.simulated {
+            let _ = write!(out, "   {}", beside(m));
+        }
+        out.push('\n');
+    }
+    out.push('\n');
+    if plan.compass.speed != 0.0 {
+        out.push_str("The mean holds the error of course and speed, v_N/(R U cos φ + v_E).\n");
+    }
+    out.push_str(&plan.after);
+    Ok(out)
+}
+
+fn heads(plan: &Plan, simulated: bool) -> String {
+    let first = match plan.against {
+        Against::Heading => "heading °",
+        Against::Latitude => "latitude °",
+        Against::Height => "height m",
+    };
+    let mut out = format!("{first:>10}        mean  ±  spread    by swing   by products");
+    if plan.measured.is_some() {
+        out.push_str("   mean, measured spectrum");
+    }
+    if simulated {
+        out.push_str("   simulated: mean (99 %), spread (99 %)");
+    }
+    out + "\n"
+}
+
+fn beside(m: &Simulated) -> String {
+    let spread = m.variance.max(0.0).sqrt();
+    let margin = if spread > 0.0 { 0.5 * m.variance_margin / spread } else { 0.0 };
+    format!(
+        "{:.5}° (±{:.5}), {:.5}° (±{:.5})",
+        m.mean.to_degrees(),
+        m.mean_margin.to_degrees(),
+        spread.to_degrees(),
+        margin.to_degrees()
+    )
+}
