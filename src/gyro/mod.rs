@@ -5,6 +5,7 @@
 //! heading K; x is the shift of the centre of mass along the parallel.
 
 pub mod elastic;
+mod free;
 pub mod gimbal;
 mod gyrosphere;
 mod identify;
@@ -15,6 +16,7 @@ pub mod rectified;
 pub mod seed;
 mod sweep;
 
+pub use free::FreeMotion;
 pub use gyrosphere::Gyrosphere;
 pub use identify::{Estimate, Identified, Trial, identify};
 pub use instrument::{EARTH_RADIUS, HeadingError, Instrument};

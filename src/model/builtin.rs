@@ -4,9 +4,12 @@ use crate::error::nearest;
 use crate::{Error, Result};
 
 /// Name and TOML text of every built-in model.
-pub const BUILTIN: [(&str, &str); 2] = [
+pub const BUILTIN: [(&str, &str); 5] = [
     ("gyrosphere", include_str!("builtin/gyrosphere.toml")),
+    ("gyrosphere-flow", include_str!("builtin/gyrosphere-flow.toml")),
+    ("gyrosphere-inertia", include_str!("builtin/gyrosphere-inertia.toml")),
     ("gyrosphere-precession", include_str!("builtin/gyrosphere-precession.toml")),
+    ("gyrosphere-under-way", include_str!("builtin/gyrosphere-under-way.toml")),
 ];
 
 /// The text of a built-in model.

@@ -26,7 +26,7 @@ fn sea() -> Motion {
     let sea = Sea::Jonswap { height: 3.0, peak: 0.8, gamma: 3.3 };
     let omega: Vec<f64> = (1..=200).map(|k| 0.016 * f64::from(k)).collect();
     let density: Vec<f64> = omega.iter().map(|w| sea.density(*w)).collect();
-    let fit = fit_rational(&omega, &density, &vec![1.0; 200], &[1, 3]).unwrap();
+    let fit = fit_rational(&omega, &density, &[1.0; 200], &[0, 1, 3]).unwrap();
     let hull = Hull::default();
     let responses = [
         (Axis::Roll, hull.roll_response().unwrap()),
@@ -337,4 +337,21 @@ fn base_motion_near_twice_the_speed_folds_onto_slow_rates() {
         .sum();
     let by_quadrature = (sum * step / std::f64::consts::TAU).sqrt();
     assert_relative_eq!(said.base, by_quadrature, max_relative = 1e-4);
+}
+
+#[test]
+fn the_compass_swings_and_settles_as_its_numbers_say() {
+    let sphere = Gyrosphere::seed();
+    let free = sphere.free_motion().unwrap();
+    assert_relative_eq!(free.undamped_period / 60.0, 84.4, epsilon = 0.1);
+    assert_relative_eq!(free.damped_period / 60.0, 97.9, epsilon = 0.1);
+    // a tuned compass is thrown by just the change of its steady error
+    let tuned = Gyrosphere { damper: 1e-9, ..sphere };
+    let stiff = tuned.gravity * tuned.momentum
+        / (gyrospec::gyro::EARTH_RADIUS * tuned.earth_rate * tuned.latitude.cos());
+    let tuned = Gyrosphere { pendulous: stiff, ..tuned };
+    let thrown = tuned.ballistic(5.0, 60.0, 2).unwrap();
+    assert!(thrown[0].1.abs() < 1e-12);
+    let off = Gyrosphere { pendulous: 0.8 * stiff, ..tuned }.ballistic(5.0, 60.0, 2).unwrap();
+    assert!(off[0].1.abs() > 1e-4);
 }

@@ -5,6 +5,7 @@ mod fit;
 mod formula;
 mod fuzz;
 mod gyro;
+mod gyro_time;
 mod house;
 mod integral;
 mod lti;

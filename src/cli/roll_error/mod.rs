@@ -2,6 +2,7 @@
 
 mod examples;
 mod formulas;
+mod free;
 mod json;
 mod measured;
 mod options;
@@ -35,6 +36,9 @@ pub struct Arguments {
     motion: options::MotionOptions,
     #[command(flatten)]
     rows: options::RowOptions,
+    /// Free motion instead: periods, damping and settling against latitude.
+    #[arg(long)]
+    free: bool,
     /// Closed form of the mean error.
     #[arg(long)]
     formula: bool,
@@ -54,13 +58,14 @@ Examples:
   gyrospec roll-error --irregular 4deg,0.06,0.65 --latitude 60deg --svg error.svg
   gyrospec roll-error --sea jonswap --height 3m --period 8s --also pitch,heave --against latitude
   gyrospec roll-error compass.toml ship.csv --roll roll_deg:deg --json
+  gyrospec roll-error --free
   gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --heading 45deg --simulate 40";
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
     let picture = a.svg.as_deref().map(Sink::open).transpose()?;
     let (parameters, recording) = files(a);
     let bare = parameters.is_none() && recording.is_none() && !a.motion.given() && !a.rows.given();
-    if bare && !a.formula && !a.json && picture.is_none() && a.instrument.plain() {
+    if bare && !a.formula && !a.json && !a.free && picture.is_none() && a.instrument.plain() {
         output::print(examples::text()?.as_bytes())?;
         return Ok(Outcome::Done);
     }
@@ -69,6 +74,10 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
         return Ok(Outcome::Done);
     }
     let compass = parameters::read(parameters, &a.instrument)?;
+    if a.free {
+        output::print(free::text(&compass)?.as_bytes())?;
+        return Ok(Outcome::Done);
+    }
     let plan = match recording {
         Some(path) => measured::plan(&compass, path, a)?,
         None => table::Plan::of_options(compass, a)?,

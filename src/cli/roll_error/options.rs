@@ -234,7 +234,7 @@ fn rational_sea(sea: &Sea) -> Result<RationalFit> {
     let omega: Vec<f64> = (1..=240).map(|k| f64::from(k) * 0.02 * sea.peak()).collect();
     let density: Vec<f64> = omega.iter().map(|w| sea.density(*w)).collect();
     let weight: Vec<f64> = omega.iter().map(|w| w.powi(4)).collect();
-    fit_rational(&omega, &density, &weight, &[1, 3, 5])
+    fit_rational(&omega, &density, &weight, &[0, 1, 3, 5])
 }
 
 /// Regular roll as the limit of ever narrower irregular roll: θ₀² = 2A, p = ε, μ → 0.
