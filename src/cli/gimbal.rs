@@ -90,20 +90,20 @@ fn put(given: &mut Given, name: &str, entry: &Entry) -> Result<()> {
         "sigma" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[0], "rad/s"),
         "omega0" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[1], "rad/s"),
         "zeta" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[2], "1"),
-        _ => match NAMES[..9].iter().position(|n| *n == name) {
-            Some(k) => {
-                let body = &mut g.bodies[k / 3];
-                (
-                    [&mut body.x, &mut body.y, &mut body.z].into_iter().nth(k % 3).expect("three axes"),
-                    "kg*m^2",
-                )
-            }
-            None => {
+        _ => {
+            let Some(k) = NAMES[..9].iter().position(|n| *n == name) else {
                 let near = crate::error::nearest(name, NAMES).map(|n| format!("did you mean {n}? "));
                 return Err(Error::bad_input(format!("a gimbal has no parameter `{name}`"))
                     .with_hint(format!("{}it has {}", near.unwrap_or_default(), NAMES.join(", "))));
-            }
-        },
+            };
+            let body = &mut g.bodies[k / 3];
+            let axis = match k % 3 {
+                0 => &mut body.x,
+                1 => &mut body.y,
+                _ => &mut body.z,
+            };
+            (axis, "kg*m^2")
+        }
     };
     *place = match &entry.unit {
         None => entry.value,

@@ -66,7 +66,7 @@ enum Command {
     /// A gyroscope in a rotating gimbal as a sensor of slow rates.
     Gimbal(gimbal::GimbalCall),
     /// Mean and spread of the rolling error of a gyrocompass.
-    RollError(roll_error::Arguments),
+    RollError(Box<roll_error::Arguments>),
     /// Version and licence.
     About,
 }

@@ -249,14 +249,14 @@ impl Instrument {
             add(&mut turned, -arm * first, &acceleration);
         }
         let yaw = motion.axes().contains(&Axis::Yaw).then(|| motion.derivative(Axis::Yaw, 0)).transpose()?;
-        self.with_elastic(motion, w, turned, yaw)
+        self.with_elastic(motion, w, &turned, yaw)
     }
 
     fn with_elastic(
         &self,
         motion: &Motion,
         w: [Signal; 3],
-        turned: Signal,
+        turned: &Signal,
         yaw: Option<Signal>,
     ) -> Result<Signals> {
         let base = motion.system();
@@ -279,7 +279,7 @@ impl Instrument {
             fast: joint.a,
             noise: joint.b,
             w: w.map(|x| widen(&x, more)),
-            turned: widen(&turned, more),
+            turned: widen(turned, more),
             yaw: yaw.map(|x| widen(&x, more)),
             shift,
         })

@@ -136,7 +136,7 @@ fn sign_iteration(a: &Mat<f64>, q: &Mat<f64>) -> Result<Mat<f64>> {
         let moved = (&next - &a).norm_l2();
         a = next;
         if moved <= 1e-14 * (n as f64) * a.norm_l2() {
-            return settled(&a, q);
+            return settled(&a, &q);
         }
         if moved < 1e-7 * a.norm_l2() && off_identity(&a) < 1e-9 {
             return Ok(Mat::from_fn(n, n, |i, j| 0.5 * q[(i, j)]));
@@ -150,10 +150,10 @@ fn off_identity(a: &Mat<f64>) -> f64 {
     Mat::from_fn(n, n, |i, j| a[(i, j)] + f64::from(u8::from(i == j))).norm_l2()
 }
 
-fn settled(a: &Mat<f64>, q: Mat<f64>) -> Result<Mat<f64>> {
+fn settled(a: &Mat<f64>, q: &Mat<f64>) -> Result<Mat<f64>> {
     let n = a.nrows();
     let trace: f64 = (0..n).map(|i| a[(i, i)]).sum();
-    let right = ((trace + n as f64) / 2.0).round();
+    let right = f64::midpoint(trace, n as f64).round();
     if right > 0.0 {
         return Err(Error::new(
             ErrorKind::Unstable,

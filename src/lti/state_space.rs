@@ -2,6 +2,7 @@
 
 use super::{Covariance, TransferFunction, stationary_covariance};
 use crate::{Error, Result};
+use faer::linalg::solvers::Solve;
 use faer::{Mat, c64};
 use num_complex::Complex64;
 
@@ -56,9 +57,8 @@ impl StateSpace {
         c.extend_from_slice(w.numerator());
         let through = c[0] / lead;
         Self {
-            a: Mat::from_fn(n, n, |i, j| match i + 1 == n {
-                true => -h[n - j] / lead,
-                false => f64::from(u8::from(j == i + 1)),
+            a: Mat::from_fn(n, n, |i, j| {
+                if i + 1 == n { -h[n - j] / lead } else { f64::from(u8::from(j == i + 1)) }
             }),
             b: Mat::from_fn(n, 1, |i, _| if i + 1 == n { 1.0 / lead } else { 0.0 }),
             c: Mat::from_fn(1, n, |_, j| c[n - j] - through * h[n - j]),
@@ -113,7 +113,6 @@ impl StateSpace {
             let diagonal = if i == j { s } else { Complex64::ZERO };
             c64::new(diagonal.re - self.a[(i, j)], diagonal.im)
         });
-        use faer::linalg::solvers::Solve;
         let inner = shifted.partial_piv_lu().solve(&lift(&self.b));
         lift(&self.c) * inner + lift(&self.d)
     }

@@ -30,6 +30,7 @@ pub fn picture(traces: &[Trace<'_>], (width, height): (usize, usize), (from, to)
     grid[row(0.0).min(height - 1)].fill('-');
     for trace in traces {
         let last = trace.values.len().saturating_sub(1);
+        #[allow(clippy::needless_range_loop)] // the column is the abscissa, its row is computed
         for column in 0..width {
             let place = column as f64 / (width - 1) as f64 * last as f64;
             let value = trace.values.get(place.round() as usize).copied().unwrap_or(f64::NAN);

@@ -26,7 +26,7 @@ pub fn even_samples(time: &[f64], values: &[f64]) -> Result<EvenSamples> {
         return Err(Error::bad_input(format!("{} samples are too few for a spectrum", known.len())));
     }
     let mut gaps: Vec<f64> = known.windows(2).map(|p| p[1].0 - p[0].0).collect();
-    if gaps.iter().any(|g| !(*g > 0.0)) {
+    if !gaps.iter().all(|g| *g > 0.0) {
         return Err(Error::bad_input("the times of the recording do not rise"));
     }
     gaps.sort_by(f64::total_cmp);

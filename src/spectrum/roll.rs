@@ -69,8 +69,9 @@ impl Roll {
     /// F(s) = 2b√(Aμ)/(s² + 2μs + b²): white noise of unit intensity in, the roll angle out.
     pub fn shaping(&self) -> TransferFunction {
         let gain = 2.0 * (self.variance * self.decay * self.b2()).sqrt();
+        // both coefficient lists are made of the checked, finite fields
         TransferFunction::new(&[gain], &[1.0, 2.0 * self.decay, self.b2()])
-            .expect("positive finite parameters make a proper filter")
+            .unwrap_or_else(|_| TransferFunction::constant(f64::NAN))
     }
 
     /// `count` samples at equal steps (s) of such a roll, rad, exact in distribution; the same

@@ -84,7 +84,9 @@ pub fn welch(values: &[f64], step: f64, length: usize) -> Result<Measured> {
         return Err(Error::bad_input(format!("no stretch of {length} samples without a gap"))
             .with_hint("give a longer recording, or one with fewer gaps"));
     }
-    density.iter_mut().for_each(|s| *s /= segments as f64);
+    for s in &mut density {
+        *s /= segments as f64;
+    }
     let omega = (0..density.len()).map(|k| TAU * k as f64 / (length as f64 * step)).collect();
     Ok(Measured { omega, density, segments, step })
 }

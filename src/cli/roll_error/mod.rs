@@ -83,7 +83,7 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
         None => table::Plan::of_options(compass, a)?,
     };
     let result = plan.evaluate(&a.rows)?;
-    let text = if a.json { json::text(&plan, &result)? } else { table::text(&plan, &result)? };
+    let text = if a.json { json::text(&plan, &result)? } else { table::text(&plan, &result) };
     if let Some(sink) = picture {
         sink.finish(polar::svg(&plan.polar(&result)?).as_bytes())?;
         if a.svg.as_deref() == Some(Path::new("-")) {

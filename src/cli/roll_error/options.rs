@@ -161,7 +161,7 @@ impl MotionOptions {
         if let Some(text) = &self.band {
             let corner = quantity("band", text, "rad/s")?;
             described.motion = described.motion.band_limited(corner, 2)?;
-            described.says.push_str(&format!("; behind two low-passes at {corner} rad/s"));
+            described.says = format!("{}; behind two low-passes at {corner} rad/s", described.says);
         }
         Ok(described)
     }

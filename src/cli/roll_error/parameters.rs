@@ -163,9 +163,10 @@ impl Filling {
     }
 
     fn says(&self, base: &str) -> String {
-        let mut text = match self.given.is_empty() {
-            true => format!("numbers of {base}"),
-            false => format!("{} as given, the rest of {base}", self.given.join(", ")),
+        let mut text = if self.given.is_empty() {
+            format!("numbers of {base}")
+        } else {
+            format!("{} as given, the rest of {base}", self.given.join(", "))
         };
         if !self.unused.is_empty() {
             text.push_str("; not used here: ");

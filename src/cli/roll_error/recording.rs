@@ -36,14 +36,12 @@ pub fn roll_name(recording: &Recording, asked: Option<&str>) -> Result<String> {
         return Ok("roll".into());
     }
     let mut rolls = recording.channels.iter().filter(|c| c.name.to_lowercase().starts_with("roll"));
-    match (rolls.next(), rolls.next()) {
-        (Some(only), None) => Ok(only.name.clone()),
-        _ => {
-            let names: Vec<&str> = recording.channels.iter().map(|c| c.name.as_str()).collect();
-            Err(Error::usage("which channel is the roll angle?")
-                .with_hint(format!("say --roll NAME; the recording has {}", names.join(", "))))
-        }
+    if let (Some(only), None) = (rolls.next(), rolls.next()) {
+        return Ok(only.name.clone());
     }
+    let names: Vec<&str> = recording.channels.iter().map(|c| c.name.as_str()).collect();
+    Err(Error::usage("which channel is the roll angle?")
+        .with_hint(format!("say --roll NAME; the recording has {}", names.join(", "))))
 }
 
 fn with_units(path: &Path, name: &str, unit: &str) -> Result<Recording> {

@@ -160,7 +160,7 @@ fn plain(degrees: f64) -> f64 {
     if degrees.abs() < 5e-6 { 0.0 } else { degrees }
 }
 
-pub fn text(plan: &Plan, rows: &[Row]) -> Result<String> {
+pub fn text(plan: &Plan, rows: &[Row]) -> String {
     let mut out = plan.before.clone();
     let s = &plan.compass.sphere;
     let place = match plan.against {
@@ -206,7 +206,7 @@ pub fn text(plan: &Plan, rows: &[Row]) -> Result<String> {
         out.push_str("The mean holds the error of course and speed, v_N/(R U cos φ + v_E).\n");
     }
     out.push_str(&plan.after);
-    Ok(out)
+    out
 }
 
 fn heads(plan: &Plan, simulated: bool) -> String {

@@ -193,12 +193,12 @@ fn shifted_integral(top: &[f64], factors: &[Factor]) -> Result<f64> {
     let mut b = vec![0.0; n];
     for (i, v) in g.iter().enumerate() {
         let power = degree - i;
-        if power % 2 == 0 {
+        if power.is_multiple_of(2) {
             let half = power / 2;
             if half >= n {
                 return Err(Error::not_computed("the noise's density does not fall off"));
             }
-            b[n - 1 - half] = if half % 2 == 0 { *v } else { -v };
+            b[n - 1 - half] = if half.is_multiple_of(2) { *v } else { -v };
         }
     }
     Ok(evaluate(&Integrand::new(&h, &b)?)?.value)

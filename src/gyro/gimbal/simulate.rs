@@ -75,7 +75,7 @@ impl Gimbal {
                 let xi: f64 = if q > 0.0 { StandardNormal.sample(&mut rng) } else { 0.0 };
                 xi * (q / run.step).sqrt()
             });
-            s = self.stepped(s, time, run.step, &|t, s| self.rates(s, t, base(t), torque));
+            s = Self::stepped(s, time, run.step, &|t, s| self.rates(s, t, base(t), torque));
             out.push(Sample { time: time + run.step, alpha: s.alpha, beta: s.beta });
         }
         Ok(out)
@@ -83,10 +83,10 @@ impl Gimbal {
 
     /// One free step without base motion, for the test of energy and frequencies.
     pub fn free_step(&self, s: State, step: f64) -> State {
-        self.stepped(s, 0.0, step, &|t, s| self.rates(s, t, ([0.0; 2], [0.0; 2]), [0.0; 2]))
+        Self::stepped(s, 0.0, step, &|t, s| self.rates(s, t, ([0.0; 2], [0.0; 2]), [0.0; 2]))
     }
 
-    fn stepped(&self, s: State, t: f64, h: f64, f: &dyn Fn(f64, State) -> State) -> State {
+    fn stepped(s: State, t: f64, h: f64, f: &dyn Fn(f64, State) -> State) -> State {
         let add = |a: State, b: State, k: f64| State {
             alpha: a.alpha + k * b.alpha,
             beta: a.beta + k * b.beta,
