@@ -1,7 +1,9 @@
 //! Damaged input: whatever bytes come, the readers answer with numbers that keep their promises
 //! or with an error, never with a panic.
 //!
-//! GYROSPEC_FUZZ sets the number of cases of each reader (500 by default).
+//! GYROSPEC_FUZZ sets the number of cases of each reader (500 by default). Run long once before
+//! the first release, without a finding: 1 500 000 expressions, 520 000 TOML recordings, 100 000
+//! models, 100 000 tables, 100 000 logs.
 
 use gyrospec::expression::Expr;
 use gyrospec::model::Model;
