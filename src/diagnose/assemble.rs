@@ -10,10 +10,11 @@ use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::{self, Found, Taken, View};
 use super::verdict::Evidence;
-use super::{Diagnosis, Request, locate, next, words};
+use super::{Diagnosis, Request, locate, next, pictures, words};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
+use crate::record::quality::Fault;
 
 /// Mechanisms whose smallest visible size is told.
 const VISIBLE: usize = 12;
@@ -35,8 +36,8 @@ pub struct Assembly<'a> {
 }
 
 impl Assembly<'_> {
-    /// The diagnosis.
-    pub fn finish(self) -> Result<Diagnosis> {
+    /// The diagnosis; `spoiled` are the faults that were masked, for their pictures.
+    pub fn finish(self, spoiled: &[Fault]) -> Result<Diagnosis> {
         let (before_rest, rest) = self.rests()?;
         let before = prove::held_out(&self.bench, &self.found.base, &self.separate)?;
         let after = if self.found.taken.is_empty() {
@@ -70,8 +71,10 @@ impl Assembly<'_> {
             parameters: self.parameters(),
             made: self.made(),
         };
+        let pictures = pictures::gather(&self, spoiled);
         Ok(Diagnosis {
             answer,
+            pictures,
             before: self.found.base,
             after: self.found.last,
             held: (before, after),

@@ -12,6 +12,7 @@ pub mod laboratory;
 mod locate;
 mod measure;
 mod next;
+pub mod pictures;
 pub mod prove;
 mod rest;
 mod screen;
@@ -54,6 +55,8 @@ pub struct Diagnosis {
     pub held: (Vec<Held>, Vec<Held>),
     /// The recordings as they were fitted, faults masked.
     pub recordings: Vec<Recording>,
+    /// The series behind the pictures.
+    pub pictures: pictures::Pictures,
 }
 
 /// Diagnoses a model against recordings.
@@ -81,6 +84,7 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
         .chain(&faults::coarse(model, &bench.recordings, &base))
         .map(|f| faults::finding(model, request.recordings, f))
         .collect();
+    let spoiled = [cleaned.faults, separate.faults].concat();
     if let Some(misread) = faults::misread(&bench, model, &base) {
         found_faults.push(misread.finding);
         bench.recordings = misread.recordings;
@@ -89,5 +93,6 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
     let found = search::search(&bench, base, &given, request.progress)?;
     request.progress.says("running what was held out", None);
-    assemble::Assembly { request, bench, separate: separate.recordings, found, faults: found_faults }.finish()
+    assemble::Assembly { request, bench, separate: separate.recordings, found, faults: found_faults }
+        .finish(&spoiled)
 }

@@ -7,7 +7,7 @@ pub mod fit;
 mod identify;
 mod least_squares;
 pub mod noise;
-mod smooth;
+pub mod smooth;
 mod triangle;
 
 pub use bootstrap::{Interval, improvement};

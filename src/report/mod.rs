@@ -3,4 +3,5 @@
 pub mod braille;
 pub mod diagnosis;
 pub mod polar;
+pub mod svg;
 pub mod terminal;

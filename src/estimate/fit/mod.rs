@@ -12,7 +12,7 @@ mod outcome;
 mod problem;
 pub mod rig;
 mod search;
-mod seen;
+pub mod seen;
 pub mod setup;
 mod shooting;
 mod simulated;

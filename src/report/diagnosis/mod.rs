@@ -1,7 +1,8 @@
 //! A diagnosis as text and as a page with pictures.
 
+mod figures;
 mod html;
-mod svg;
+mod tables;
 mod text;
 
 pub use html::html;

@@ -1,0 +1,111 @@
+//! Outputs over time: measured, and both models running freely.
+
+use super::{Assembly, Course, thinned};
+use crate::Result;
+use crate::diagnose::answer::Stretch;
+use crate::diagnose::bench::Stand;
+use crate::estimate::Fit;
+use crate::estimate::fit::{Effort, Series, holdout, setup};
+use crate::record::{Recording, Span};
+
+/// Pictures at most.
+const MOST: usize = 8;
+
+/// The courses of all outputs on the first recordings and the first separate records.
+pub fn courses(assembly: &Assembly<'_>) -> Vec<Course> {
+    let mut all = Vec::new();
+    for k in 0..assembly.bench.recordings.len().min(2) {
+        all.extend(fitted(assembly, k).unwrap_or_default());
+    }
+    for recording in assembly.separate.iter().take(2) {
+        all.extend(separate(assembly, recording).unwrap_or_default());
+    }
+    all.truncate(MOST);
+    all
+}
+
+/// A fitted recording with the held-out spans that follow.
+fn fitted(assembly: &Assembly<'_>, number: usize) -> Result<Vec<Course>> {
+    let (bench, found) = (&assembly.bench, &assembly.found);
+    let recording = &bench.recordings[number];
+    let options = bench.options(Effort::Near, 0);
+    let spans = setup::spans(&found.base.model, recording, &options);
+    let first = spans.fit.first().map_or(f64::INFINITY, |s| s.from);
+    let follows = || spans.holdout.iter().filter(|s| s.from >= first);
+    let mut together: Vec<Span> = spans.fit.iter().chain(follows()).copied().collect();
+    together.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let run = |fit: &Fit| -> Result<Vec<Series>> {
+        let stand = Stand::of(fit);
+        let record = setup::record(&fit.model, recording, number, &together, &options)?;
+        let initials = stand.initials.get(number).unwrap_or(&record.initials);
+        let run = record.run(&stand.parameters, initials, &[])?;
+        let tracks = record.tracks.iter().zip(&run.predictions);
+        let series = tracks.map(|(t, predicted)| Series {
+            output: t.output,
+            time: t.time.clone(),
+            residual: t.residual(predicted),
+            sensitivities: Vec::new(),
+            stretches: t.stretches.clone(),
+        });
+        Ok(series.collect())
+    };
+    let held: Vec<Stretch> = follows().map(|s| Stretch { from: s.from, to: s.to }).collect();
+    let (before, after) = (run(&found.base)?, run(&found.last)?);
+    Ok(pair(assembly, recording, &held, (&before, &after)))
+}
+
+/// A record that is held out whole.
+fn separate(assembly: &Assembly<'_>, recording: &Recording) -> Result<Vec<Course>> {
+    let options = assembly.bench.options(Effort::Full, 40);
+    let run = |fit: &Fit| -> Result<Vec<Series>> {
+        let held = holdout(fit, &[], std::slice::from_ref(recording), &options)?;
+        Ok(held.into_iter().flat_map(|h| h.series).collect())
+    };
+    let (before, after) = (run(&assembly.found.base)?, run(&assembly.found.last)?);
+    let range = recording.range().map(|s| Stretch { from: s.from, to: s.to });
+    Ok(pair(assembly, recording, &range.into_iter().collect::<Vec<_>>(), (&before, &after)))
+}
+
+fn pair(
+    assembly: &Assembly<'_>,
+    recording: &Recording,
+    held: &[Stretch],
+    runs: (&[Series], &[Series]),
+) -> Vec<Course> {
+    let outputs = assembly.found.base.model.outputs.iter().enumerate();
+    outputs
+        .filter_map(|(k, o)| {
+            let channel = recording.find(&o.name)?;
+            let of = |runs: &[Series]| -> Vec<(f64, f64)> {
+                let own = runs.iter().filter(|s| s.output == k);
+                own.flat_map(|s| s.time.iter().copied().zip(s.residual.iter().copied())).collect()
+            };
+            let (before, after) = (of(runs.0), of(runs.1));
+            let unit = o.unit.of_differences();
+            let residual =
+                |v: &[(f64, f64)]| thinned(v.iter().map(|(t, e)| [*t, unit.difference_from_si(*e)]));
+            let predicted = |v: &[(f64, f64)]| {
+                thinned(v.iter().map(|(t, e)| [*t, o.unit.from_si(measured(channel, *t) - e)]))
+            };
+            let level = thinned(before.iter().map(|(t, _)| [*t, o.unit.from_si(measured(channel, *t))]));
+            (!level.is_empty()).then(|| Course {
+                output: o.name.clone(),
+                unit: o.unit.text().to_string(),
+                difference_unit: unit.text().to_string(),
+                recording: recording.name.clone(),
+                held: held.to_vec(),
+                measured: level,
+                before: predicted(&before),
+                after: predicted(&after),
+                residual_before: residual(&before),
+                residual_after: residual(&after),
+            })
+        })
+        .collect()
+}
+
+/// The sample that a channel has at one of its own times.
+fn measured(channel: &crate::record::Channel, time: f64) -> f64 {
+    let at = channel.time.partition_point(|t| *t < time);
+    channel.values.get(at).copied().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,220 @@
+//! What a finding explains, against the signal that it goes with.
+//!
+//! # Purpose
+//! Let a person see the law that was named: the dry friction as a step, the cubic spring as a cubic.
+//!
+//! # Method
+//! Partial residuals. Where the rate of the state at which the finding acts is seen in the recording,
+//! by differentiation of a smoothed output, the rate that the model gives without the finding is taken
+//! from it, along the run of the fitted model; what is left stands beside the finding's own effect.
+//! Where the finding acts on an output, the same is done with the output. Else the free-run residual
+//! of the model as given stands beside how far the finding moves the prediction.
+//!
+//! # References
+//! R. A. Berk, D. E. Booth, Statistical Methods & Applications 4 (1995) 263 (partial residuals).
+//!
+//! # Numerical aspects
+//! Differentiated noise is large: the means along the signal count, not the single samples.
+
+use super::bins::{self, Sample};
+use super::probe::{Probe, accused, opened};
+use super::{Assembly, Law, Point};
+use crate::diagnose::catalogue::{Proposal, edit};
+use crate::estimate::Fit;
+use crate::estimate::fit::seen::{Seen, seen_states};
+use crate::estimate::smooth::Smoother;
+use crate::expression::Expr;
+use crate::model::Model;
+use crate::record::Channel;
+use crate::units::Unit;
+
+/// Samples that are looked at.
+const SAMPLES: usize = 6000;
+/// Samples that are drawn.
+const DRAWN: usize = 1200;
+/// Means along the signal.
+const MEANS: usize = 24;
+/// Points of the curve.
+const CURVE: usize = 160;
+
+/// One picture a finding, where it can be drawn.
+pub fn laws(assembly: &Assembly<'_>) -> Vec<Law> {
+    let taken = assembly.found.taken.iter();
+    taken.filter_map(|t| direct(assembly, &t.proposal).or_else(|| moved(assembly, &t.proposal))).collect()
+}
+
+/// What the finding acts on.
+struct Target {
+    /// The whole expression, definitions opened.
+    whole: Expr,
+    /// What a unit of the drawn effect brings in the expression.
+    factor: Expr,
+    /// Unit of the drawn effect.
+    unit: Unit,
+    /// Words for the axis.
+    words: String,
+    /// How the expression is measured: a derivative of an output.
+    measured: Seen,
+}
+
+fn target(model: &Model, p: &Proposal) -> Option<Target> {
+    let touched = |e: &Expr| p.added.iter().any(|a| e.mentions(&a.name));
+    for (s, seen) in model.states.iter().zip(seen_states(model)) {
+        let whole = opened(model, &s.rate);
+        let Some(seen) = seen.filter(|s| s.order < 2 && touched(&whole)) else { continue };
+        let unit = edit::unit_of(edit::sum_of(model, &s.rate), &|n| edit::unit_of_name(model, n));
+        return Some(Target {
+            factor: opened(model, &edit::with_sum(model, &s.rate, &|_| Expr::Number(1.0))),
+            whole,
+            unit,
+            words: format!("what is missing at {}", s.name),
+            measured: Seen { output: seen.output, order: seen.order + 1 },
+        });
+    }
+    let (output, o) = model.outputs.iter().enumerate().find(|(_, o)| touched(&opened(model, &o.equals)))?;
+    Some(Target {
+        whole: opened(model, &o.equals),
+        factor: Expr::Number(1.0),
+        unit: o.unit.of_differences(),
+        words: format!("what is missing in {}", o.name),
+        measured: Seen { output, order: 0 },
+    })
+}
+
+/// Partial residuals of the rate or the output that the finding acts on.
+fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
+    let (bench, fit) = (&assembly.bench, &assembly.found.last);
+    let model = &fit.model;
+    let target = target(model, p)?;
+    let neutral = p.neutral.as_ref()?;
+    let (signal, along, signal_unit) = accused(model, p);
+    let mut probe = Probe::of(model);
+    let mut rest = target.whole.clone();
+    for (a, value) in p.added.iter().zip(neutral) {
+        let at_rest = probe.constant(*value, &a.unit);
+        rest = rest.substitute(&a.name, &at_rest);
+    }
+    for e in [along, target.factor.clone(), rest, target.whole.clone()] {
+        probe.watch(e);
+    }
+    let spread = spread(fit, p);
+    for (a, deviation) in p.added.iter().zip(&spread.deviations) {
+        let value = model.parameters.iter().find(|q| q.name == a.name)?.value;
+        let moved = probe.constant(value + deviation, &a.unit);
+        probe.watch(target.whole.substitute(&a.name, &moved));
+    }
+    let channel = bench.recordings.first()?.find(&model.outputs[target.measured.output].name)?;
+    let measured = measured(channel, &bench.spans(model, 0), target.measured.order)?;
+    let times: Vec<f64> = measured.iter().map(|m| m[0]).collect();
+    let rows = probe.run(bench, fit, &times)?;
+    let (mut data, mut curve) = (Vec::new(), Vec::new());
+    let (of_x, of_y) = (|x: f64| signal_unit.from_si(x), |y: f64| target.unit.difference_from_si(y));
+    for (row, (t, v)) in rows.iter().enumerate() {
+        let Some(m) = measured.get(times.partition_point(|x| x < t)) else { continue };
+        let (x, factor, rest, whole) = (of_x(v[0]), v[1], v[2], v[3]);
+        let difference = if channel.wraps { turned(m[1] - rest) } else { m[1] - rest };
+        let pulls: Vec<f64> = v[4..].iter().map(|b| (b - whole) / factor).collect();
+        let deviation = of_y(spread.of(&pulls)).abs();
+        data.push(Sample { x, y: of_y(difference / factor), deviation: 0.0, row });
+        curve.push(Sample { x, y: of_y((whole - rest) / factor), deviation, row });
+    }
+    let words = (signal, signal_unit, target.words, target.unit);
+    Some(law(p, words, &data, &curve))
+}
+
+fn turned(x: f64) -> f64 {
+    x - std::f64::consts::TAU * (x / std::f64::consts::TAU).round()
+}
+
+/// Free-run residual of the model as given, beside how far the findings move the prediction.
+fn moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
+    let (bench, found) = (&assembly.bench, &assembly.found);
+    let (before, after) = (found.base.records.first()?, found.last.records.first()?);
+    let (b, a) = (before.series.first()?, after.series.first()?);
+    let (signal, along, signal_unit) = accused(&found.last.model, p);
+    let stride = b.time.len().div_ceil(SAMPLES).max(1);
+    let at: Vec<usize> = (0..b.time.len().min(a.time.len())).step_by(stride).collect();
+    let times: Vec<f64> = at.iter().map(|i| b.time[*i]).collect();
+    let mut probe = Probe::of(&found.last.model);
+    probe.watch(along);
+    let rows = probe.run(bench, &found.last, &times)?;
+    let output = &found.base.model.outputs[b.output];
+    let unit = output.unit.of_differences();
+    let (mut data, mut curve) = (Vec::new(), Vec::new());
+    for (row, (t, v)) in rows.iter().enumerate() {
+        let Some(i) = at.get(times.partition_point(|x| x < t)) else { continue };
+        let x = signal_unit.from_si(v[0]);
+        let sample = |y: f64| Sample { x, y: unit.difference_from_si(y), deviation: 0.0, row };
+        data.push(sample(b.residual[*i]));
+        curve.push(sample(b.residual[*i] - a.residual[*i]));
+    }
+    let words = format!("{}: measured less the model as given", output.name);
+    Some(law(p, (signal, signal_unit, words, unit), &data, &curve))
+}
+
+fn law(p: &Proposal, words: (String, Unit, String, Unit), data: &[Sample], curve: &[Sample]) -> Law {
+    let (signal, signal_unit, effect, effect_unit) = words;
+    let mut order: Vec<f64> = data.iter().map(|s| s.y).filter(|y| y.is_finite()).collect();
+    order.sort_unstable_by(f64::total_cmp);
+    let cut = order.len() / 100;
+    let inside = |y: f64| order.get(cut).is_some_and(|l| y >= *l) && y <= order[order.len() - 1 - cut];
+    let drawn = data.iter().step_by(data.len().div_ceil(DRAWN).max(1)).filter(|s| inside(s.y));
+    Law {
+        code: p.code.to_string(),
+        term: p.term.clone(),
+        signal,
+        signal_unit: signal_unit.text().to_string(),
+        effect,
+        effect_unit: effect_unit.text().to_string(),
+        samples: drawn.map(|s| [s.x, s.y]).collect(),
+        means: bins::means(data, MEANS),
+        curve: bins::curve(curve, CURVE),
+    }
+}
+
+/// Times and measured values, or derivatives, over the fitted spans.
+fn measured(channel: &Channel, spans: &[crate::record::Span], order: usize) -> Option<Vec<Point>> {
+    let fitted = |t: f64| spans.iter().any(|s| s.contains(t));
+    let (time, values): (Vec<f64>, Vec<f64>) = channel.samples().filter(|(t, _)| fitted(*t)).unzip();
+    let every = time.len().div_ceil(SAMPLES).max(1);
+    if order == 0 {
+        return Some(time.into_iter().zip(values).step_by(every).map(|(t, y)| [t, y]).collect());
+    }
+    let smoother = Smoother::new(&time, &values)?;
+    Some((0..time.len()).step_by(every).map(|i| [time[i], smoother.jet(i)[order]]).collect())
+}
+
+/// Deviations of the added parameters and how they go together.
+struct Spread {
+    deviations: Vec<f64>,
+    correlations: Vec<Vec<f64>>,
+}
+
+fn spread(fit: &Fit, p: &Proposal) -> Spread {
+    let place: Vec<Option<usize>> =
+        p.added.iter().map(|a| fit.unknowns.iter().position(|u| *u == a.name)).collect();
+    let covariance = |i: usize, j: usize| match (place[i], place[j]) {
+        (Some(a), Some(b)) => Some(fit.covariance[(a, b)]).filter(|c| c.is_finite()).unwrap_or(0.0),
+        _ => 0.0,
+    };
+    let n = p.added.len();
+    let deviations: Vec<f64> = (0..n).map(|i| covariance(i, i).max(0.0).sqrt()).collect();
+    let correlation = |i: usize, j: usize| {
+        let scale = deviations[i] * deviations[j];
+        if scale > 0.0 { covariance(i, j) / scale } else { 0.0 }
+    };
+    let correlations = (0..n).map(|i| (0..n).map(|j| correlation(i, j)).collect()).collect();
+    Spread { deviations, correlations }
+}
+
+impl Spread {
+    /// Deviation of an effect that each parameter's own deviation moves by a pull.
+    fn of(&self, pulls: &[f64]) -> f64 {
+        // σ² = Σ_ij d_i ρ_ij d_j
+        let mut square = 0.0;
+        for (row, a) in self.correlations.iter().zip(pulls) {
+            square += row.iter().zip(pulls).map(|(r, b)| a * r * b).sum::<f64>();
+        }
+        square.max(0.0).sqrt()
+    }
+}

@@ -1,0 +1,121 @@
+//! A finding's effect, watched along the run of the model that has it.
+
+use crate::diagnose::bench::Bench;
+use crate::diagnose::catalogue::{Proposal, edit};
+use crate::estimate::Fit;
+use crate::estimate::fit::{Effort, setup};
+use crate::expression::Expr;
+use crate::model::{Model, Output, Parameter};
+use crate::record::Channel;
+use crate::units::Unit;
+
+/// A model with expressions to be watched instead of outputs.
+pub struct Probe {
+    model: Model,
+    watched: Vec<Expr>,
+}
+
+impl Probe {
+    /// A probe of a model; nothing is watched yet.
+    pub fn of(model: &Model) -> Self {
+        Self { model: model.clone(), watched: Vec::new() }
+    }
+
+    /// A parameter with a value of its own, for [`Probe::watch`].
+    pub fn constant(&mut self, value: f64, unit: &Unit) -> Expr {
+        let taken = |n: &str| self.model.parameters.iter().any(|p| p.name == n);
+        let mut number = self.model.parameters.len();
+        while taken(&format!("watched_value_{number}")) {
+            number += 1;
+        }
+        let name = format!("watched_value_{number}");
+        self.model.parameters.push(Parameter {
+            name: name.clone(),
+            value,
+            unit: unit.clone(),
+            fit: false,
+            min: None,
+            max: None,
+            meaning: None,
+        });
+        Expr::name(name)
+    }
+
+    /// Adds an expression to be watched.
+    pub fn watch(&mut self, e: Expr) {
+        self.watched.push(e);
+    }
+
+    /// The values of all that is watched at times of the first recording: rows of time and values.
+    pub fn run(mut self, bench: &Bench, fit: &Fit, times: &[f64]) -> Option<Vec<(f64, Vec<f64>)>> {
+        let given = std::mem::take(&mut self.model.outputs);
+        let outputs = self.watched.iter().enumerate();
+        self.model.outputs = outputs
+            .map(|(i, e)| Output {
+                name: format!("watched_{i}"),
+                unit: edit::unit_of(e, &|n| edit::unit_of_name(&self.model, n)),
+                equals: e.clone(),
+                meaning: None,
+            })
+            .collect();
+        let mut recording = bench.recordings.first()?.clone();
+        recording.channels.retain(|c| given.iter().all(|o| o.name != c.name));
+        for o in &self.model.outputs {
+            let none = vec![0.0; times.len()];
+            recording.channels.push(Channel::new(o.name.clone(), o.unit.clone(), times.to_vec(), none));
+        }
+        let spans = bench.spans(&fit.model, 0);
+        let record =
+            setup::record(&self.model, &recording, 0, &spans, &bench.options(Effort::Near, 0)).ok()?;
+        let parameters: Vec<f64> = self.model.parameters.iter().map(|p| p.value).collect();
+        let run = record.run(&parameters, &fit.records.first()?.initials, &[]).ok()?;
+        let value = |i: usize, t: f64| {
+            let k = record.tracks.iter().position(|track| track.output == i)?;
+            let at = record.tracks[k].time.binary_search_by(|x| x.total_cmp(&t)).ok()?;
+            run.predictions[k].get(at).copied()
+        };
+        let rows = times.iter().filter_map(|t| {
+            let row: Option<Vec<f64>> = (0..self.watched.len()).map(|i| value(i, *t)).collect();
+            row.map(|r| (*t, r))
+        });
+        Some(rows.collect())
+    }
+}
+
+/// An expression with the model's definitions put in their places.
+pub fn opened(model: &Model, e: &Expr) -> Expr {
+    let mut e = e.clone();
+    for _ in 0..model.definitions.len() {
+        let Some(d) = model.definitions.iter().find(|d| e.mentions(&d.name)) else { break };
+        e = e.substitute(&d.name, &d.equals);
+    }
+    e
+}
+
+/// The signal that a finding goes with: what it brings in, else what its term or its site names.
+pub fn accused(model: &Model, p: &Proposal) -> (String, Expr, Unit) {
+    let is_signal = |n: &str| {
+        model.states.iter().any(|s| s.name == n)
+            || model.inputs.iter().any(|i| i.name == n)
+            || model.definitions.iter().any(|d| d.name == n)
+            || model.outputs.iter().any(|o| o.name == n)
+    };
+    let term = Expr::parse(&p.term).ok();
+    let named = term.iter().flat_map(|e| e.names().into_iter().map(str::to_string).collect::<Vec<_>>());
+    let candidates = p.depends.iter().cloned().chain(named);
+    let with_site = candidates.chain(std::iter::once(p.site.name.clone()));
+    let mut usable = with_site.filter(|n| is_signal(n));
+    let over_time = term.as_ref().is_some_and(|e| e.mentions("t"));
+    let Some(name) = usable.next().filter(|_| !over_time) else {
+        return ("t".into(), Expr::name("t"), edit::unit_of_name(model, "t").unwrap_or_else(Unit::one));
+    };
+    if let Some(o) = model.outputs.iter().find(|o| o.name == name && !is_inner(model, &name)) {
+        return (name, o.equals.clone(), o.unit.clone());
+    }
+    let unit = edit::unit_of_name(model, &name).unwrap_or_else(Unit::one);
+    (name.clone(), Expr::name(name), unit)
+}
+
+fn is_inner(model: &Model, name: &str) -> bool {
+    edit::unit_of_name(model, name).is_some()
+}

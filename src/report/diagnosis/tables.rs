@@ -1,0 +1,236 @@
+//! The tables of the page.
+
+use super::text::figure;
+use crate::diagnose::answer::{Answer, Verdict};
+use crate::diagnose::pictures::{Pictures, Standing};
+use crate::report::svg::escaped;
+use std::fmt::Write;
+
+/// A table; heads that begin with `#` stand over numbers. Cells are HTML.
+fn table(heads: &[&str], rows: &[Vec<String>]) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let class = |i: usize| if heads[i].starts_with('#') { " class=\"n\"" } else { "" };
+    let mut out = String::from("<div class=\"scroll\"><table><thead><tr>");
+    for (i, h) in heads.iter().enumerate() {
+        let _ = write!(out, "<th{}>{}</th>", class(i), h.trim_start_matches('#'));
+    }
+    out.push_str("</tr></thead><tbody>");
+    for row in rows {
+        out.push_str("<tr>");
+        for (i, cell) in row.iter().enumerate() {
+            let _ = write!(out, "<td{}>{cell}</td>", class(i));
+        }
+        out.push_str("</tr>");
+    }
+    out + "</tbody></table></div>"
+}
+
+fn unit(text: &str) -> String {
+    if text == "1" { String::new() } else { format!(" {}", escaped(text)) }
+}
+
+fn interval(low: f64, high: f64) -> String {
+    if low.is_finite() && high.is_finite() {
+        format!("{} to {}", figure(low), figure(high))
+    } else {
+        "–".into()
+    }
+}
+
+/// A chance as people read it.
+fn chance(p: f64) -> String {
+    if !p.is_finite() {
+        "–".into()
+    } else if p < 1e-12 {
+        "below 1e−12".into()
+    } else if p < 1e-3 {
+        format!("{p:.0e}").replace('-', "−")
+    } else {
+        format!("{p:.3}")
+    }
+}
+
+/// What was found, or that nothing was.
+pub fn findings(a: &Answer) -> String {
+    let rows: Vec<Vec<String>> = a
+        .findings
+        .iter()
+        .map(|f| {
+            let values: Vec<String> = f
+                .parameters
+                .iter()
+                .map(|p| {
+                    let band = interval(p.low, p.high);
+                    let band = if band == "–" { String::new() } else { format!(" ({band})") };
+                    format!("{} = {}{}{band}", escaped(&p.name), figure(p.value), unit(&p.unit))
+                })
+                .collect();
+            let ties = if f.ties.is_empty() {
+                String::new()
+            } else {
+                format!("<br><span class=\"note\">fits as well: {}</span>", escaped(&f.ties.join(", ")))
+            };
+            let share = if f.share.is_finite() { format!("{:.0} %", 100.0 * f.share) } else { "–".into() };
+            vec![
+                format!(
+                    "<b>{}</b><br>{}<br><code>{}</code>{ties}",
+                    escaped(&f.code),
+                    escaped(&f.says),
+                    escaped(&f.term)
+                ),
+                escaped(&format!("{} {}", f.site.kind, f.site.name)),
+                values.join("<br>"),
+                share,
+                chance(f.p_value),
+            ]
+        })
+        .collect();
+    if rows.is_empty() {
+        let says = match a.verdict {
+            Verdict::NothingMissing => {
+                "No mechanism of the catalogue: what the model leaves over looks like noise."
+            }
+            _ => "No mechanism of the catalogue fits.",
+        };
+        return format!("<p>{says} The chance that all of it is noise: {}.</p>", chance(a.detection.p_value));
+    }
+    table(&["mechanism", "where", "values with 95 % intervals", "#share", "#chance of noise"], &rows)
+}
+
+/// Before and after, on what was fitted and on what was held out.
+pub fn proof(a: &Answer) -> String {
+    let rows: Vec<Vec<String>> = a
+        .proof
+        .iter()
+        .map(|p| {
+            let output = format!(
+                "{}{}",
+                escaped(&p.output),
+                if p.unit == "1" { String::new() } else { format!(", {}", escaped(&p.unit)) }
+            );
+            vec![
+                output,
+                figure(p.fit_before),
+                figure(p.fit_after),
+                format!("<b>{}</b>", figure(p.holdout_before)),
+                format!("<b>{}</b>", figure(p.holdout_after)),
+                interval(p.improvement_low, p.improvement_high),
+                figure(p.noise_floor),
+            ]
+        })
+        .collect();
+    let heads = [
+        "output",
+        "#fitted, before",
+        "#fitted, after",
+        "#held out, before",
+        "#held out, after",
+        "#fall, 95 %",
+        "#noise floor",
+    ];
+    let table = table(&heads, &rows);
+    if table.is_empty() {
+        return table;
+    }
+    format!(
+        "<p class=\"note\">Free-run error, root mean square. What was held out served nothing but this table.</p>{table}"
+    )
+}
+
+/// What was tried where, and how it scored.
+pub fn tried(p: &Pictures, a: &Answer) -> String {
+    let top = p.tried.iter().map(|t| t.score).filter(|s| s.is_finite()).fold(0.0, f64::max);
+    let rows: Vec<Vec<String>> = p
+        .tried
+        .iter()
+        .map(|t| {
+            let (class, word) = match t.standing {
+                Standing::Found => ("", "found"),
+                Standing::Tie => ("", "fits as well"),
+                Standing::Dropped => (" dropped", ""),
+            };
+            let width = if top > 0.0 { (10.0 * t.score / top).clamp(0.0, 10.0) } else { 0.0 };
+            vec![
+                escaped(&t.code),
+                escaped(&format!("{} {}", t.site.kind, t.site.name)),
+                format!("{:.1}", t.score),
+                format!("<span class=\"meter{class}\" style=\"width:{width:.2}rem\"></span>"),
+                word.into(),
+            ]
+        })
+        .collect();
+    let mut out = table(&["mechanism", "site", "#score", "", ""], &rows);
+    if !out.is_empty() {
+        out = format!(
+            "<p class=\"note\">The best of the first round. Score: how unlikely it is that noise alone looks like it (minus the natural logarithm of the chance). The best were then fitted inside the model, and compared where they were not fitted.</p>{out}"
+        );
+    }
+    let signals: Vec<String> =
+        a.located.signals.iter().map(|s| format!("{} ({})", escaped(&s.name), chance(s.p_value))).collect();
+    if !signals.is_empty() {
+        let _ = write!(out, "<p>The mismatch goes with (chance of none): {}.</p>", signals.join(", "));
+    }
+    if a.located.sites.len() > 1 {
+        let sites: Vec<String> =
+            a.located.sites.iter().map(|s| escaped(&format!("{} {}", s.kind, s.name))).collect();
+        let _ = write!(out, "<p>Sites that come into question: {}.</p>", sites.join(", "));
+    }
+    out
+}
+
+/// The fitted parameters before and after.
+pub fn parameters(a: &Answer) -> String {
+    let rows: Vec<Vec<String>> = a
+        .parameters
+        .iter()
+        .map(|p| {
+            let name = format!(
+                "{}{}",
+                escaped(&p.name),
+                if p.unit == "1" { String::new() } else { format!(", {}", escaped(&p.unit)) }
+            );
+            vec![name, figure(p.before), figure(p.after), interval(p.low, p.high)]
+        })
+        .collect();
+    table(&["parameter", "#before", "#after", "#95 % interval after"], &rows)
+}
+
+/// What each mechanism would have had to be to be seen.
+pub fn visible(a: &Answer) -> String {
+    if a.verdict != Verdict::NothingMissing {
+        return String::new();
+    }
+    let rows: Vec<Vec<String>> = a
+        .detection
+        .smallest_visible
+        .iter()
+        .map(|v| {
+            vec![escaped(&v.code), escaped(&v.parameter), format!("{}{}", figure(v.value), unit(&v.unit))]
+        })
+        .collect();
+    let table =
+        table(&["mechanism", "parameter", "#smallest size that this recording would have shown"], &rows);
+    if table.is_empty() {
+        table
+    } else {
+        format!("<p class=\"note\">Smaller effects may be there unseen.</p>{table}")
+    }
+}
+
+/// Program, seed and inputs.
+pub fn made(a: &Answer) -> String {
+    let rows: Vec<Vec<String>> = a
+        .made
+        .inputs
+        .iter()
+        .map(|i| vec![escaped(&i.file), format!("<code>{}</code>", escaped(&i.sha256))])
+        .collect();
+    format!(
+        "<p>{}, seed {}. The same inputs and seed give the same bytes.</p>{}",
+        escaped(&a.made.program),
+        a.made.seed,
+        table(&["file", "SHA-256"], &rows)
+    )
+}

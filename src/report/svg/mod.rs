@@ -1,0 +1,307 @@
+//! Pictures as SVG: axes, lines, dots and shaded bands, coloured by classes of the page's style.
+//!
+//! ```
+//! use gyrospec::report::svg::{Layer, Picture};
+//! let picture = Picture::new("roll of the ship", "time, s", "roll, deg")
+//!     .with(Layer::line("measured", "measured", vec![[0.0, 1.0], [1.0, -1.0]]));
+//! assert!(picture.draw().contains("<polyline class=\"measured\""));
+//! ```
+
+mod axis;
+
+pub use axis::{Scale, tick_text, ticks};
+
+use axis::Axis;
+use std::fmt::Write;
+
+/// Width and height of a picture in its own units.
+const SIZE: (f64, f64) = (720.0, 260.0);
+/// Room left, top, right and bottom of the frame.
+const MARGIN: [f64; 4] = [78.0, 12.0, 14.0, 56.0];
+
+/// What a picture is made of; classes give the colours.
+#[derive(Debug, Clone)]
+pub enum Layer {
+    /// A line through points.
+    Line {
+        /// Class.
+        class: &'static str,
+        /// Name in the legend; empty for none.
+        name: String,
+        /// Points, in order.
+        points: Vec<[f64; 2]>,
+    },
+    /// A dot at each point.
+    Dots {
+        /// Class.
+        class: &'static str,
+        /// Name in the legend; empty for none.
+        name: String,
+        /// Points.
+        points: Vec<[f64; 2]>,
+    },
+    /// A band between two values along x: x, low, high.
+    Ribbon {
+        /// Class.
+        class: &'static str,
+        /// Name in the legend; empty for none.
+        name: String,
+        /// x, low and high, in order.
+        points: Vec<[f64; 3]>,
+    },
+    /// A dot with a bar from low to high: x, y, low, high.
+    Bars {
+        /// Class.
+        class: &'static str,
+        /// Name in the legend; empty for none.
+        name: String,
+        /// x, y, low and high.
+        points: Vec<[f64; 4]>,
+    },
+    /// A span of x over the whole height; a span of no width is drawn as a thin mark.
+    Span {
+        /// Class.
+        class: &'static str,
+        /// Name in the legend; empty for none.
+        name: String,
+        /// From and to.
+        spans: Vec<[f64; 2]>,
+    },
+}
+
+impl Layer {
+    /// A line.
+    pub fn line(class: &'static str, name: &str, points: Vec<[f64; 2]>) -> Self {
+        Self::Line { class, name: name.into(), points }
+    }
+
+    /// Dots.
+    pub fn dots(class: &'static str, name: &str, points: Vec<[f64; 2]>) -> Self {
+        Self::Dots { class, name: name.into(), points }
+    }
+
+    /// Spans of x.
+    pub fn span(class: &'static str, name: &str, spans: Vec<[f64; 2]>) -> Self {
+        Self::Span { class, name: name.into(), spans }
+    }
+
+    fn legend(&self) -> (&'static str, &str, &'static str) {
+        match self {
+            Self::Line { class, name, points } => (class, shown(name, points.is_empty()), "line"),
+            Self::Dots { class, name, points } => (class, shown(name, points.is_empty()), "dot"),
+            Self::Bars { class, name, points } => (class, shown(name, points.is_empty()), "dot"),
+            Self::Ribbon { class, name, points } => (class, shown(name, points.is_empty()), "patch"),
+            Self::Span { class, name, spans } => (class, shown(name, spans.is_empty()), "patch"),
+        }
+    }
+
+    /// Corners that the frame must hold; spans of x ask for nothing.
+    fn corners(&self) -> Vec<[f64; 2]> {
+        match self {
+            Self::Line { points, .. } | Self::Dots { points, .. } => points.clone(),
+            Self::Ribbon { points, .. } => points.iter().flat_map(|p| [[p[0], p[1]], [p[0], p[2]]]).collect(),
+            Self::Bars { points, .. } => points.iter().flat_map(|p| [[p[0], p[2]], [p[0], p[3]]]).collect(),
+            Self::Span { .. } => Vec::new(),
+        }
+    }
+}
+
+fn shown(name: &str, empty: bool) -> &str {
+    if empty { "" } else { name }
+}
+
+/// A picture in the making.
+#[derive(Debug, Clone)]
+pub struct Picture {
+    title: String,
+    x: (String, Scale),
+    y: (String, Scale),
+    layers: Vec<Layer>,
+}
+
+impl Picture {
+    /// A picture with linear axes; the words are plain text.
+    pub fn new(title: &str, x: &str, y: &str) -> Self {
+        let axis = |words: &str| (words.to_string(), Scale::Linear);
+        Self { title: title.into(), x: axis(x), y: axis(y), layers: Vec::new() }
+    }
+
+    /// The same with both axes logarithmic.
+    #[must_use]
+    pub fn logarithmic(mut self) -> Self {
+        self.x.1 = Scale::Logarithmic;
+        self.y.1 = Scale::Logarithmic;
+        self
+    }
+
+    /// The same with one layer more, above the others.
+    #[must_use]
+    pub fn with(mut self, layer: Layer) -> Self {
+        self.layers.push(layer);
+        self
+    }
+
+    /// The figure with caption and legend; empty where there is nothing to draw.
+    pub fn draw(&self) -> String {
+        let corners: Vec<[f64; 2]> = self.layers.iter().flat_map(Layer::corners).collect();
+        let [left, top, right, bottom] = MARGIN;
+        let (w, h) = SIZE;
+        let along = |k: usize| corners.iter().map(move |c| c[k]);
+        let Some(x) = Axis::over(along(0), self.x.1, (left, w - right), false) else { return String::new() };
+        let Some(y) = Axis::over(along(1), self.y.1, (h - bottom, top), true) else { return String::new() };
+        let title = escaped(&self.title);
+        let mut svg = format!(
+            "<figure><figcaption>{title}</figcaption><svg viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{title}\">"
+        );
+        let layers = |svg: &mut String, below: bool| {
+            for l in &self.layers {
+                if matches!(l, Layer::Span { .. }) == below {
+                    layer(svg, l, &x, &y);
+                }
+            }
+        };
+        layers(&mut svg, true);
+        self.frame(&mut svg, &x, &y);
+        layers(&mut svg, false);
+        svg.push_str("</svg>");
+        self.legend(&mut svg);
+        svg + "</figure>\n"
+    }
+
+    fn frame(&self, svg: &mut String, x: &Axis, y: &Axis) {
+        let [left, top, right, bottom] = MARGIN;
+        let (w, h) = SIZE;
+        for (at, text) in y.ticks(5) {
+            let _ = write!(
+                svg,
+                "<path class=\"grid\" d=\"M{left} {at:.1}H{:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
+                w - right,
+                left - 6.0,
+                at + 5.0
+            );
+        }
+        for (at, text) in x.ticks(7) {
+            let _ = write!(
+                svg,
+                "<path class=\"tick\" d=\"M{at:.1} {:.1}v5\"/><text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{text}</text>",
+                h - bottom,
+                h - bottom + 20.0
+            );
+        }
+        let _ = write!(
+            svg,
+            "<path class=\"frame\" d=\"M{left} {top}V{:.1}H{:.1}\"/><text class=\"words\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text><text class=\"words\" transform=\"translate(16 {:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+            h - bottom,
+            w - right,
+            0.5 * (left + w - right),
+            h - 12.0,
+            escaped(&self.x.0),
+            0.5 * (top + h - bottom),
+            escaped(&self.y.0)
+        );
+    }
+
+    fn legend(&self, svg: &mut String) {
+        let named: Vec<_> = self.layers.iter().map(Layer::legend).filter(|l| !l.1.is_empty()).collect();
+        if named.is_empty() {
+            return;
+        }
+        svg.push_str("<p class=\"legend\">");
+        for (class, name, kind) in named {
+            let mark = match kind {
+                "line" => format!("<polyline class=\"{class}\" points=\"0,7 30,7\"/>"),
+                "dot" => format!("<circle class=\"{class}\" cx=\"15\" cy=\"7\" r=\"3.5\"/>"),
+                _ => format!("<rect class=\"{class}\" width=\"30\" height=\"14\"/>"),
+            };
+            let _ = write!(
+                svg,
+                "<span><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\">{mark}</svg> {}</span> ",
+                escaped(name)
+            );
+        }
+        svg.push_str("</p>");
+    }
+}
+
+fn layer(svg: &mut String, layer: &Layer, x: &Axis, y: &Axis) {
+    let at = |p: [f64; 2]| Some((x.place(p[0])?, y.place(p[1])?));
+    match layer {
+        Layer::Line { class, points, .. } => {
+            let _ = write!(svg, "<polyline class=\"{class}\" points=\"");
+            for (a, b) in points.iter().filter_map(|p| at(*p)) {
+                let _ = write!(svg, "{a:.1},{b:.1} ");
+            }
+            svg.push_str("\"/>");
+        }
+        Layer::Dots { class, points, .. } => {
+            // One path of dots without length: round caps make them dots, and the file stays small.
+            let _ = write!(svg, "<path class=\"dots {class}\" d=\"");
+            for (a, b) in points.iter().filter_map(|p| at(*p)) {
+                let _ = write!(svg, "M{a:.1} {b:.1}h0");
+            }
+            svg.push_str("\"/>");
+        }
+        Layer::Ribbon { class, points, .. } => {
+            let low = points.iter().filter_map(|p| at([p[0], p[1]]));
+            let high = points.iter().rev().filter_map(|p| at([p[0], p[2]]));
+            let _ = write!(svg, "<polygon class=\"{class}\" points=\"");
+            for (a, b) in low.chain(high) {
+                let _ = write!(svg, "{a:.1},{b:.1} ");
+            }
+            svg.push_str("\"/>");
+        }
+        Layer::Bars { class, points, .. } => {
+            for p in points {
+                let (Some((a, b)), Some(low), Some(high)) = (at([p[0], p[1]]), y.place(p[2]), y.place(p[3]))
+                else {
+                    continue;
+                };
+                let _ = write!(
+                    svg,
+                    "<path class=\"bar {class}\" d=\"M{a:.1} {low:.1}V{high:.1}\"/><circle class=\"{class}\" cx=\"{a:.1}\" cy=\"{b:.1}\" r=\"3.5\"/>"
+                );
+            }
+        }
+        Layer::Span { class, spans, .. } => {
+            let height = SIZE.1 - MARGIN[1] - MARGIN[3];
+            for s in spans {
+                let Some((a, b)) = x.clipped(*s) else { continue };
+                let _ = write!(
+                    svg,
+                    "<rect class=\"{class}\" x=\"{a:.1}\" y=\"{}\" width=\"{:.1}\" height=\"{height}\"/>",
+                    MARGIN[1],
+                    (b - a).max(1.5)
+                );
+            }
+        }
+    }
+}
+
+/// Text with the signs of HTML made harmless.
+pub fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_point_stands_where_its_axes_say() {
+        let drawn = Picture::new("a & b", "x", "y")
+            .with(Layer::line("after", "line", vec![[0.0, 0.0], [10.0, 1.0]]))
+            .with(Layer::span("held", "held out", vec![[5.0, 99.0]]))
+            .draw();
+        assert!(drawn.contains("a &amp; b"));
+        // x runs from 78 to 706, and a span beyond the frame ends at it
+        assert!(drawn.contains("x=\"392.0\"") && drawn.contains("width=\"314.0\""), "{drawn}");
+        assert!(drawn.find("held").unwrap() < drawn.find("polyline").unwrap());
+    }
+
+    #[test]
+    fn nothing_to_draw_is_no_figure() {
+        assert!(Picture::new("", "", "").with(Layer::line("after", "", vec![])).draw().is_empty());
+        let wrong = Layer::dots("after", "", vec![[f64::NAN, 1.0]]);
+        assert!(Picture::new("", "", "").with(wrong).draw().is_empty());
+    }
+}
