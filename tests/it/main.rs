@@ -11,6 +11,7 @@ mod integral;
 mod lti;
 mod quality;
 mod record;
+mod report;
 mod roll_error;
 mod simulate;
 mod symbolic;

@@ -77,8 +77,7 @@ fn pair(
         .filter_map(|(k, o)| {
             let channel = recording.find(&o.name)?;
             let of = |runs: &[Series]| -> Vec<(f64, f64)> {
-                let own = runs.iter().filter(|s| s.output == k);
-                own.flat_map(|s| s.time.iter().copied().zip(s.residual.iter().copied())).collect()
+                runs.iter().filter(|s| s.output == k).flat_map(parted).collect()
             };
             let (before, after) = (of(runs.0), of(runs.1));
             let unit = o.unit.of_differences();
@@ -87,7 +86,8 @@ fn pair(
             let predicted = |v: &[(f64, f64)]| {
                 thinned(v.iter().map(|(t, e)| [*t, o.unit.from_si(measured(channel, *t) - e)]))
             };
-            let level = thinned(before.iter().map(|(t, _)| [*t, o.unit.from_si(measured(channel, *t))]));
+            let level =
+                thinned(before.iter().map(|(t, e)| [*t, o.unit.from_si(measured(channel, *t)) + 0.0 * e]));
             (!level.is_empty()).then(|| Course {
                 output: o.name.clone(),
                 unit: o.unit.text().to_string(),
@@ -102,6 +102,16 @@ fn pair(
             })
         })
         .collect()
+}
+
+/// Times and residuals, a NaN after each stretch.
+fn parted(s: &Series) -> Vec<(f64, f64)> {
+    let mut all = Vec::with_capacity(s.time.len() + s.stretches.len());
+    for r in &s.stretches {
+        all.extend(r.clone().map(|i| (s.time[i], s.residual[i])));
+        all.extend(r.clone().next_back().map(|i| (s.time[i], f64::NAN)));
+    }
+    all
 }
 
 /// The sample that a channel has at one of its own times.

@@ -159,19 +159,27 @@ pub(super) fn gather(assembly: &Assembly<'_>, faults: &[Fault]) -> Pictures {
     }
 }
 
-/// The least and the greatest point of each stretch, in order; all points where they are few.
+/// The least and the greatest point of each stretch, in order; all points where they are few. A value
+/// that is no number stands for a gap; one of each gap is kept.
 pub(super) fn thinned(points: impl Iterator<Item = Point>) -> Vec<Point> {
-    let points: Vec<Point> = points.filter(|p| p[0].is_finite() && p[1].is_finite()).collect();
+    let points: Vec<Point> = points.filter(|p| p[0].is_finite()).collect();
     if points.len() <= 2 * STRETCHES {
         return points;
     }
-    let mut kept = Vec::with_capacity(2 * STRETCHES + 2);
-    for stretch in points.chunks(points.len().div_ceil(STRETCHES)) {
-        let by_value = |a: &&Point, b: &&Point| a[1].total_cmp(&b[1]);
-        let (low, high) = (stretch.iter().min_by(by_value), stretch.iter().max_by(by_value));
-        let mut both: Vec<Point> = low.into_iter().chain(high).copied().collect();
-        both.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        kept.extend(both);
+    let size = points.len().div_ceil(STRETCHES);
+    let mut kept: Vec<Point> = Vec::with_capacity(2 * STRETCHES + 2);
+    for piece in points.chunk_by(|a, b| a[1].is_finite() == b[1].is_finite()) {
+        if !piece[0][1].is_finite() {
+            kept.push(piece[0]);
+            continue;
+        }
+        for stretch in piece.chunks(size) {
+            let by_value = |a: &&Point, b: &&Point| a[1].total_cmp(&b[1]);
+            let (low, high) = (stretch.iter().min_by(by_value), stretch.iter().max_by(by_value));
+            let mut both: Vec<Point> = low.into_iter().chain(high).copied().collect();
+            both.sort_by(|a, b| a[0].total_cmp(&b[0]));
+            kept.extend(both);
+        }
     }
     kept
 }
@@ -220,7 +228,7 @@ fn faulty(assembly: &Assembly<'_>, faults: &[Fault]) -> Vec<Faulty> {
     let recordings: Vec<_> = all.collect();
     let picture = |f: &Fault| {
         let c = recordings.iter().find_map(|r| r.find(&f.channel))?;
-        let recorded = c.samples().map(|(t, v)| [t, c.unit.from_si(v)]);
+        let recorded = c.time.iter().zip(&c.values).map(|(t, v)| [*t, c.unit.from_si(*v)]);
         Some(Faulty {
             code: f.kind.code().to_string(),
             channel: f.channel.clone(),
@@ -244,6 +252,12 @@ mod tests {
         assert!(kept.len() <= 2 * STRETCHES + 2);
         assert!(kept.iter().any(|p| *p == [77_777.0, 9.0]));
         assert!(kept.windows(2).all(|w| w[0][0] <= w[1][0]));
+    }
+
+    #[test]
+    fn a_gap_stays_a_gap() {
+        let wave = (0..9000).map(|i| [f64::from(i), if (4000..5000).contains(&i) { f64::NAN } else { 1.0 }]);
+        assert_eq!(thinned(wave).iter().filter(|p| p[1].is_nan()).count(), 1);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The pictures of the page.
 
+use super::html::title;
 use crate::diagnose::answer::{Answer, Stretch};
 use crate::diagnose::pictures::{Course, Pictures};
 use crate::report::svg::{Layer, Picture, escaped};
@@ -44,7 +45,8 @@ pub fn courses(p: &Pictures) -> String {
 
 /// Whether the findings moved the prediction at all.
 fn changed(c: &Course) -> bool {
-    c.residual_before != c.residual_after
+    let differs = |(b, a): (&[f64; 2], &[f64; 2])| b[1].is_finite() && b != a;
+    c.residual_before.iter().zip(&c.residual_after).any(differs)
 }
 
 /// Residuals over time, with the located spans.
@@ -60,7 +62,7 @@ pub fn residuals(p: &Pictures, a: &Answer) -> String {
         )
         .with(Layer::span("held", "held out", pairs(&c.held)))
         .with(Layer::span("shade", "where the mismatch sits", located))
-        .with(series(p, "before", "model as given", &c.residual_before))
+        .with(series(p, "before whole", "model as given", &c.residual_before))
         .with(series(p, "after", "with what was found", after))
         .draw()
     };
@@ -68,9 +70,13 @@ pub fn residuals(p: &Pictures, a: &Answer) -> String {
 }
 
 /// Residuals in frequency, with the located bands.
-pub fn spectra(p: &Pictures) -> String {
+pub fn spectra(p: &Pictures, a: &Answer) -> String {
+    if p.trials {
+        return String::new();
+    }
     let pictures = p.spectra.iter().map(|s| {
-        let bands: Vec<[f64; 2]> = s.bands.iter().map(|b| [b.from, b.to]).collect();
+        let located = if a.located.bands.is_empty() { &[][..] } else { &s.bands };
+        let bands: Vec<[f64; 2]> = located.iter().map(|b| [b.from, b.to]).collect();
         let after = if s.before == s.after { Vec::new() } else { s.after.clone() };
         Picture::new(
             &format!("{}: power of the residual, fitted part", s.output),
@@ -79,7 +85,7 @@ pub fn spectra(p: &Pictures) -> String {
         )
         .logarithmic()
         .with(Layer::span("shade", "bands that hold most of the mismatch", bands))
-        .with(Layer::line("before", "model as given", s.before.clone()))
+        .with(Layer::line("before whole", "model as given", s.before.clone()))
         .with(Layer::line("after", "with what was found", after))
         .draw()
     });
@@ -94,7 +100,7 @@ pub fn laws(p: &Pictures, a: &Answer) -> String {
         let band: Vec<[f64; 3]> = l.curve.iter().map(|c| [c[0], c[2], c[3]]).collect();
         let says = a.findings.iter().find(|f| f.code == l.code && f.term == l.term).map(|f| f.says.as_str());
         out += &Picture::new(
-            &format!("{} against {}", l.code, if l.signal == "t" { "time" } else { &l.signal }),
+            &format!("{} against {}", title(&l.code), if l.signal == "t" { "time" } else { &l.signal }),
             &with_unit(&l.signal, &l.signal_unit),
             &with_unit(&l.effect, &l.effect_unit),
         )
@@ -113,7 +119,7 @@ pub fn laws(p: &Pictures, a: &Answer) -> String {
 /// Channels with faults, and where they sit.
 pub fn faults(p: &Pictures) -> String {
     let pictures = p.faults.iter().map(|f| {
-        Picture::new(&format!("{}: {}", f.channel, f.code), clock(p), &with_unit(&f.channel, &f.unit))
+        Picture::new(&format!("{}: {}", f.channel, title(&f.code)), clock(p), &with_unit(&f.channel, &f.unit))
             .with(Layer::span("fault", "faulty", pairs(&f.spans)))
             .with(series(p, "after", "as recorded", &f.recorded))
             .draw()

@@ -5,5 +5,5 @@ mod html;
 mod tables;
 mod text;
 
-pub use html::html;
+pub use html::{html, page};
 pub use text::text;

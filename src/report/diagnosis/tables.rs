@@ -72,7 +72,7 @@ pub fn findings(a: &Answer) -> String {
             } else {
                 format!("<br><span class=\"note\">fits as well: {}</span>", escaped(&f.ties.join(", ")))
             };
-            let share = if f.share.is_finite() { format!("{:.0} %", 100.0 * f.share) } else { "–".into() };
+            let share = if f.share > 0.0 { format!("{:.0} %", 100.0 * f.share) } else { "–".into() };
             vec![
                 format!(
                     "<b>{}</b><br>{}<br><code>{}</code>{ties}",

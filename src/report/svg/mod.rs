@@ -15,9 +15,9 @@ use axis::Axis;
 use std::fmt::Write;
 
 /// Width and height of a picture in its own units.
-const SIZE: (f64, f64) = (720.0, 260.0);
+const SIZE: (f64, f64) = (720.0, 280.0);
 /// Room left, top, right and bottom of the frame.
-const MARGIN: [f64; 4] = [78.0, 12.0, 14.0, 56.0];
+const MARGIN: [f64; 4] = [78.0, 32.0, 14.0, 56.0];
 
 /// What a picture is made of; classes give the colours.
 #[derive(Debug, Clone)]
@@ -190,13 +190,12 @@ impl Picture {
         }
         let _ = write!(
             svg,
-            "<path class=\"frame\" d=\"M{left} {top}V{:.1}H{:.1}\"/><text class=\"words\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text><text class=\"words\" transform=\"translate(16 {:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
+            "<path class=\"frame\" d=\"M{left} {top}V{:.1}H{:.1}\"/><text class=\"words\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text><text class=\"words\" x=\"4\" y=\"18\">{}</text>",
             h - bottom,
             w - right,
             0.5 * (left + w - right),
             h - 12.0,
             escaped(&self.x.0),
-            0.5 * (top + h - bottom),
             escaped(&self.y.0)
         );
     }
@@ -227,11 +226,14 @@ fn layer(svg: &mut String, layer: &Layer, x: &Axis, y: &Axis) {
     let at = |p: [f64; 2]| Some((x.place(p[0])?, y.place(p[1])?));
     match layer {
         Layer::Line { class, points, .. } => {
-            let _ = write!(svg, "<polyline class=\"{class}\" points=\"");
-            for (a, b) in points.iter().filter_map(|p| at(*p)) {
-                let _ = write!(svg, "{a:.1},{b:.1} ");
+            // A point that is no number ends a stretch of the line.
+            for stretch in points.split(|p| !p[1].is_finite()).filter(|s| !s.is_empty()) {
+                let _ = write!(svg, "<polyline class=\"{class}\" points=\"");
+                for (a, b) in stretch.iter().filter_map(|p| at(*p)) {
+                    let _ = write!(svg, "{a:.1},{b:.1} ");
+                }
+                svg.push_str("\"/>");
             }
-            svg.push_str("\"/>");
         }
         Layer::Dots { class, points, .. } => {
             // One path of dots without length: round caps make them dots, and the file stays small.

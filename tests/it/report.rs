@@ -1,0 +1,285 @@
+//! The page of a diagnosis: every section has its content, the file is small, asks nothing from
+//! outside, and a real browser opens it.
+
+use gyrospec::diagnose::answer::{
+    Answer, Band, Detection, Finding, InputFile, Located, Made, ParameterChange, Proof, SignalChance,
+    SiteName, Stretch, Unexplained, Value, Verdict, Visible,
+};
+use gyrospec::diagnose::pictures::{Course, Faulty, Law, Pictures, Spectrum, Standing, Tried};
+use gyrospec::report::diagnosis::page;
+use std::path::Path;
+use std::process::Command;
+
+const VERDICTS: [Verdict; 6] = [
+    Verdict::Named,
+    Verdict::NothingMissing,
+    Verdict::Tie,
+    Verdict::Unknown,
+    Verdict::DataFault,
+    Verdict::NotIdentifiable,
+];
+
+fn site() -> SiteName {
+    SiteName { kind: "state".into(), name: "v".into() }
+}
+
+fn finding(verdict: Verdict) -> Option<Finding> {
+    let (code, ties) = match verdict {
+        Verdict::Named => ("dry-friction", vec![]),
+        Verdict::Tie => ("dry-friction", vec!["stribeck-friction".to_string()]),
+        Verdict::DataFault => ("frozen-channel", vec![]),
+        _ => return None,
+    };
+    Some(Finding {
+        code: code.into(),
+        site: site(),
+        term: "-Fc*sign(v)/M".into(),
+        says: "20 N act against v < 0 & v > 0".into(),
+        parameters: vec![Value { name: "Fc".into(), value: 20.0, low: 19.0, high: 21.0, unit: "N".into() }],
+        p_value: 1e-30,
+        share: 1.0,
+        ties,
+    })
+}
+
+fn answer(verdict: Verdict) -> Answer {
+    Answer {
+        schema: "gyrospec.diagnosis/1",
+        verdict,
+        says: "The <model> leaves out \"something\" & more.".into(),
+        detection: Detection {
+            p_value: 0.3,
+            smallest_visible: vec![Visible {
+                code: "dry-friction".into(),
+                parameter: "Fc".into(),
+                value: 0.1,
+                unit: "N".into(),
+            }],
+        },
+        located: Located {
+            sites: vec![site()],
+            time: vec![Stretch { from: 10.0, to: 12.0 }],
+            bands: vec![Band { from: 1.0, to: 3.0, share: 0.7 }],
+            signals: vec![SignalChance { name: "v".into(), p_value: 1e-9 }],
+            separating_measurement: None,
+        },
+        findings: finding(verdict).into_iter().collect(),
+        unexplained: (verdict == Verdict::Unknown).then(|| Unexplained {
+            p_value: 1e-5,
+            signal: "v".into(),
+            shape: vec![[-1.0, -2.0, -2.5, -1.5], [1.0, 2.0, 1.5, 2.5]],
+        }),
+        proof: vec![Proof {
+            output: "position".into(),
+            unit: "m".into(),
+            metric: "rmse",
+            mode: "free-run",
+            fit_before: 0.2,
+            fit_after: 0.1,
+            holdout_before: 0.25,
+            holdout_after: f64::NAN,
+            improvement_low: 0.1,
+            improvement_high: 0.2,
+            noise_floor: 0.05,
+        }],
+        next_experiment: Some("Repeat it at a third of the amplitude.".into()),
+        parameters: vec![ParameterChange {
+            name: "M".into(),
+            before: 90.0,
+            after: 95.0,
+            low: 94.0,
+            high: 96.0,
+            unit: "kg".into(),
+        }],
+        made: Made {
+            program: "gyrospec 0".into(),
+            seed: 7,
+            inputs: vec![InputFile { file: "rec.csv".into(), sha256: "ab12".into() }],
+        },
+    }
+}
+
+/// Series as long as the pictures ever have.
+fn pictures(verdict: Verdict) -> Pictures {
+    let wave = |size: f64| -> Vec<[f64; 2]> {
+        (0..1200).map(|i| [f64::from(i) * 0.05, size * (f64::from(i) * 0.1).sin()]).collect()
+    };
+    let course = |output: &str| Course {
+        output: output.into(),
+        unit: "m".into(),
+        difference_unit: "m".into(),
+        recording: "trial <7>".into(),
+        held: vec![Stretch { from: 40.0, to: 60.0 }],
+        measured: wave(1.0),
+        before: wave(0.8),
+        after: wave(0.99),
+        residual_before: wave(0.2),
+        residual_after: wave(0.01),
+    };
+    let law = Law {
+        code: "dry-friction".into(),
+        term: "-Fc*sign(v)/M".into(),
+        signal: "v".into(),
+        signal_unit: "m/s".into(),
+        effect: "what is missing at v".into(),
+        effect_unit: "N".into(),
+        samples: wave(20.0),
+        means: vec![[-1.0, 20.0, 19.0, 21.0], [1.0, -20.0, -21.0, -19.0]],
+        curve: vec![[-1.0, 20.0, 19.0, 21.0], [1.0, -20.0, -21.0, -19.0]],
+    };
+    let has_law = matches!(verdict, Verdict::Named | Verdict::Tie);
+    let power = |x: f64| (1..200).map(|i| [f64::from(i) * 0.1, x / f64::from(i)]).collect();
+    Pictures {
+        trials: false,
+        courses: (0..8).map(|i| course(&format!("position{i}"))).collect(),
+        spectra: vec![Spectrum {
+            output: "position".into(),
+            bands: vec![Band { from: 1.0, to: 3.0, share: 0.7 }],
+            before: power(1.0),
+            after: power(0.1),
+        }],
+        laws: has_law.then_some(law).into_iter().collect(),
+        tried: vec![Tried {
+            code: "dry-friction".into(),
+            site: site(),
+            score: 80.0,
+            standing: Standing::Found,
+        }],
+        faults: (verdict == Verdict::DataFault)
+            .then(|| Faulty {
+                code: "frozen-channel".into(),
+                channel: "position".into(),
+                unit: "m".into(),
+                recorded: wave(1.0),
+                spans: vec![Stretch { from: 5.0, to: 6.0 }],
+            })
+            .into_iter()
+            .collect(),
+    }
+}
+
+fn made(verdict: Verdict) -> String {
+    page("axis <1>", &answer(verdict), &pictures(verdict))
+}
+
+/// The sections of a page and what stands in each.
+fn sections(page: &str) -> Vec<(String, String)> {
+    let parts = page.split("<section id=\"").skip(1);
+    parts
+        .map(|p| {
+            let (name, rest) = p.split_once('"').unwrap();
+            (name.to_string(), rest.split("</section>").next().unwrap().to_string())
+        })
+        .collect()
+}
+
+fn expected(verdict: Verdict) -> Vec<&'static str> {
+    let mut names =
+        vec!["findings", "courses", "residuals", "spectra", "proof", "sites", "parameters", "next", "made"];
+    match verdict {
+        Verdict::Named | Verdict::Tie => names.push("laws"),
+        Verdict::NothingMissing => names.push("visible"),
+        Verdict::Unknown => names.push("unexplained"),
+        Verdict::DataFault => names.push("faults"),
+        Verdict::NotIdentifiable => {}
+    }
+    names
+}
+
+#[test]
+fn every_section_has_its_content() {
+    for verdict in VERDICTS {
+        let page = made(verdict);
+        let sections = sections(&page);
+        for name in expected(verdict) {
+            let content =
+                &sections.iter().find(|s| s.0 == name).unwrap_or_else(|| panic!("{verdict:?}: {name}")).1;
+            let drawn = ["courses", "residuals", "spectra", "laws", "unexplained", "faults"].contains(&name);
+            let wanted = if drawn { "<svg viewBox" } else { "</" };
+            assert!(content.contains(wanted), "{verdict:?}: {name} is empty");
+        }
+        assert_eq!(sections.len(), expected(verdict).len(), "{verdict:?}");
+        assert_eq!(page.matches("class=\"held\"").count() % 2, 0);
+        assert!(page.contains("class=\"held\"") && page.contains("class=\"shade\""));
+        assert!(!page.contains("NaN"), "{verdict:?}");
+    }
+}
+
+#[test]
+fn a_page_is_small_and_asks_nothing_from_outside() {
+    for verdict in VERDICTS {
+        let page = made(verdict);
+        assert!(page.len() < 3_000_000, "{} bytes", page.len());
+        for foreign in ["http:", "https:", "<script", "src=", "@import", "url("] {
+            assert!(!page.contains(foreign), "{verdict:?}: {foreign}");
+        }
+        assert!(page.contains("axis &lt;1&gt;") && page.contains("&lt;model&gt;"));
+        assert!(!page.contains("<model>") && !page.contains("<7>"));
+    }
+}
+
+#[test]
+fn the_verdict_is_one_sentence() {
+    let heading = |v: Verdict| {
+        let page = made(v);
+        let from = page.find("<h1").unwrap();
+        page[from..page.find("</h1>").unwrap()].split_once('>').unwrap().1.to_string()
+    };
+    assert_eq!(heading(Verdict::Named), "The model leaves out dry (Coulomb) friction (state v).");
+    assert!(heading(Verdict::Tie).contains("would fit as well"));
+    assert_eq!(heading(Verdict::NothingMissing), "Nothing is missing.");
+    assert!(VERDICTS.iter().all(|v| heading(*v).ends_with('.')));
+}
+
+fn browser() -> Option<String> {
+    let names = ["chromium", "chromium-browser", "google-chrome"];
+    let runs = |n: &&&str| Command::new(n).arg("--version").output().is_ok_and(|o| o.status.success());
+    names.iter().find(runs).map(|n| (*n).to_string())
+}
+
+/// The page as the browser has it after loading, and what the browser logged.
+fn opened(browser: &str, file: &Path, profile: &Path) -> (String, String) {
+    let flags = [
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--enable-logging=stderr",
+        "--dump-dom",
+    ];
+    let run = Command::new(browser)
+        .args(flags)
+        .arg(format!("--user-data-dir={}", profile.display()))
+        .arg(format!("file://{}", file.display()))
+        .output()
+        .unwrap();
+    (String::from_utf8_lossy(&run.stdout).into(), String::from_utf8_lossy(&run.stderr).into())
+}
+
+#[test]
+fn a_browser_opens_the_page() {
+    let Some(browser) = browser() else {
+        eprintln!("SKIPPED: no Chromium on this machine, pages were not opened in a browser");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    for verdict in [Verdict::Named, Verdict::NothingMissing, Verdict::Tie, Verdict::DataFault] {
+        let file = folder.path().join(format!("{verdict:?}.html"));
+        // A witness that only this test adds: it writes into the page what went wrong while loading.
+        let witness = "<script>window.onerror=m=>document.title='WRONG '+m;addEventListener('load',()=>{\
+            const asked=performance.getEntriesByType('resource').length;\
+            const flat=[...document.querySelectorAll('figure>svg')].filter(s=>s.getBoundingClientRect().height<60).length;\
+            document.body.dataset.seen=`asked ${asked} flat ${flat} wide ${document.documentElement.scrollWidth>innerWidth}`})</script>";
+        std::fs::write(&file, made(verdict).replace("<head>", &format!("<head>{witness}"))).unwrap();
+        let (dom, log) = opened(&browser, &file, &folder.path().join(format!("{verdict:?}")));
+        assert!(dom.contains("data-seen=\"asked 0 flat 0 wide false\""), "{verdict:?}: {log}\n{:.2000}", dom);
+        assert!(!dom.contains("WRONG") && !log.contains("CONSOLE"), "{verdict:?}: {log}");
+        for (name, _) in sections(&made(verdict)) {
+            assert!(dom.contains(&format!("<section id=\"{name}\"")), "{verdict:?}: {name}");
+        }
+    }
+}
