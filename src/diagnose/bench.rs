@@ -6,7 +6,7 @@ use crate::estimate::fit::Effort;
 use crate::estimate::fit::rig::{Record, Unknown};
 use crate::estimate::fit::setup;
 use crate::estimate::noise::robust_deviation;
-use crate::estimate::{Fit, FitOptions, Stopping};
+use crate::estimate::{Fit, FitOptions, Stopping, fit};
 use crate::expression::{Expr, Function};
 use crate::model::{Model, Output};
 use crate::record::{Channel, Kind, Recording, Span};
@@ -14,7 +14,7 @@ use crate::{Error, Result};
 use std::collections::BTreeMap;
 
 /// Longest stretch, in samples over all recordings, that the screening runs over.
-const SCREENED: usize = 40_000;
+const SCREENED: usize = 24_000;
 /// Times at which signals are looked at.
 const LOOKS: usize = 3000;
 
@@ -153,6 +153,35 @@ impl Bench {
             }
         }
         short
+    }
+
+    /// Fits a model from all starts on the first part, then walks on from there on the whole.
+    ///
+    /// # Errors
+    /// Where the model cannot be fitted at all.
+    pub fn full_fit(&self, model: &Model) -> Result<Fit> {
+        let spans: Vec<Vec<Span>> = (0..self.recordings.len()).map(|k| self.spans(model, k)).collect();
+        let short: Vec<Vec<Span>> = (0..self.recordings.len()).map(|k| self.screened_spans(model, k)).collect();
+        if self.is_trials() || spans == short {
+            return fit(model, &self.recordings, &self.options(Effort::Full, 60));
+        }
+        let cut = |(r, spans): (&Recording, &Vec<Span>)| r.clone().with_spans(spans.clone(), Vec::new());
+        let recordings: Vec<Recording> = self.recordings.iter().zip(&short).map(cut).collect();
+        let first = fit(model, &recordings, &self.options(Effort::Full, 60))?;
+        let mut options = self.options(Effort::Near, 30);
+        options.initials = first.records.iter().map(|r| r.initials.clone()).collect();
+        fit(&first.model, &self.recordings, &options)
+    }
+
+    /// How many proposals are worth a fit in one round: fewer where one simulation is long.
+    pub fn patience(&self, model: &Model) -> usize {
+        let samples: usize = self
+            .recordings
+            .iter()
+            .filter_map(|r| model.outputs.iter().find_map(|o| r.find(&o.name)))
+            .map(Channel::len)
+            .sum();
+        if samples * model.states.len().max(1) > 100_000 { 7 } else { 12 }
     }
 
     /// A model ready to run over the parts that the screening uses.

@@ -21,8 +21,8 @@ mod verdict;
 mod words;
 
 use crate::Result;
-use crate::estimate::fit::{Effort, Progress};
-use crate::estimate::{Fit, fit};
+use crate::estimate::Fit;
+use crate::estimate::fit::Progress;
 use crate::model::Model;
 use crate::record::Recording;
 use answer::Answer;
@@ -76,7 +76,7 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
         own_parameters: model.parameters.len(),
     };
     request.progress.says("fitting the model as it stands", None);
-    let mut base = fit(model, &bench.recordings, &bench.options(Effort::Full, 60))?;
+    let mut base = bench.full_fit(model)?;
     let mut found_faults: Vec<answer::Finding> = cleaned
         .faults
         .iter()

@@ -21,6 +21,9 @@ use rayon::prelude::*;
 /// Hats along a signal.
 const HATS: usize = 7;
 
+/// Signals that are taken in pairs, at most.
+const PAIRED: usize = 4;
+
 /// A flexible law at a site, scored.
 pub struct Law {
     /// The state or output that it acts on.
@@ -95,9 +98,10 @@ fn drafts(scene: &Scene) -> Vec<(Proposal, Vec<f64>)> {
         }
     }
     let sites = motions.iter().map(|m| (m.state.as_str(), &m.force, m.size));
+    let paired = &signals[..signals.len().min(PAIRED)];
     for (state, unit, size) in sites {
-        for (i, a) in signals.iter().enumerate() {
-            for b in &signals[i + 1..] {
+        for (i, a) in paired.iter().enumerate() {
+            for b in &paired[i + 1..] {
                 all.extend(products(scene, state, unit, size, (a, b)));
             }
         }

@@ -23,8 +23,6 @@ use crate::estimate::fit::{Effort, Progress};
 use crate::estimate::{Fit, fit};
 use rayon::prelude::*;
 
-/// Proposals that are fitted in full in one round.
-const FITTED: usize = 12;
 /// Mechanisms that are added at most.
 const MOST: usize = 3;
 /// Share of all gains before that a further one must reach.
@@ -105,6 +103,13 @@ pub struct Found {
     pub scale: Scale,
     /// Measures of base and last.
     pub measures: (Measure, Measure),
+}
+
+impl Found {
+    /// ln of the fall of the left-out sum of squares from the given model to the last.
+    pub fn gain(&self) -> f64 {
+        gain(&self.measures.0, &self.measures.1)
+    }
 }
 
 /// The whitened residual of a fitted model on the screened parts, with its records' tracks.
@@ -192,7 +197,12 @@ fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened
         } else {
             (0..wanted.len()).map(|j| view.screen.whitened(&tracks, |t| &t.sensitivities[j])).collect()
         };
-        if let Some(score) = view.screen.score(directions, proposal.is_one_sided()) {
+        if let Some(mut score) = view.screen.score(directions, proposal.is_one_sided()) {
+            if is_timed_wave(proposal) {
+                // Its frequency is the best of all that the recording resolves.
+                let frequencies = 0.5 * view.screen.residual.len() as f64;
+                score.statistic = (score.statistic - frequencies.max(1.0).ln()).max(0.0);
+            }
             scored.push(Screened { proposal: proposal.clone(), start: start.clone(), score });
         }
     }
@@ -214,7 +224,7 @@ fn difference(from: &[Track], to: &[Track]) -> Vec<Track> {
 }
 
 /// The proposals worth a fit: the best, not more than a few of one code.
-fn worth_fitting(screening: &Screening) -> Vec<&Screened> {
+fn worth_fitting(screening: &Screening, most: usize) -> Vec<&Screened> {
     let mut chosen: Vec<&Screened> = Vec::new();
     for s in &screening.screened {
         let same = chosen.iter().filter(|c| c.proposal.code == s.proposal.code).count();
@@ -226,7 +236,7 @@ fn worth_fitting(screening: &Screening) -> Vec<&Screened> {
         if same < 3 && !alike && s.score.statistic > 3.0 {
             chosen.push(s);
         }
-        if chosen.len() >= FITTED {
+        if chosen.len() >= most {
             break;
         }
     }
@@ -299,7 +309,7 @@ fn round(bench: &Bench, current: &Fit, now: &Measure, scale: &Scale, given: &[f6
     scene.peaks = super::locate::peaks(current);
     let screening = screen(bench, &scene, &view);
     let tried = screening.screened.len().max(1) as f64;
-    let chosen: Vec<Screened> = worth_fitting(&screening).into_iter().cloned().collect();
+    let chosen: Vec<Screened> = worth_fitting(&screening, bench.patience(&current.model)).into_iter().cloned().collect();
     let mut fitted: Vec<Refitted> = chosen
         .into_par_iter()
         .filter_map(|s| {
@@ -328,7 +338,12 @@ fn worth(r: &Refitted) -> f64 {
 fn is_anchored(p: &Proposal) -> bool {
     let codes =
         ["drift-force", "output-drift", "parameter-change", "parameter-drift", "clock-jump", "clock-drift"];
-    codes.contains(&p.code) || p.code == "periodic-force" && p.term.contains("*t)")
+    codes.contains(&p.code) || is_timed_wave(p)
+}
+
+/// Whether it is a wave in time, whose frequency was read from the residual.
+fn is_timed_wave(p: &Proposal) -> bool {
+    p.code == "periodic-force" && p.term.contains("*t)")
 }
 
 /// Families whose members are the same thing in a linear model with one input and one output.
@@ -379,7 +394,11 @@ fn choose(round: &Round, now: &Measure, before: f64) -> Option<Choice> {
         |i: &usize| commute(round.fitted[*i].proposal.code, round.fitted[likeliest].proposal.code);
     let first =
         rivals.iter().copied().filter(|i| commuting(i) && alike(*i, likeliest)).min_by_key(|i| place(*i));
-    let best = first.filter(|i| place(*i) < place(likeliest)).unwrap_or(likeliest);
+    // Among those that fit alike the one with the fewest parameters stands first.
+    let fewest = |i: &usize| round.fitted[*i].proposal.added.len();
+    let simpler = rivals.iter().copied().filter(|i| alike(*i, likeliest) && fewest(i) < fewest(&likeliest));
+    let simplest = simpler.min_by_key(|i| fewest(i));
+    let best = simplest.or(first.filter(|i| place(*i) < place(likeliest))).unwrap_or(likeliest);
     let chosen = &round.fitted[best].proposal;
     let mut ties: Vec<Proposal> = Vec::new();
     let mut elsewhere: Vec<Proposal> = Vec::new();
@@ -478,7 +497,8 @@ fn trace(round: &Round, now: &Measure) {
         return;
     }
     let mut text = format!(
-        "screened {} p {:.3} | now left-out {:.6} ln L {:.1}\n",
+        "{:?} screened {} p {:.3} | now left-out {:.6} ln L {:.1}\n",
+        std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map(|d| d.as_secs() % 10_000),
         round.screening.screened.len(),
         round.screening.p_value,
         now.left_out,

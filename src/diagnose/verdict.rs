@@ -30,11 +30,10 @@ impl Evidence<'_> {
         self.rest.p_value < LEFT_CHANCE && best.is_some_and(|l| l.explained > LEFT_SHARE)
     }
 
-    /// Whether what is left outweighs what was named.
+    /// Whether what is left outweighs what was named: falls of the squared error, as logarithms.
     fn outweighs(&self) -> bool {
-        let named = 2.0 * (self.found.measures.1.likelihood - self.found.measures.0.likelihood);
-        let left = self.rest.laws.first().map_or(0.0, |l| l.score.chi2 - l.score.degrees as f64);
-        self.is_left() && left > RESEMBLES * named
+        let left = self.rest.laws.first().map_or(0.0, |l| -(1.0 - l.explained.min(0.999)).ln());
+        self.is_left() && left > RESEMBLES * self.found.gain()
     }
 
     /// The verdict.

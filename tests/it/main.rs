@@ -6,6 +6,7 @@ mod formula;
 mod fuzz;
 mod gyro;
 mod gyro_time;
+mod diagnose;
 mod house;
 mod integral;
 mod lti;

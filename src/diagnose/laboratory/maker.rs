@@ -3,8 +3,6 @@
 use super::stepper::Stepper;
 use crate::diagnose::bench::{Bench, Stand, tolerance};
 use crate::diagnose::catalogue::{self, Proposal, Scene};
-use crate::estimate::fit;
-use crate::estimate::fit::Effort;
 use crate::expression::Expr;
 use crate::model::{Initial, Model};
 use crate::record::{Channel, Recording};
@@ -106,7 +104,7 @@ impl Scenario {
     /// Where it cannot be fitted.
     pub fn of(model: &Model, recording: &Recording, seed: u64) -> Result<Self> {
         let bench = bench(model, recording, seed);
-        let f = fit(model, &bench.recordings, &bench.options(Effort::Full, 60))?;
+        let f = bench.full_fit(model)?;
         let mut model = f.model.clone();
         for (s, x) in model.states.iter_mut().zip(&f.records[0].initials) {
             if x.is_finite() {
