@@ -2,8 +2,8 @@
 //! or with an error, never with a panic.
 //!
 //! GYROSPEC_FUZZ sets the number of cases of each reader (500 by default). Run long once before
-//! the first release, without a finding: 1 500 000 expressions, 520 000 TOML recordings, 100 000
-//! models, 100 000 tables, 100 000 logs.
+//! the first release, without a finding: 1 500 000 expressions, 520 000 TOML recordings, 400 000
+//! models, 400 000 tables, 100 000 logs.
 
 use gyrospec::expression::Expr;
 use gyrospec::model::Model;
