@@ -205,6 +205,47 @@ fn a_short_recording_and_a_start_that_blows_up_are_warned_of() {
     assert!(fitted.warnings.iter().any(|w| w.says.contains("does not stay finite")), "{:?}", fitted.warnings);
 }
 
+#[test]
+fn the_command_gives_json_a_model_that_fits_again_and_an_exit_code() {
+    let scratch = tempfile::tempdir().unwrap();
+    let at = |name: &str| scratch.path().join(name);
+    let rows: String = noise(400, 0.01, 0.0, 8)
+        .iter()
+        .enumerate()
+        .map(|(i, e)| format!("{},{},{}\n", i, (0.3 * i as f64).sin(), 3.0 * (0.3 * i as f64).sin() + e))
+        .collect();
+    std::fs::write(at("rec.csv"), format!("t [s],u [V],y [V]\n{rows}")).unwrap();
+    let text = "name = \"gain\"\n[inputs]\nu = { unit = \"V\" }\n[parameters]\nk = { value = 1, unit = \"1\", fit = true }\n[outputs]\ny = { equals = \"k*u\", unit = \"V\" }\n";
+    std::fs::write(at("one.toml"), text).unwrap();
+    let twice = text
+        .replace("[outputs]", "g = { value = 1, unit = \"1\", fit = true }\n[outputs]")
+        .replace("k*u", "k*g*u");
+    std::fs::write(at("two.toml"), twice).unwrap();
+    let run = |model: &str| {
+        std::process::Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+            .arg("fit")
+            .args([at(model), at("rec.csv")])
+            .args(["--json", "-", "--model-out"])
+            .arg(at("out.toml"))
+            .output()
+            .unwrap()
+    };
+    let done = run("one.toml");
+    assert_eq!(done.status.code(), Some(0), "{}", String::from_utf8_lossy(&done.stderr));
+    let told: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+    assert_eq!(told["schema"], "gyrospec.fit/1");
+    let k = told["parameters"][0]["value"].as_f64().unwrap();
+    assert!((k - 3.0).abs() < 0.01);
+    assert!((told["outputs"][0]["rmse_holdout"].as_f64().unwrap() / 0.01 - 1.0).abs() < 0.2);
+    let written = Model::read(&at("out.toml")).unwrap();
+    assert!((written.parameters[0].value - k).abs() < 1e-12);
+    assert!(run("out.toml").status.success());
+    let found = run("two.toml");
+    assert_eq!(found.status.code(), Some(1));
+    let told: serde_json::Value = serde_json::from_slice(&found.stdout).unwrap();
+    assert_eq!(told["not_identifiable"].as_array().unwrap().len(), 1);
+}
+
 /// The folder of a real recording, or a word that the test is skipped.
 fn real(set: &str) -> Option<PathBuf> {
     let root = std::env::var_os("GYROSPEC_RECORDINGS")

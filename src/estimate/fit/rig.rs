@@ -20,8 +20,8 @@ pub trait Rig: Send + Sync {
     /// `wanted` lists the sensitivities to give.
     fn run(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run>;
 
-    /// Time constants and periods of the model about its start, s; empty where there are none.
-    fn time_constants(&self, parameters: &[f64], initials: &[f64]) -> Vec<f64>;
+    /// The longest time constant of the model about its start, s; None where there is none.
+    fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64>;
 }
 
 /// The measured samples of one output that a fit compares with.

@@ -87,44 +87,7 @@ impl Rig for Simulated {
         Ok(run)
     }
 
-    fn time_constants(&self, parameters: &[f64], initials: &[f64]) -> Vec<f64> {
-        modes(&self.simulator, parameters, initials).unwrap_or_default()
+    fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {
+        self.simulator.slowest_time(parameters, initials).ok().flatten()
     }
-}
-
-/// Time constants of the real modes and periods of the oscillating ones, s, at the start of the run.
-fn modes(simulator: &Simulator, parameters: &[f64], initials: &[f64]) -> Option<Vec<f64>> {
-    let n = initials.len();
-    let (from, to) = simulator.span();
-    if n == 0 || initials.iter().any(|x| x.is_nan()) {
-        return None;
-    }
-    let start = simulator.on_window(from, from + 1e-3 * (to - from)).ok()?;
-    let rates = |x: &[f64]| -> Option<Vec<f64>> {
-        let trace = start.trace(parameters, x, vec![from].into()).ok()?;
-        Some(trace.rates.iter().map(|r| r[0]).collect())
-    };
-    let mut jacobian = faer::Mat::<f64>::zeros(n, n);
-    for j in 0..n {
-        let step = 1e-4 * initials[j].abs().max(1e-4);
-        let shifted = |sign: f64| {
-            let mut x = initials.to_vec();
-            x[j] += sign * step;
-            rates(&x)
-        };
-        let (up, down) = (shifted(1.0)?, shifted(-1.0)?);
-        for i in 0..n {
-            jacobian[(i, j)] = (up[i] - down[i]) / (2.0 * step);
-        }
-    }
-    if (0..n).any(|i| (0..n).any(|j| !jacobian[(i, j)].is_finite())) {
-        return None;
-    }
-    let slowest = 1e-6 / (to - from);
-    let values = jacobian.eigenvalues().ok()?;
-    let seen = values.into_iter().filter(|v| v.norm() > slowest);
-    Some(
-        seen.map(|v| if v.im == 0.0 { 1.0 / v.re.abs() } else { std::f64::consts::TAU / v.im.abs() })
-            .collect(),
-    )
 }

@@ -39,15 +39,15 @@ fn at_bounds(fit: &Assembly<'_>) -> Vec<Warning> {
     .collect()
 }
 
-/// A recording shorter than the longest time constant or period of the model.
+/// A recording shorter than the longest time constant of the model.
 fn too_short(fit: &Assembly<'_>) -> Option<Warning> {
     let (parameters, initials) = fit.problem.spread(&fit.minimum.x);
     let mut worst: Option<(f64, f64, &str)> = None;
     for (record, initials) in fit.problem.records.iter().zip(&initials) {
         let last = record.tracks.iter().filter_map(|t| t.time.last()).fold(record.start, |a, b| a.max(*b));
         let length = last - record.start;
-        let modes = record.rig.time_constants(&record.parameters(&parameters), initials);
-        let longest = modes.into_iter().fold(0.0, f64::max);
+        let slowest = record.rig.slowest_time(&record.parameters(&parameters), initials);
+        let longest = slowest.unwrap_or(0.0);
         if longest > length && worst.is_none_or(|w| longest > w.0) {
             worst = Some((longest, length, &record.name));
         }
@@ -55,7 +55,7 @@ fn too_short(fit: &Assembly<'_>) -> Option<Warning> {
     let (longest, length, name) = worst?;
     Some(Warning {
         says: format!(
-            "the fitted part of '{name}' lasts {length:.3} s, less than the longest time constant or period \
+            "the fitted part of '{name}' lasts {length:.3} s, less than the longest time constant \
              of the model, {longest:.3} s: what acts so slowly is hardly seen"
         ),
     })

@@ -61,3 +61,29 @@ pub fn runs(stretch: &[f64]) -> f64 {
     let z = (changes - expected) / variance.sqrt();
     Normal::standard().cdf(-z.abs()) * 2.0
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    #[test]
+    fn white_noise_fails_as_often_as_promised() {
+        let (mut by_lags, mut by_runs) = (0, 0);
+        for seed in 0..400 {
+            let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+            let e: Vec<f64> = (0..500).map(|_| StandardNormal.sample(&mut rng)).collect();
+            by_lags += usize::from(portmanteau(&[&e[..200], &e[200..]], 20, 0).p_value < 0.05);
+            by_runs += usize::from(runs(&e) < 0.05);
+        }
+        // 5 % of 400 is 20 with a deviation of 4.4.
+        assert!((6..=34).contains(&by_lags) && (6..=34).contains(&by_runs), "{by_lags} {by_runs}");
+    }
+
+    #[test]
+    fn a_slow_wave_has_too_few_runs() {
+        let wave: Vec<f64> = (0..200).map(|i| (0.1 * f64::from(i)).sin()).collect();
+        assert!(runs(&wave) < 1e-9);
+    }
+}
