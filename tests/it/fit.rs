@@ -176,8 +176,8 @@ fn a_wrapped_output_is_compared_modulo_a_turn() {
 
 #[test]
 fn a_short_recording_and_a_start_that_blows_up_are_warned_of() {
-    let slow = Model::parse(&DECAY.replace("value = 2.0", "value = 0.2")).unwrap();
-    let recording = decay("short", (0.2, 0.01, 1.0), &noise(400, 1e-4, 0.0, 7));
+    let slow = Model::parse(&DECAY.replace("value = 2.0", "value = 0.12")).unwrap();
+    let recording = decay("short", (0.12, 0.01, 1.0), &noise(400, 1e-4, 0.0, 7));
     let fitted = fit(&slow, &[recording], &FitOptions::default()).unwrap();
     assert!(
         fitted.warnings.iter().any(|w| w.says.contains("longest time constant")),
