@@ -40,7 +40,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let open = |path: &Option<PathBuf>| path.as_deref().map(Sink::open).transpose();
     let (json, html, model_out) = (open(&call.json)?, open(&call.html)?, open(&call.model_out)?);
     let model = Model::read(&call.model)?;
-    let read = |files: &[PathBuf]| files.iter().map(|f| Recording::read(f)).collect::<Result<Vec<_>>>();
+    let read = |files: &[PathBuf]| files.iter().map(Recording::read).collect::<Result<Vec<_>>>();
     let (recordings, separate) = (read(&call.recordings)?, read(&call.holdout)?);
     super::record::tell_notes(recordings.iter().chain(&separate));
     let meter = Meter::new();

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 /// A number as JSON writes it: what is not finite becomes null.
+#[allow(clippy::trivially_copy_pass_by_ref)] // the form that serde calls
 fn number<S: serde::Serializer>(x: &f64, s: S) -> Result<S::Ok, S::Error> {
     if x.is_finite() { s.serialize_f64(*x) } else { s.serialize_none() }
 }

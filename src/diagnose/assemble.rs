@@ -6,9 +6,10 @@ use super::answer::{
 };
 use super::bench::Bench;
 use super::catalogue::Proposal;
+use super::propose::View;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
-use super::search::{self, Found, Taken, View};
+use super::search::{self, Found, Taken};
 use super::verdict::Evidence;
 use super::{Diagnosis, Request, locate, next, pictures, words};
 use crate::Result;

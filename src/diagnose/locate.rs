@@ -55,7 +55,7 @@ pub fn spectrum(values: &[f64]) -> Vec<f64> {
     if fft.process(&mut padded, &mut out).is_err() {
         return Vec::new();
     }
-    out.iter().take(size / 2).map(|c| c.norm_sqr()).collect()
+    out.iter().take(size / 2).map(num_complex::Complex::norm_sqr).collect()
 }
 
 /// Windows of the fitted part in which the mismatch is large against the rest.
@@ -83,7 +83,7 @@ pub fn times(before: &Fit, after: &Fit) -> Vec<Stretch> {
                     Some(Stretch { to: last, .. })
                         if (*last - from).abs() <= 2.0 * (to - from) / size as f64 =>
                     {
-                        *last = to
+                        *last = to;
                     }
                     _ => found.push(Stretch { from, to }),
                 }

@@ -80,12 +80,14 @@ fn free_unknowns(fit: &Fit) -> Vec<usize> {
     (0..fit.unknowns.len()).filter(|j| !pressed(&fit.unknowns[*j])).collect()
 }
 
+/// Σ JᵀJ, Σ Jᵀe and the rows (series, sample) of one part.
+type Part = (Mat<f64>, Vec<f64>, Vec<(usize, usize)>);
+
 fn left_out(series: &[&Series], free: &[usize], scale: &Scale) -> Option<f64> {
     let p = free.len();
     let total: usize = series.iter().map(|s| s.residual.len()).sum();
     let size = total.div_ceil(BLOCKS * PIECES).max(1);
-    let mut blocks: Vec<(Mat<f64>, Vec<f64>, Vec<(usize, usize)>)> =
-        (0..BLOCKS).map(|_| (Mat::zeros(p, p), vec![0.0; p], Vec::new())).collect();
+    let mut blocks: Vec<Part> = (0..BLOCKS).map(|_| (Mat::zeros(p, p), vec![0.0; p], Vec::new())).collect();
     let mut count = 0;
     for (k, s) in series.iter().enumerate() {
         let w = scale.weights[s.output];

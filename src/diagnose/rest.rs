@@ -13,8 +13,8 @@
 
 use super::bench::{self, Bench};
 use super::catalogue::{Draft, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::propose::View;
 use super::screen::{Score, Screen};
-use super::search::View;
 use crate::units::Unit;
 use rayon::prelude::*;
 

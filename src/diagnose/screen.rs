@@ -67,14 +67,18 @@ impl Screen {
             remove(&mut column, &basis);
             let after = norm(&column);
             if after > 1e-8 * before && after > 0.0 {
-                column.iter_mut().for_each(|x| *x /= after);
+                for x in &mut column {
+                    *x /= after;
+                }
                 basis.push(column);
             }
         }
         remove(&mut residual, &basis);
         let scale = (residual.iter().map(|e| e * e).sum::<f64>() / residual.len().max(1) as f64).sqrt();
         if scale > 0.0 {
-            residual.iter_mut().for_each(|e| *e /= scale);
+            for e in &mut residual {
+                *e /= scale;
+            }
         }
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
         let n = residual.len();

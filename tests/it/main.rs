@@ -1,12 +1,12 @@
 //! All integration tests, in one binary: one module a capability.
 
 mod audit;
+mod diagnose;
 mod fit;
 mod formula;
 mod fuzz;
 mod gyro;
 mod gyro_time;
-mod diagnose;
 mod house;
 mod integral;
 mod lti;

@@ -35,7 +35,7 @@ use std::path::Path;
 /// Where the files cannot be read or the model cannot be fitted.
 pub fn examine(folder: &Path, number: usize, seed: u64) -> Result<Answer> {
     let model = Model::read(&folder.join(format!("model-{number}.toml")))?;
-    let recordings = [Recording::read(&folder.join(format!("case-{number}.csv")))?];
+    let recordings = [Recording::read(folder.join(format!("case-{number}.csv")))?];
     let request = Request { model: &model, recordings: &recordings, separate: &[], seed, progress: &Silent };
     Ok(diagnose(&request)?.answer)
 }

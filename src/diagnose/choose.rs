@@ -1,0 +1,124 @@
+//! The choice between extensions that were fitted.
+//!
+//! # Purpose
+//! Say which extension a round takes, and which others fit as well.
+//!
+//! # Method
+//! An extension stands if its likelihood ratio stands after Holm's correction and its gain over parts
+//! left out is above the floor. Of those near the largest gain the likeliest is taken; others within
+//! the tolerance of the likelihood are ties. Parts that commute in a linear model have a wider
+//! tolerance, because they differ only by what the recording began with.
+//!
+//! # References
+//! S. Holm, Scand. J. Statist. 6 (1979) 65; G. Schwarz, Ann. Statist. 6 (1978) 461.
+
+use super::catalogue::{self, Proposal};
+use super::measure::Measure;
+use super::search::{Refitted, Round};
+
+/// Share of all gains before that a further one must reach.
+const FURTHER: f64 = 0.2;
+/// Weight of the gain of a mechanism that is tied to moments of this recording.
+const ANCHORED: f64 = 0.6;
+/// Chance, after correction, above which nothing is added.
+const CHANCE: f64 = 0.01;
+/// Relative fall of the left-out root mean square below which nothing is added.
+pub const FLOOR: f64 = 0.02;
+/// Difference in log-likelihood up to which two extensions fit as well.
+const TIE: f64 = 2.0;
+/// Share of the largest free-run gain that a likelier rival must reach.
+const RIVAL: f64 = 0.75;
+/// Share of its gain by which an extension that commutes with another may differ from it.
+const COMMUTES: f64 = 0.2;
+
+/// ln of the fall of the left-out sum of squares.
+pub fn gain(now: &Measure, new: &Measure) -> f64 {
+    (now.left_out / new.left_out).ln()
+}
+
+/// Likelihood less the price of its parameters.
+fn worth(r: &Refitted) -> f64 {
+    r.measure.likelihood - 0.5 * r.proposal.added.len() as f64 * r.measure.samples.max(2.0).ln()
+}
+
+/// Whether a mechanism is tied to moments of one recording, so that another cannot confirm it.
+pub fn is_anchored(p: &Proposal) -> bool {
+    let codes =
+        ["drift-force", "output-drift", "parameter-change", "parameter-drift", "clock-jump", "clock-drift"];
+    codes.contains(&p.code) || is_timed_wave(p)
+}
+
+/// Whether it is a wave in time, whose frequency was read from the residual.
+pub fn is_timed_wave(p: &Proposal) -> bool {
+    p.code == "periodic-force" && p.term.contains("*t)")
+}
+
+/// Families whose members are the same thing in a linear model with one input and one output.
+const FAMILIES: [&[&str]; 4] = [
+    &["input-delay", "output-delay"],
+    &["input-lag", "output-lag"],
+    &["constant-force", "input-offset", "output-offset"],
+    &["drift-force", "output-drift"],
+];
+
+/// Whether two mechanisms commute where the model is linear.
+fn commute(a: &str, b: &str) -> bool {
+    a != b && FAMILIES.iter().any(|f| f.contains(&a) && f.contains(&b))
+}
+
+/// What a round takes.
+pub struct Choice {
+    /// Number of the extension among those fitted.
+    pub best: usize,
+    /// Others that fit as well.
+    pub ties: Vec<Proposal>,
+    /// The same mechanism elsewhere that fits as well.
+    pub elsewhere: Vec<Proposal>,
+}
+
+/// Takes the likeliest of those whose gain is near the largest; with its ties.
+pub fn choose(round: &Round, now: &Measure, before: f64) -> Option<Choice> {
+    let floor = (-2.0 * (1.0 - FLOOR).ln()).max(FURTHER * before);
+    let gain = |now: &Measure, r: &Refitted| {
+        gain(now, &r.measure) * if is_anchored(&r.proposal) { ANCHORED } else { 1.0 }
+    };
+    let passes = |r: &Refitted| r.p_value < CHANCE && gain(now, r) > floor;
+    let largest = round.fitted.iter().filter(|r| passes(r)).map(|r| gain(now, r)).fold(0.0, f64::max);
+    let rivals: Vec<usize> = (0..round.fitted.len())
+        .filter(|i| passes(&round.fitted[*i]) && gain(now, &round.fitted[*i]) >= RIVAL * largest)
+        .collect();
+    let likeliest = rivals
+        .iter()
+        .copied()
+        .max_by(|a, b| worth(&round.fitted[*a]).total_cmp(&worth(&round.fitted[*b])))?;
+    let alike = |i: usize, to: usize| {
+        let (r, t) = (&round.fitted[i], &round.fitted[to]);
+        let gain = t.measure.likelihood - now.likelihood;
+        let same = commute(r.proposal.code, t.proposal.code) || r.proposal.code == t.proposal.code;
+        let tolerance = if same { TIE.max(COMMUTES * gain) } else { TIE };
+        worth(r) > worth(t) - tolerance && r.proposal.added.len() <= t.proposal.added.len()
+    };
+    // Of parts that commute, the thing stands before its sensor.
+    let place = |i: usize| catalogue::ALL.iter().position(|m| m.code == round.fitted[i].proposal.code);
+    let commuting =
+        |i: &usize| commute(round.fitted[*i].proposal.code, round.fitted[likeliest].proposal.code);
+    let first =
+        rivals.iter().copied().filter(|i| commuting(i) && alike(*i, likeliest)).min_by_key(|i| place(*i));
+    // Among those that fit alike the one with the fewest parameters stands first.
+    let fewest = |i: &usize| round.fitted[*i].proposal.added.len();
+    let simpler = rivals.iter().copied().filter(|i| alike(*i, likeliest) && fewest(i) < fewest(&likeliest));
+    let simplest = simpler.min_by_key(|i| fewest(i));
+    let best = simplest.or(first.filter(|i| place(*i) < place(likeliest))).unwrap_or(likeliest);
+    let chosen = &round.fitted[best].proposal;
+    let mut ties: Vec<Proposal> = Vec::new();
+    let mut elsewhere: Vec<Proposal> = Vec::new();
+    for i in rivals.into_iter().filter(|i| *i != best && alike(*i, likeliest)) {
+        let p = &round.fitted[i].proposal;
+        if p.code == chosen.code {
+            elsewhere.push(p.clone());
+        } else if ties.iter().all(|t| t.code != p.code) {
+            ties.push(p.clone());
+        }
+    }
+    Some(Choice { best, ties, elsewhere })
+}

@@ -1,0 +1,230 @@
+//! Proposals: scored, and the best fitted inside the model.
+//!
+//! # Purpose
+//! From all extensions that the catalogue proposes to a few that are fitted by simulation.
+//!
+//! # Method
+//! One free run a start gives the direction in which a proposal moves the predictions, at no effect
+//! where an amplitude scales it, else over the whole start. The best are fitted from several sizes
+//! of their effect, from the parameters as given and as fitted.
+//!
+//! # References
+//! C. R. Rao, Proc. Cambridge Phil. Soc. 44 (1948) 50.
+//!
+//! # Numerical aspects
+//! Coefficients start at a third and at the whole of the term that they stand beside, never near zero.
+
+use super::bench::{self, Bench, Stand, Track};
+use super::catalogue::{self, Proposal, Scene};
+use super::screen::{Score, Screen};
+use crate::Result;
+use crate::estimate::fit::Effort;
+use crate::estimate::{Fit, fit};
+use rayon::prelude::*;
+
+/// Steps of a fit.
+pub const STEPS: usize = 10;
+
+/// A proposal with its score.
+#[derive(Clone)]
+pub struct Screened {
+    /// The proposal.
+    pub proposal: Proposal,
+    /// The start that scored best.
+    pub start: Vec<f64>,
+    /// Its score.
+    pub score: Score,
+}
+
+/// Outcome of one screening.
+pub struct Screening {
+    /// All that could be scored, best first.
+    pub screened: Vec<Screened>,
+    /// Chance that the largest score is noise.
+    pub p_value: f64,
+}
+
+/// The whitened residual of a fitted model on the screened parts, with its records' tracks.
+pub struct View {
+    /// Screening space.
+    pub screen: Screen,
+    /// Where the model stands.
+    pub stand: Stand,
+    /// Tracks of the model itself.
+    pub tracks: Vec<Track>,
+}
+
+impl View {
+    /// Looks at a fitted model.
+    pub fn of(bench: &Bench, fit: &Fit) -> Result<Self> {
+        let stand = Stand::of(fit);
+        let records = bench.ready(&fit.model)?;
+        let plain = bench::run(&records, &stand, &[])?;
+        let mut noise = fit.noise.clone();
+        if bench.is_trials() {
+            for n in &mut noise {
+                n.decimation = 1;
+                n.autoregression = n.autoregression.truncated(0);
+            }
+        }
+        let own = own_tracks(fit, &plain);
+        Ok(Self { screen: Screen::new(&own, &noise, bench.seed), stand, tracks: plain })
+    }
+}
+
+/// The fit's residuals and sensitivities, cut to the screened parts.
+fn own_tracks(fit: &Fit, plain: &[Track]) -> Vec<Track> {
+    let series = fit.records.iter().flat_map(|r| &r.series);
+    series
+        .zip(plain)
+        .map(|(s, t)| {
+            let n = t.residual.len();
+            Track {
+                output: s.output,
+                stretches: t.stretches.clone(),
+                time: s.time[..n].to_vec(),
+                residual: s.residual[..n].to_vec(),
+                sensitivities: s.sensitivities.iter().map(|c| c[..n].to_vec()).collect(),
+            }
+        })
+        .collect()
+}
+
+/// Scores every proposal of the catalogue.
+pub fn screen(bench: &Bench, scene: &Scene, view: &View) -> Screening {
+    let mut proposals: Vec<Proposal> = catalogue::ALL.iter().flat_map(|m| (m.propose)(scene)).collect();
+    if bench.separate || bench.recordings.len() > 1 {
+        proposals.retain(|p| !super::choose::is_anchored(p));
+    }
+    let scored: Vec<Vec<Screened>> =
+        proposals.into_par_iter().map(|p| score_starts(bench, &p, view)).collect();
+    let all: Vec<&Score> = scored.iter().flatten().map(|s| &s.score).collect();
+    let p_value = Screen::p_value(&all);
+    let best =
+        |list: Vec<Screened>| list.into_iter().max_by(|a, b| a.score.statistic.total_cmp(&b.score.statistic));
+    let mut screened: Vec<Screened> = scored.into_iter().filter_map(best).collect();
+    screened.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
+    Screening { screened, p_value }
+}
+
+fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened> {
+    let Ok(records) = bench.ready(&proposal.model) else { return Vec::new() };
+    let first = proposal.model.parameters.len();
+    let place = |k: usize| {
+        let name = &proposal.added[k].name;
+        proposal.model.parameters.iter().position(|p| p.name == *name).unwrap_or(first)
+    };
+    let wanted: Vec<usize> = proposal.amplitudes.iter().map(|k| place(*k)).collect();
+    let mut scored = Vec::new();
+    for start in &proposal.starts {
+        let quiet = if wanted.is_empty() {
+            start.clone()
+        } else {
+            proposal.with_amplitudes(start, &vec![0.0; wanted.len()])
+        };
+        let stand = view.stand.extended(&proposal.model, &quiet);
+        let Ok(tracks) = bench::run(&records, &stand, &wanted) else { continue };
+        let directions = if wanted.is_empty() {
+            vec![view.screen.whitened(&difference(&view.tracks, &tracks), |t| &t.residual)]
+        } else {
+            (0..wanted.len()).map(|j| view.screen.whitened(&tracks, |t| &t.sensitivities[j])).collect()
+        };
+        if let Some(mut score) = view.screen.score(directions, proposal.is_one_sided()) {
+            if super::choose::is_timed_wave(proposal) {
+                // Its frequency is the best of all that the recording resolves.
+                let frequencies = 0.5 * view.screen.residual.len() as f64;
+                score.statistic = (score.statistic - frequencies.max(1.0).ln()).max(0.0);
+            }
+            scored.push(Screened { proposal: proposal.clone(), start: start.clone(), score });
+        }
+    }
+    scored
+}
+
+/// How far the prediction moves from one run to another.
+fn difference(from: &[Track], to: &[Track]) -> Vec<Track> {
+    from.iter()
+        .zip(to)
+        .map(|(a, b)| Track {
+            output: a.output,
+            stretches: a.stretches.clone(),
+            time: Vec::new(),
+            residual: a.residual.iter().zip(&b.residual).map(|(x, y)| x - y).collect(),
+            sensitivities: Vec::new(),
+        })
+        .collect()
+}
+
+/// The proposals worth a fit: the best, not more than a few of one code.
+pub fn worth_fitting(screening: &Screening, most: usize) -> Vec<&Screened> {
+    let mut chosen: Vec<&Screened> = Vec::new();
+    for s in &screening.screened {
+        let same = chosen.iter().filter(|c| c.proposal.code == s.proposal.code).count();
+        let alike = chosen.iter().any(|c| {
+            c.proposal.code == s.proposal.code
+                && c.score.degrees == s.score.degrees
+                && cosine(&c.score, &s.score) > 0.999
+        });
+        if same < 3 && !alike && s.score.statistic > 3.0 {
+            chosen.push(s);
+        }
+        if chosen.len() >= most {
+            break;
+        }
+    }
+    chosen
+}
+
+fn cosine(a: &Score, b: &Score) -> f64 {
+    a.direction.iter().zip(&b.direction).map(|(x, y)| f64::from(*x) * f64::from(*y)).sum::<f64>().abs()
+}
+
+/// Fits a screened proposal inside the model, from several sizes of its effect.
+pub fn refit(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Option<Fit> {
+    let p = &s.proposal;
+    let records = bench.ready(&p.model).ok()?;
+    let squares = |stand: &Stand| {
+        let tracks = bench::run(&records, stand, &[]).ok();
+        tracks.map_or(f64::INFINITY, |t| t.iter().flat_map(|t| &t.residual).map(|e| e * e).sum())
+    };
+    let mut from_given = base.clone();
+    from_given.parameters[..given.len()].copy_from_slice(given);
+    let mut stands: Vec<(f64, Stand)> = Vec::new();
+    for added in sizes(s) {
+        for from in [base, &from_given] {
+            let stand = from.extended(&p.model, &added);
+            stands.push((squares(&stand), stand));
+        }
+    }
+    stands.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut best: Option<Fit> = None;
+    let now = stands.first().map_or(0.0, |s| s.0);
+    for (value, stand) in stands.into_iter().take(2) {
+        let enough = best.is_some() && value > 1.2 * now;
+        if !value.is_finite() || enough {
+            continue;
+        }
+        let mut options = bench.options(Effort::Near, STEPS);
+        options.initials.clone_from(&stand.initials);
+        let fitted = fit(&stand.placed(&p.model), &bench.recordings, &options).ok();
+        let better = |f: &Fit| best.as_ref().is_none_or(|b| f.sum_of_squares < b.sum_of_squares);
+        if let Some(f) = fitted.filter(better) {
+            best = Some(f);
+        }
+    }
+    best
+}
+
+/// Starts of the added parameters: the scored size, and parts of the term's own size.
+fn sizes(s: &Screened) -> Vec<Vec<f64>> {
+    let p = &s.proposal;
+    if p.amplitudes.is_empty() {
+        return p.starts.iter().filter(|x| **x == s.start).cloned().collect();
+    }
+    let natural: Vec<f64> = p.amplitudes.iter().map(|k| s.start[*k]).collect();
+    let scored: Vec<f64> =
+        s.score.weights.iter().zip(&natural).map(|(w, n)| w.clamp(-3.0 * n.abs(), 3.0 * n.abs())).collect();
+    let part =
+        |f: f64| -> Vec<f64> { scored.iter().zip(&natural).map(|(w, n)| f * n.abs() * w.signum()).collect() };
+    [scored.clone(), part(0.3), part(1.0)].iter().map(|a| p.with_amplitudes(&s.start, a)).collect()
+}
