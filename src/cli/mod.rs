@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
 pub mod audit;
+pub mod completions;
 pub mod diagnose;
 pub mod explain;
 pub mod fit;
@@ -11,6 +12,7 @@ pub mod input;
 pub mod integral;
 pub mod laboratory;
 pub mod models;
+pub mod new;
 pub mod output;
 pub mod progress;
 pub mod record;
@@ -67,6 +69,12 @@ enum Command {
     Gimbal(gimbal::GimbalCall),
     /// Mean and spread of the rolling error of a gyrocompass.
     RollError(Box<roll_error::Arguments>),
+    /// A model or recording file to start from.
+    New(new::Call),
+    /// Completions for a shell.
+    Completions(completions::Completions),
+    /// The manual page.
+    Man(completions::Man),
     /// Version and licence.
     About,
 }
@@ -86,6 +94,9 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Models(call) => return models::run(&call),
         Command::Gimbal(call) => return gimbal::run(&call),
         Command::RollError(a) => return roll_error::run(&a),
+        Command::New(call) => return new::run(&call),
+        Command::Completions(call) => return completions::completions(&call),
+        Command::Man(call) => return completions::man(&call),
         Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
     }
     Ok(Outcome::Done)

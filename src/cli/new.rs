@@ -1,0 +1,61 @@
+//! `gyrospec new`: files to start from.
+
+mod recording;
+
+use super::Outcome;
+use super::output::print;
+use crate::Result;
+use std::path::PathBuf;
+
+/// A model that simulates as it stands, with a word on every line.
+pub const MODEL: &str = include_str!("new/model.toml");
+
+/// Prints a file to start from.
+#[derive(clap::Args)]
+pub struct Call {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(clap::Subcommand)]
+enum What {
+    /// A commented model file that simulates as it stands.
+    Model,
+    /// A recording file for a CSV; every guess is marked with a comment.
+    Recording {
+        /// The CSV file, plain or .gz.
+        csv: PathBuf,
+    },
+}
+
+pub fn run(call: &Call) -> Result<Outcome> {
+    match &call.what {
+        What::Model => print(MODEL.as_bytes())?,
+        What::Recording { csv } => print(recording::guessed(csv)?.as_bytes())?,
+    }
+    Ok(Outcome::Done)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Model;
+    use crate::record::{Channel, Recording};
+    use crate::simulate::{Options, Simulator};
+    use crate::units::Unit;
+
+    #[test]
+    fn the_template_simulates_as_it_stands() {
+        let model = Model::parse(MODEL).unwrap();
+        let time: Vec<f64> = (0..200).map(|i| f64::from(i) * 0.05).collect();
+        let channel = |name: &str, unit: &str| {
+            let values = time.iter().map(|t| t.sin()).collect();
+            Channel::new(name, Unit::parse(unit).unwrap(), time.clone(), values)
+        };
+        let recording =
+            Recording::from_channels("made", vec![channel("force", "N"), channel("position", "mm")]).unwrap();
+        let simulator = Simulator::new(&model, &recording, &Options::default()).unwrap();
+        let run = simulator.run(&simulator.parameters(), &simulator.initials()).unwrap();
+        assert!(run.outputs[0].iter().all(|y| y.is_finite()));
+    }
+}
