@@ -79,9 +79,8 @@ impl Reply {
     }
 }
 
-/// One line of a batch.
+/// One line of a batch; fields of other names are left alone.
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
 struct Case {
     h: Vec<f64>,
     g: Option<Vec<f64>>,
@@ -110,13 +109,20 @@ pub fn run(arguments: &Arguments) -> Result<Outcome> {
         return batch(path, arguments.check);
     }
     let numbers = |text: &Option<String>| text.as_deref().map(numbers).transpose();
-    let case = Case {
-        h: numbers(&arguments.h)?.unwrap_or_default(),
-        g: numbers(&arguments.g)?,
-        c: numbers(&arguments.c)?,
+    let json = arguments.json || arguments.json_lines;
+    let read = || -> Result<Case> {
+        let h = numbers(&arguments.h)?.unwrap_or_default();
+        Ok(Case { h, g: numbers(&arguments.g)?, c: numbers(&arguments.c)? })
+    };
+    let case = match read() {
+        Err(e) if json => {
+            output::print(format!("{}\n", Reply::new(Err(e.clone()), || None).line()).as_bytes())?;
+            return Err(e);
+        }
+        case => case?,
     };
     let p = case.integrand();
-    if arguments.json || arguments.json_lines {
+    if json {
         output::print(format!("{}\n", case.reply(arguments.check).line()).as_bytes())?;
         // the answer is on standard output; the exit code says that there is no value
         return match p.and_then(|p| evaluate(&p)) {
@@ -149,15 +155,31 @@ pub fn run(arguments: &Arguments) -> Result<Outcome> {
 
 /// Numbers between spaces or commas.
 fn numbers(text: &str) -> Result<Vec<f64>> {
-    text.split(|c: char| c.is_whitespace() || c == ',')
-        .filter(|word| !word.is_empty())
-        .map(|word| {
-            word.parse().map_err(|_| {
-                Error::bad_input(format!("`{word}` is no number")).with_hint("write 1 2.5 -3e-4 …")
-            })
-        })
-        .collect()
+    let wrong = |word: &str| {
+        let e = match word {
+            "" => Error::bad_input("there is nothing between two commas"),
+            _ => Error::bad_input(format!("`{word}` is no number")),
+        };
+        e.with_hint("write 1 2.5 -3e-4 …")
+    };
+    let number = |word: &str| word.parse().map_err(|_| wrong(word));
+    if text.trim().is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut all = Vec::new();
+    for part in text.split(',') {
+        let before = all.len();
+        for word in part.split_whitespace() {
+            all.push(number(word)?);
+        }
+        if all.len() == before {
+            return Err(wrong(""));
+        }
+    }
+    Ok(all)
 }
+
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Lines that are read, answered on all cores and written before the next are read.
 const BLOCK: usize = 8192;
@@ -168,7 +190,7 @@ fn batch(path: &Path, check: bool) -> Result<Outcome> {
     } else {
         Box::new(std::fs::File::open(path).map_err(|e| Error::io(path, &e))?)
     };
-    let mut lines = BufReader::new(source);
+    let mut lines = BufReader::with_capacity(1 << 20, source);
     let mut out = std::io::BufWriter::new(std::io::stdout().lock());
     let stdout = |e: std::io::Error| Error::io(Path::new("standard output"), &e);
     let mut number = 0;
@@ -180,12 +202,18 @@ fn batch(path: &Path, check: bool) -> Result<Outcome> {
                 break;
             }
             number += 1;
+            if number == 1 && line.starts_with(BYTE_ORDER_MARK) {
+                line.drain(..BYTE_ORDER_MARK.len());
+            }
             if !line.trim_ascii().is_empty() {
                 block.push((number, line));
             }
+            // a writer that waits for its answers gets them
+            if !block.is_empty() && lines.buffer().is_empty() {
+                break;
+            }
         }
         if block.is_empty() {
-            out.flush().map_err(stdout)?;
             return Ok(Outcome::Done);
         }
         let answers: Vec<String> =
@@ -193,6 +221,7 @@ fn batch(path: &Path, check: bool) -> Result<Outcome> {
         for answer in answers {
             writeln!(out, "{answer}").map_err(stdout)?;
         }
+        out.flush().map_err(stdout)?;
     }
 }
 

@@ -187,6 +187,6 @@ pub(super) fn rescale(scale: &Scale, value: f64, bound: f64) -> Option<(f64, f64
         return Some((value, bound));
     }
     let (value, bound) = (ldexp(value, scale.value), ldexp(bound, scale.value));
-    // a bound below the normal range is rounded up to it
-    (value.is_normal() && bound.is_finite()).then(|| (value, bound.max(f64::MIN_POSITIVE)))
+    // the smallest double more than covers the rounding of a bound below the normal range
+    (value.is_normal() && bound.is_finite()).then(|| (value, bound + f64::from_bits(1)))
 }

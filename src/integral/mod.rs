@@ -123,11 +123,20 @@ impl<'a> Integrand<'a> {
     }
 }
 
+/// The highest order that is taken; the exact tier needs about n⁴ steps.
+pub const MAX_ORDER: usize = 1000;
+
 fn check_h(h: &[f64]) -> Result<usize> {
     if h.len() < 2 {
         return Err(Error::bad_input(format!(
             "h has {} coefficients; H needs at least two: a0 a1 … an with n ≥ 1",
             h.len()
+        )));
+    }
+    if h.len() > MAX_ORDER + 1 {
+        return Err(Error::bad_input(format!(
+            "H of order {} is above the limit of {MAX_ORDER}",
+            h.len() - 1
         )));
     }
     finite("h", "a", h)?;

@@ -49,20 +49,26 @@ pub struct Estimate {
 /// target or the integrand is not finite somewhere.
 pub fn evaluate(p: &Integrand<'_>, target: f64) -> Result<Estimate> {
     super::exact::require_stable(p.h)?;
-    let density = Density::new(p);
+    let density = Density::new(p)?;
     let cuts = density.cuts();
     let (rough, _) = density.integrate(&cuts, f64::MAX)?;
     let (fine, evaluations) =
         density.integrate(&cuts, 0.1 * target * rough.value.abs() / (cuts.len() + 1) as f64)?;
     let back = |x: f64| ldexp(x, density.exponent);
-    let estimate =
-        Estimate { value: back(fine.value), error_estimate: back(fine.error_estimate), evaluations };
-    if estimate.error_estimate <= target * estimate.value.abs() && estimate.value.is_finite() {
+    let asked = target * fine.value.abs();
+    // each piece stops where its own estimate, which is optimistic, falls below its target
+    let estimate = Estimate {
+        value: back(fine.value),
+        error_estimate: back(fine.error_estimate.max(asked)),
+        evaluations,
+    };
+    let empty = density.g.iter().all(|b| *b == 0.0);
+    if fine.error_estimate <= asked && (estimate.value.is_normal() || empty) {
         return Ok(estimate);
     }
     Err(Error::not_computed(format!(
         "quadrature reaches only {:.1e} relative error, {target:.1e} was asked",
-        estimate.error_estimate / estimate.value.abs()
+        fine.error_estimate / fine.value.abs()
     )))
 }
 
@@ -74,11 +80,12 @@ struct Density {
 }
 
 impl Density {
-    fn new(p: &Integrand<'_>) -> Self {
+    fn new(p: &Integrand<'_>) -> Result<Self> {
         let n = p.order();
         let time = i64::from(integers_time_shift(p.h));
         let gain = i64::from(exponent(p.h[0])) + time * n as i64;
-        let h = p.h.iter().enumerate().map(|(i, &a)| ldexp(a, time * (n - i) as i64 - gain)).collect();
+        let h: Vec<f64> =
+            p.h.iter().enumerate().map(|(i, &a)| ldexp(a, time * (n - i) as i64 - gain)).collect();
         let g = match p.numerator {
             Numerator::Even(g) => g.to_vec(),
             Numerator::Square(c) => {
@@ -87,8 +94,18 @@ impl Density {
                 even_square(&full)
             }
         };
-        let g = g.iter().enumerate().map(|(k, &b)| ldexp(b, 2 * time * (n - 1 - k) as i64)).collect();
-        Self { h, g, exponent: time - 2 * gain }
+        let largest = g.iter().filter(|b| **b != 0.0).map(|b| i64::from(exponent(*b))).max().unwrap_or(0);
+        let shifted = |(k, &b): (usize, &f64)| ldexp(b, 2 * time * (n - 1 - k) as i64 - largest);
+        let scaled: Vec<f64> = g.iter().enumerate().map(shifted).collect();
+        // squares of the coefficients must stay inside the range of doubles
+        let fits = |x: &f64| *x == 0.0 || (1e-140..1e140).contains(&x.abs());
+        let lost = g.iter().zip(&scaled).any(|(b, s)| (*b == 0.0) != (*s == 0.0));
+        if lost || !h.iter().chain(&scaled).all(fits) {
+            return Err(Error::not_computed(
+                "the coefficients span more decades than quadrature in doubles can hold",
+            ));
+        }
+        Ok(Self { h, g: scaled, exponent: time + largest - 2 * gain })
     }
 
     /// G(jω)/|H(jω)|² and the relative rounding of it.

@@ -9,6 +9,7 @@ mod gyro;
 mod gyro_time;
 mod house;
 mod integral;
+mod integral_command;
 mod lti;
 mod quality;
 mod record;

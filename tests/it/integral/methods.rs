@@ -129,3 +129,20 @@ fn an_exact_zero_is_a_value() {
     assert_eq!(evaluate(&p).unwrap().value, 0.0);
     assert!(exactly(&[1.0, 2.0, 3.0], &[1.0, 3.0]).unwrap() == RBig::ZERO);
 }
+
+#[test]
+fn quadrature_refuses_what_its_doubles_cannot_hold() {
+    let h = [7.679704829345748e-295, 4.610821264732876e50, 2.585437239664259e200];
+    let p = Integrand::new(&h, &[0.0, 1.0]).unwrap();
+    assert!(evaluate(&p).unwrap().value > 0.0);
+    assert!(quadrature::evaluate(&p, 1e-9).is_err());
+}
+
+#[test]
+fn a_bound_near_the_smallest_normal_double_stays_narrow() {
+    let p = Integrand::new(&[1.0, 1.0], &[6.12e-305]).unwrap();
+    let a = evaluate(&p).unwrap();
+    // I_1 = b0/(2·a0·a1), exact by halving
+    assert_eq!(a.value, 3.06e-305);
+    assert!(a.error_bound <= 1e-16 * a.value + 1e-323);
+}

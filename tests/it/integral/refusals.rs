@@ -75,6 +75,8 @@ fn bad_input_is_named() {
     ] {
         assert_eq!(Integrand::new(h, g).unwrap_err().kind(), ErrorKind::BadInput);
     }
+    let long = vec![1.0; 1_000_001];
+    assert_eq!(Integrand::new(&long, &long[1..]).unwrap_err().kind(), ErrorKind::BadInput);
     assert!(Integrand::from_square(&[1.0, 1.0], &[]).is_err());
     assert!(Integrand::from_square(&[1.0, 1.0], &[1.0, 2.0]).is_err());
 }
