@@ -136,7 +136,7 @@ fn hats(
         let c = d.constant("place", &s.unit, *place, "");
         d.force(state, &format!("{a}*{}", hat(&s.name, &c, &w)));
     }
-    d.start(&vec![size; HATS]);
+    d.start(&[size; HATS]);
     d.done("").map(|p| (p, at))
 }
 
@@ -150,7 +150,7 @@ fn at_output(scene: &Scene, output: &str, s: &Signal) -> Option<(Proposal, Vec<f
         let c = d.constant("place", &s.unit, *place, "");
         d.output(output, &format!("{{}} + {a}*{}", hat(&s.name, &c, &w)));
     }
-    d.start(&vec![1.0; HATS]);
+    d.start(&[1.0; HATS]);
     d.done("").map(|p| (p, at))
 }
 

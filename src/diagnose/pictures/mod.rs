@@ -250,7 +250,7 @@ mod tests {
             (0..100_000).map(|i| [f64::from(i), if i == 77_777 { 9.0 } else { (f64::from(i) * 0.1).sin() }]);
         let kept = thinned(wave);
         assert!(kept.len() <= 2 * STRETCHES + 2);
-        assert!(kept.iter().any(|p| *p == [77_777.0, 9.0]));
+        assert!(kept.contains(&[77_777.0, 9.0]));
         assert!(kept.windows(2).all(|w| w[0][0] <= w[1][0]));
     }
 
