@@ -50,10 +50,10 @@ fn size(x: RBig) -> RBig {
 fn case(family: Family, seed: u64) -> Worst {
     let mut rng = generator(seed);
     let n = [1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20][seed as usize % 12];
-    let n = if seed % 997 == 0 { 64 } else { n };
+    let n = if seed.is_multiple_of(997) { 64 } else { n };
     let h = polynomial(family, n, &mut rng);
     let mut g = coefficients(n, &mut rng);
-    if seed % 3 == 0 {
+    if seed.is_multiple_of(3) {
         g[..n - 1].fill(0.0);
     }
     let p = Integrand::new(&h, &g).unwrap();
@@ -75,7 +75,7 @@ fn case(family: Family, seed: u64) -> Worst {
         broken_bounds: usize::from(broken),
         ..Worst::default()
     };
-    if seed % 16 == 0 {
+    if seed.is_multiple_of(16) {
         out.determinant = determinant::evaluate(&p).map_or(0.0, relative);
         match quadrature::evaluate(&p, 1e-9) {
             Ok(e) => out.quadrature = relative(e.value),

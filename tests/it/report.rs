@@ -276,7 +276,7 @@ fn a_browser_opens_the_page() {
             document.body.dataset.seen=`asked ${asked} flat ${flat} wide ${document.documentElement.scrollWidth>innerWidth}`})</script>";
         std::fs::write(&file, made(verdict).replace("<head>", &format!("<head>{witness}"))).unwrap();
         let (dom, log) = opened(&browser, &file, &folder.path().join(format!("{verdict:?}")));
-        assert!(dom.contains("data-seen=\"asked 0 flat 0 wide false\""), "{verdict:?}: {log}\n{:.2000}", dom);
+        assert!(dom.contains("data-seen=\"asked 0 flat 0 wide false\""), "{verdict:?}: {log}\n{dom:.2000}");
         assert!(!dom.contains("<title>WRONG") && !log.contains("CONSOLE"), "{verdict:?}: {log}");
         for (name, _) in sections(&made(verdict)) {
             assert!(dom.contains(&format!("<section id=\"{name}\"")), "{verdict:?}: {name}");

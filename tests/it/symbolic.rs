@@ -177,7 +177,7 @@ fn double_points(orders: impl Iterator<Item = usize>) -> Vec<(Vec<f64>, Vec<f64>
     orders
         .map(|n| {
             let roots: Vec<RBig> = (1..=n).map(|k| rational(k as i64, 2)).collect();
-            let sign = |k: usize| if (n - 1 - k) % 2 == 0 { 1 } else { -1 };
+            let sign = |k: usize| if (n - 1 - k).is_multiple_of(2) { 1 } else { -1 };
             let b = (0..n).map(|k| rational(sign(k) * random.random_range(1..9), 1)).collect();
             let point = Point::new(&RBig::ONE, &roots, b);
             let (a, b) = (doubles(&point.a), doubles(&point.b));

@@ -39,7 +39,7 @@ fn quadrature_is_within_its_estimate_or_refuses() {
             let truth = evaluate(&p).unwrap().value;
             match quadrature::evaluate(&p, 1e-7) {
                 Ok(e) => {
-                    assert!((e.value - truth).abs() <= 1e-7 * truth.abs(), "{family:?} {n}: {e:?} {truth}")
+                    assert!((e.value - truth).abs() <= 1e-7 * truth.abs(), "{family:?} {n}: {e:?} {truth}");
                 }
                 Err(_) => refused[f] += 1,
             }
