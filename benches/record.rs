@@ -2,6 +2,8 @@
 //!
 //! With GYROSPEC_BENCH_FILE a file of one's own is read once and timed instead.
 
+#![allow(clippy::print_stdout)]
+
 use criterion::{Criterion, Throughput};
 use flate2::{Compression, write::GzEncoder};
 use gyrospec::record::{Recording, quality, summaries};
@@ -48,7 +50,7 @@ fn log() -> String {
 fn time_once(file: &Path) {
     let start = Instant::now();
     let recording = Recording::read(file).expect("a recording");
-    let rows: usize = recording.channels.first().map_or(0, |c| c.len());
+    let rows: usize = recording.channels.first().map_or(0, gyrospec::record::Channel::len);
     let read = start.elapsed().as_secs_f64();
     println!("{rows} rows read in {read:.2} s: {:.0} rows/s", rows as f64 / read);
     let start = Instant::now();
