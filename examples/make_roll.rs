@@ -2,6 +2,7 @@
 //! deviation of 4°, sampled at 4 Hz for ten minutes and rounded to 0.01° as an instrument would.
 //!
 //! `cargo run --release --example make_roll > examples/roll.csv`
+#![allow(clippy::print_stdout)]
 
 use gyrospec::spectrum::Roll;
 
