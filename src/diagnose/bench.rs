@@ -173,13 +173,22 @@ impl Bench {
 
     /// How many proposals are worth a fit in one round: fewer where one simulation is long.
     pub fn patience(&self, model: &Model) -> usize {
+        if self.is_long(model) { 7 } else { 12 }
+    }
+
+    /// Steps of a fit from a near start: fewer where one simulation is long.
+    pub fn steps(&self, model: &Model) -> usize {
+        if self.is_long(model) { 12 } else { 40 }
+    }
+
+    fn is_long(&self, model: &Model) -> bool {
         let samples: usize = self
             .recordings
             .iter()
             .filter_map(|r| model.outputs.iter().find_map(|o| r.find(&o.name)))
             .map(Channel::len)
             .sum();
-        if samples * model.states.len().max(1) > 100_000 { 7 } else { 12 }
+        samples * model.states.len().max(1) > 40_000
     }
 
     /// A model ready to run over the parts that the screening uses.

@@ -22,9 +22,6 @@ use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
 use rayon::prelude::*;
 
-/// Steps of a fit.
-pub const STEPS: usize = 10;
-
 /// A proposal with its score.
 #[derive(Clone)]
 pub struct Screened {
@@ -204,7 +201,7 @@ pub fn refit(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Option
         if !value.is_finite() || enough {
             continue;
         }
-        let mut options = bench.options(Effort::Near, STEPS);
+        let mut options = bench.options(Effort::Near, bench.steps(&p.model));
         options.initials.clone_from(&stand.initials);
         let fitted = fit(&stand.placed(&p.model), &bench.recordings, &options).ok();
         let better = |f: &Fit| best.as_ref().is_none_or(|b| f.sum_of_squares < b.sum_of_squares);

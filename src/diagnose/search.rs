@@ -18,7 +18,7 @@ use super::bench::Bench;
 use super::catalogue::Proposal;
 use super::choose::{Choice, FLOOR, choose, gain};
 use super::measure::{Measure, Scale};
-use super::propose::{STEPS, Screened, Screening, View, refit, screen, worth_fitting};
+use super::propose::{Screened, Screening, View, refit, screen, worth_fitting};
 use super::screen::log_chance;
 use crate::Result;
 use crate::estimate::fit::{Effort, Progress};
@@ -158,7 +158,7 @@ pub fn without(bench: &Bench, last: &Fit, p: &Proposal) -> Option<Fit> {
         parameter.fit = false;
         parameter.value = *value;
     }
-    let mut options = bench.options(Effort::Near, STEPS);
+    let mut options = bench.options(Effort::Near, bench.steps(&model));
     options.initials = last.records.iter().map(|r| r.initials.clone()).collect();
     fit(&model, &bench.recordings, &options).ok()
 }

@@ -51,15 +51,15 @@ fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
     let range = signal.max - signal.min;
     let unit = Unit::parse("rad").ok()?.over(&signal.unit);
-    let n = d.parameter("n", &unit, (3.0 / range, 400.0 / range), "angle of the force for a unit of the position");
+    let n = d.parameter("n", &unit, (9.0 / range, 400.0 / range), "angle of the force for a unit of the position");
     d.force(&m.state, &format!("{a}*sin({n}*{q}) + {b}*cos({n}*{q})"));
-    let turns = [1.0, 1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
+    let turns = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
     for turn in turns {
         d.start(&[m.size, m.size, turn * std::f64::consts::TAU / range]);
     }
     if scene.is_angle(q) {
-        for teeth in 1..=12 {
-            d.start(&[m.size, m.size, f64::from(teeth)]);
+        for teeth in (1..=12).map(f64::from).filter(|n| n * range > 9.0) {
+            d.start(&[m.size, m.size, teeth]);
         }
     }
     d.done(&format!("a force repeats with {}, {{0}} and {{1}} (sine and cosine) at {{2}}", scene.words(q)))
