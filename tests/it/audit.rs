@@ -94,3 +94,54 @@ fn a_request_that_cannot_be_read_says_where() {
     let request = AuditRequest::parse("[[formulas]]\nname = 'x'\nprinted = 'a +'\n").unwrap();
     assert!(audit(&request).unwrap_err().to_string().contains("formula x"));
 }
+
+fn first(formula: &str) -> Check {
+    let request = format!("[[formulas]]\nname = 'x'\n{formula}");
+    audit(&AuditRequest::parse(&request).unwrap()).unwrap()[0].checks[0].clone()
+}
+
+/// Limits known from any table, also those that are 0, and what is said where they are not met.
+#[test]
+fn limits_are_judged_by_the_difference() {
+    for (printed, symbol, to, becomes, holds, says) in [
+        ("x*y/(1+x)", "x", "0.0", "0", true, "turns into"),
+        ("A*sin(2*K)", "K", "0.0", "0", true, "turns into"),
+        ("1/(1+x)", "x", "inf", "0", true, "turns into"),
+        ("1/(1+x)", "x", "1e9", "0", true, "turns into"),
+        ("y*(1-cos(x))/x^2", "x", "0.0", "y/2", true, "turns into"),
+        ("y*(1-cos(x))/x^2", "x", "0.0", "0", false, "does not"),
+        ("(x^3-8)/(x-2)", "x", "2.0", "12", true, "turns into"),
+        ("sqrt(x) + y", "x", "0.0", "y", true, "turns into"),
+        ("A*sin(2*K)", "K", "0.0", "2*A*K", true, "turns into"),
+        ("A*sin(2*K)", "K", "0.0", "A*K", false, "= 1/2"),
+        ("x + 1e-9*y", "x", "0.0", "0", false, "does not"),
+        ("1/x", "x", "0.0", "5", false, "diverges"),
+        ("ln(x)", "x", "inf", "0", false, "diverges"),
+        ("x*y", "x", "0.0", "5", false, "vanishes"),
+        ("y + x", "x", "0.0", "2*y", false, "= 2"),
+        ("exp(x)/(1+exp(x))", "x", "inf", "1", true, "turns into"),
+    ] {
+        let found = first(&format!(
+            "printed = '{printed}'\n[[formulas.limits]]\nsymbol = '{symbol}'\nto = {to}\nbecomes = '{becomes}'\n"
+        ));
+        assert!(found.holds == holds && found.says.contains(says), "{printed}: {}", found.says);
+    }
+}
+
+#[test]
+fn what_is_equal_by_identities_or_up_to_a_factor_of_an_equation_passes() {
+    for (printed, right, holds, says) in [
+        ("sin(2*K)", "2*sin(K)*cos(K)", true, "equal"),
+        ("1", "sin(K)^2 + cos(K)^2", true, "equal"),
+        ("exp(a)*exp(b)", "exp(a+b)", true, "equal"),
+        ("abs(a)", "a", true, "positive"),
+        ("2*x = 4*y", "x = 2*y", true, "equal"),
+        ("y = x", "x = y", true, "equal"),
+        ("y = x", "y = 2*x", false, "2"),
+        ("sin(2*K)", "sin(K)*cos(K)", false, "1/2"),
+        ("x", "0", false, "must be 0"),
+    ] {
+        let found = first(&format!("printed = '{printed}'\nright = '{right}'\n"));
+        assert!(found.holds == holds && found.says.contains(says), "{printed}: {}", found.says);
+    }
+}

@@ -1,5 +1,6 @@
 //! Where two expressions differ, and by which number.
 
+use super::bounded::bounded;
 use crate::Result;
 use crate::expression::{BinaryOp, Expr};
 use crate::symbolic::{Relation, Sampler, Simplifier, Values, value};
@@ -7,21 +8,69 @@ use std::collections::BTreeSet;
 
 /// Points at which a ratio is tried.
 const POINTS: usize = 12;
+/// Agreement of equal values, beside rounding.
+const TOLERANCE: f64 = 1e-12;
 
 /// A difference: what is printed and what should be there; one of them may be missing.
 pub type Place = (Option<Expr>, Option<Expr>);
 
-/// Whether two expressions are equal under the relations.
+/// For which values of their symbols two expressions are equal.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Equality {
+    Always,
+    Positive,
+    Never,
+}
+
+/// Whether two expressions are equal under the relations, at least for positive symbols.
 pub fn same(x: &Expr, y: &Expr, simplifier: &Simplifier) -> bool {
-    if x == y {
-        return true;
+    equality(x, y, simplifier) != Equality::Never
+}
+
+/// Where two expressions are equal under the relations.
+pub fn equality(x: &Expr, y: &Expr, simplifier: &Simplifier) -> Equality {
+    if x == y || simplifier.vanishes(&(x.clone() - y.clone())).is_ok_and(|zero| zero) {
+        return Equality::Always;
     }
-    match simplifier.vanishes(&(x.clone() - y.clone())) {
-        Ok(zero) => zero,
-        Err(_) => {
-            constant_ratio(x, y, &simplifier.relations).is_ok_and(|ratio| ratio.is_some_and(|r| near(r, 1.0)))
+    let agree = |signs| agree(x, y, &simplifier.relations, signs).is_ok_and(|yes| yes);
+    match (agree(false), agree(true)) {
+        (true, true) => Equality::Always,
+        (true, false) => Equality::Positive,
+        _ => Equality::Never,
+    }
+}
+
+/// Whether two expressions have equal values at random points, also with every second symbol below 0 if asked for.
+fn agree(x: &Expr, y: &Expr, relations: &[Relation], signs: bool) -> Result<bool> {
+    let mut sampler = Sampler::new(&[x, y], relations);
+    let related: BTreeSet<&str> =
+        relations.iter().flat_map(|r| [&r.left, &r.right]).flat_map(|side| side.names()).collect();
+    let mut tried = 0;
+    for draw in 0..40 * POINTS {
+        let Some(mut values) = sampler.draw(&Values::new())? else { continue };
+        let free = values.iter_mut().filter(|(name, _)| signs && !related.contains(name.as_str()));
+        free.enumerate().filter(|(k, _)| (draw >> (k % 8)) % 2 == 0).for_each(|(_, (_, v))| *v = -*v);
+        let (x, y) = (bounded(x, &values)?, bounded(y, &values)?);
+        if !x.value.is_finite() || !y.value.is_finite() {
+            continue;
+        }
+        let size = x.value.abs().max(y.value.abs());
+        if (x.value - y.value).abs() > TOLERANCE * size + 4.0 * (x.bound + y.bound) {
+            return Ok(false);
+        }
+        tried += 1;
+        if tried == POINTS {
+            return Ok(true);
         }
     }
+    Ok(signs || tried > 0)
+}
+
+/// The number that all are, to a tolerance; none where they differ, are 0 or not finite.
+pub fn constant(numbers: &[f64], tolerance: f64) -> Option<f64> {
+    let first = *numbers.first()?;
+    let one = numbers.iter().all(|r| (r - first).abs() <= tolerance * first.abs());
+    (one && first.is_finite() && first != 0.0).then_some(first)
 }
 
 fn near(x: f64, y: f64) -> bool {
@@ -40,7 +89,7 @@ pub fn constant_ratio(x: &Expr, y: &Expr, relations: &[Relation]) -> Result<Opti
         let of = |name: &str| values.get(name).copied();
         ratios.push(value(y, &of)? / value(x, &of)?);
         if ratios.len() == POINTS {
-            return Ok(ratios.iter().all(|r| r.is_finite() && near(*r, ratios[0])).then_some(ratios[0]));
+            return Ok(constant(&ratios, 1e-9));
         }
     }
     Ok(None)

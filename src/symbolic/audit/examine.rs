@@ -1,21 +1,16 @@
 //! The checks of one formula.
 
-use super::compare::{Place, constant_ratio, differences, in_words, same};
+use super::compare::{Equality, Place, constant_ratio, differences, equality, in_words};
+use super::limit::{Question, judge};
 use super::request::{AuditRequest, ExampleEntry, FormulaEntry, IdentityEntry, LimitEntry};
 use super::{Check, CheckKind, Examined};
 use crate::expression::{Expr, Scope};
 use crate::symbolic::formula::leading_minus;
-use crate::symbolic::{Formula, Relation, Sampler, Simplifier, Values, completed, formula, value};
+use crate::symbolic::{Formula, Relation, Simplifier, Values, completed, formula, value};
 use crate::units::Unit;
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-
-/// Points at which a limit is tried.
-const POINTS: usize = 8;
-/// How near a symbol is brought to its limit, and how well the formula must then agree.
-const NEAR: f64 = 1e-7;
-const CLOSE: f64 = 1e-4;
 
 /// A printed formula: an expression, or both sides of an equation.
 struct Printed {
@@ -144,11 +139,19 @@ impl<'a> Bench<'a> {
     fn value(&self) -> Result<Option<Check>> {
         let Some(right) = &self.right else { return Ok(None) };
         let (printed, wanted) = (self.printed.whole(), right.whole());
-        if same(&printed, &wanted, &self.simplifier) {
-            let says = "equal to the right formula".into();
+        let equations = self.printed.left.is_some() && right.left.is_some();
+        let equal = equality(&printed, &wanted, &self.simplifier);
+        let ratio = constant_ratio(&printed, &wanted, &self.simplifier.relations)?;
+        let says = match equal {
+            Equality::Always => Some("equal to the right formula"),
+            Equality::Positive => Some("equal to the right formula while all symbols are positive"),
+            Equality::Never if equations && ratio.is_some() => Some("equal to the right equation"),
+            Equality::Never => None,
+        };
+        if let Some(says) = says {
+            let says = says.to_owned();
             return Ok(Some(Check { kind: CheckKind::Value, holds: true, says, ratio: Some(1.0) }));
         }
-        let ratio = constant_ratio(&printed, &wanted, &self.simplifier.relations)?;
         let says = match ratio {
             Some(ratio) => format!("off by a constant: right/printed = {}", in_words(ratio)),
             None => places(&self.differences(right)),
@@ -171,21 +174,10 @@ impl<'a> Bench<'a> {
         for text in &limit.given {
             relations.push(Relation::parse(text)?);
         }
-        let near = if limit.to == 0.0 { NEAR } else { limit.to * (1.0 + NEAR) };
-        let fixed = Values::from([(limit.symbol.clone(), near)]);
-        let mut sampler = Sampler::new(&[&printed, &becomes], &relations);
-        let mut ratios = Vec::new();
-        for _ in 0..40 * POINTS {
-            let Some(values) = sampler.draw(&fixed)? else { continue };
-            let of = |name: &str| values.get(name).copied();
-            ratios.push(value(&becomes, &of)? / value(&printed, &of)?);
-            if ratios.len() == POINTS {
-                break;
-            }
-        }
         let name = format!("{} → {}", limit.symbol, limit.to);
         let about = if limit.says.is_empty() { name } else { format!("{name} ({})", limit.says) };
-        Ok(judged(&ratios, &about, &shown(&becomes)))
+        let question = Question { printed: &printed, becomes: &becomes, symbol: &limit.symbol, to: limit.to };
+        judge(&question, &relations, &about, &shown(&becomes))
     }
 
     fn identity(&self, identity: &IdentityEntry) -> Result<Check> {
@@ -238,37 +230,6 @@ fn half_last_digit(text: &str) -> f64 {
     let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     0.5000001 * 10f64.powi(exponent.parse().unwrap_or(0) - decimals as i32)
-}
-
-fn judged(ratios: &[f64], about: &str, becomes: &str) -> Check {
-    let constant =
-        ratios.first().filter(|first| ratios.iter().all(|r| ((r - *first) / *first).abs() < CLOSE)).copied();
-    let holds = constant.is_some_and(|ratio| (ratio - 1.0).abs() < CLOSE);
-    let rounded = |ratio: f64| {
-        let words = in_words(snapped(ratio));
-        format!("{about}: off by a constant, wanted/printed = {words}")
-    };
-    let says = match (holds, constant) {
-        (true, _) => format!("{about}: turns into {becomes}"),
-        (false, Some(ratio)) => rounded(ratio),
-        (false, None) => format!("{about}: does not turn into {becomes}"),
-    };
-    Check { kind: CheckKind::Limit, holds, says, ratio: constant }
-}
-
-/// A number found near a limit, moved onto the simple multiple of a power of π that it is close to.
-fn snapped(ratio: f64) -> f64 {
-    use std::f64::consts::PI;
-    for unit in [1.0, PI, 1.0 / PI] {
-        for denominator in 1..=12 {
-            let step = unit / f64::from(denominator);
-            let near = (ratio / step).round() * step;
-            if near != 0.0 && ((ratio - near) / near).abs() < 1e-6 {
-                return near;
-            }
-        }
-    }
-    ratio
 }
 
 fn places(places: &[Place]) -> String {

@@ -6,7 +6,8 @@
 //! random points, worked examples at their own numbers.
 //! References: none needed.
 //! Numerical aspects: equality of values is decided exactly where both sides are ratios of polynomials in symbols
-//! and functions of them; limits to 1e-4.
+//! and functions of them; what is not equal so, for functions have identities of their own, is tried at random points
+//! to 1e-12 beside rounding; limits to 1e-4.
 //!
 //! The form of an audit file:
 //!
@@ -29,7 +30,7 @@
 //! [[formulas.limits]]
 //! says = "slow decay: a sine"                        # what the limit means
 //! symbol = "mu"
-//! to = 0.0                                           # a number; 1e9 for infinity
+//! to = 0.0                                           # a number; inf, or 1e9 and more, for infinity
 //! becomes = "…"
 //! given = ["theta0^2 = 2*A"]                         # optional relations that hold in the limit
 //! [[formulas.identities]]
@@ -42,8 +43,10 @@
 //! unit = "rad"
 //! ```
 
+mod bounded;
 mod compare;
 mod examine;
+mod limit;
 mod request;
 
 pub use request::{

@@ -27,6 +27,7 @@ const MOST_DRAWS: usize = 4000;
 pub type Values = BTreeMap<String, f64>;
 
 /// Draws values for symbols that satisfy the relations.
+#[derive(Clone)]
 pub struct Sampler<'a> {
     names: Vec<String>,
     relations: &'a [Relation],
