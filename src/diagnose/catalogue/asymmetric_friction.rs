@@ -6,7 +6,9 @@
 //! The residual force jumps at the reversal of the speed, about a mean that is not zero.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - Fp  while v > 0,  + Fm  while v < 0
+//! ```
 //!
 //! # What else looks like this
 //! dry-friction together with constant-force or input-offset: in a recording they are the same

@@ -6,7 +6,9 @@
 //! constant width at any speed.
 //!
 //! # Equation
+//! ```text
 //!     q -> backlash(q, gap): moves only while q pushes it
+//! ```
 //!
 //! # What else looks like this
 //! dead-zone (no memory), dry-friction with a spring (hysteresis), output-delay (in time, not in

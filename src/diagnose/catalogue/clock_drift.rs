@@ -5,7 +5,9 @@
 //! A time shift that grows through the recording.
 //!
 //! # Equation
+//! ```text
 //!     u(t) -> u(t + rate (t - t0)) for each channel of the table
+//! ```
 //!
 //! # What else looks like this
 //! clock-offset in a short recording, clock-jump.

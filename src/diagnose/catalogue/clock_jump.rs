@@ -5,7 +5,9 @@
 //! The residual is proportional to the rate of change of the channel, from one time on.
 //!
 //! # Equation
+//! ```text
 //!     u(t) -> u(t + jump step(t - tj)) for each channel of the table
+//! ```
 //!
 //! # What else looks like this
 //! parameter-change, clock-drift, gap.

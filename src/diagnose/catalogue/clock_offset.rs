@@ -6,7 +6,9 @@
 //! stamps removes it.
 //!
 //! # Equation
+//! ```text
 //!     u(t) -> u(t + offset) for each channel of the table
+//! ```
 //!
 //! # What else looks like this
 //! input-delay, output-delay (only late, and of one channel); a lag at low frequency.

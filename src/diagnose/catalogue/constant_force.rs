@@ -6,7 +6,9 @@
 //! The motion drifts or rests off its zero; the residual force has a mean.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … + F0
+//! ```
 //!
 //! # What else looks like this
 //! input-offset and output-offset: where the model is linear they are the same thing.

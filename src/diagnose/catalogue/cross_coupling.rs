@@ -6,7 +6,9 @@
 //! The residual is coherent with that signal.
 //!
 //! # Equation
+//! ```text
 //!     s' = … + c u,  perhaps c u sin(heading) or c u cos(heading)
+//! ```
 //!
 //! # What else looks like this
 //! output-cross-axis (the sensor alone feels it), misalignment, parameter-dependence (a product,

@@ -5,7 +5,9 @@
 //! As quadratic damping, with a sharper bend.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - c3 v^3,  c3 >= 0
+//! ```
 //!
 //! # What else looks like this
 //! quadratic-damping: they part only where the amplitude varies by a factor of three and more.

@@ -5,7 +5,9 @@
 //! The period depends on the amplitude; the residual force bends oddly with the position.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - k3 q^3
+//! ```
 //!
 //! # What else looks like this
 //! quadratic-damping at one amplitude, gravity-pendulum (softening), end-stop, parameter-change.

@@ -5,7 +5,9 @@
 //! Slow or no return near zero; the period grows as the amplitude falls.
 //!
 //! # Equation
+//! ```text
 //!     q -> q - clamp(q, -d, d),  d >= 0
+//! ```
 //!
 //! # What else looks like this
 //! cubic-stiffness (hardening), backlash (which remembers the side), input-dead-zone.

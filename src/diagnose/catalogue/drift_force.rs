@@ -5,7 +5,9 @@
 //! The mean of the residual runs away through the recording.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … + d (t - t0)
+//! ```
 //!
 //! # What else looks like this
 //! output-drift (the sensor) where the model is linear; parameter-drift; slow noise.

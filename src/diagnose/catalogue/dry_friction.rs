@@ -8,7 +8,9 @@
 //! alone.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - Fc sign(v),  Fc >= 0
+//! ```
 //!
 //! # What else looks like this
 //! stribeck-friction (more at rest than in motion), asymmetric-friction (other size each way),

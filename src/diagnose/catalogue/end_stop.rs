@@ -5,7 +5,9 @@
 //! The motion is cut at one level, with a kick back; nothing is wrong at small amplitude.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - ks max(q - qs, 0) + ks max(-qs - q, 0)
+//! ```
 //!
 //! # What else looks like this
 //! cubic-stiffness, input-saturation, output-saturation (the sensor clips, the thing does not).

@@ -6,7 +6,9 @@
 //! A slow tail after each change; stiffness and damping that depend on frequency.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - c (q - lag(q, tau))    or    s -> lag(s, tau)  or  s + c lag(s, tau)  where s is used
+//! ```
 //!
 //! # What else looks like this
 //! neglected-inertia, memory, input-lag, output-lag (the sensor): they part where the lag enters

@@ -6,7 +6,9 @@
 //! equation has.
 //!
 //! # Equation
+//! ```text
 //!     z'' + 2 zeta W z' + W^2 z = W^2 q,  M v' = … - c (q - z)    or    q -> z where it is used
+//! ```
 //!
 //! # What else looks like this
 //! periodic-force (a line without cause in the input), memory, extra-lag (far below the peak).

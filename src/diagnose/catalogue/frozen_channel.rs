@@ -5,7 +5,9 @@
 //! Many equal samples in a row where the neighbours say that there was motion.
 //!
 //! # Equation
+//! ```text
 //!     y(t) = y(t1)  for  t1 <= t <= t2
+//! ```
 //!
 //! # What else looks like this
 //! output-saturation (at the end of the range), a thing that really rests, quantisation.

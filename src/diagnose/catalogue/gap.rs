@@ -5,7 +5,9 @@
 //! No samples for much longer than the usual step.
 //!
 //! # Equation
+//! ```text
 //!     no y(t)  for  t1 < t < t2
+//! ```
 //!
 //! # What else looks like this
 //! frozen-channel (the logger fills with the last value), clock-jump.

@@ -6,7 +6,9 @@
 //! spring.
 //!
 //! # Equation
+//! ```text
 //!     J v' = … - Gs sin(q) - Gc cos(q)
+//! ```
 //!
 //! # What else looks like this
 //! cubic-stiffness (softening) at small swings, constant-force where the angle hardly moves,

@@ -6,7 +6,9 @@
 //! beyond the slip.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - kz z,  z = hysteresis(q, gap): follows q, held within gap/2
+//! ```
 //!
 //! # What else looks like this
 //! dry-friction (a stiff one), backlash, extra-lag (whose loop depends on speed).

@@ -5,7 +5,9 @@
 //! The response is missing while the input is small.
 //!
 //! # Equation
+//! ```text
 //!     u -> u - clamp(u, -d, d),  d >= 0
+//! ```
 //!
 //! # What else looks like this
 //! dry-friction behind the input, backlash, dead-zone.

@@ -7,7 +7,9 @@
 //! its phase grows with frequency.
 //!
 //! # Equation
+//! ```text
 //!     u -> delay(u, Td),  Td >= 0
+//! ```
 //!
 //! # What else looks like this
 //! output-delay (with one input and one output the same thing), input-lag, clock-offset, neglected-

@@ -6,7 +6,9 @@
 //! Corners of the input are rounded in the response.
 //!
 //! # Equation
+//! ```text
 //!     u -> lag(u, Tl),  Tl >= 0
+//! ```
 //!
 //! # What else looks like this
 //! output-lag (the same thing in a linear model with one input), input-delay at low frequency,

@@ -5,7 +5,9 @@
 //! The response drifts or rests off its place even at zero input.
 //!
 //! # Equation
+//! ```text
 //!     u -> u + b
+//! ```
 //!
 //! # What else looks like this
 //! constant-force, output-offset: the same thing where the model is linear.

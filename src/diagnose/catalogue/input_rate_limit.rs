@@ -6,7 +6,9 @@
 //! Steps become ramps of one slope; small motions are followed exactly.
 //!
 //! # Equation
+//! ```text
 //!     u -> rate_limit(u, r),  r > 0
+//! ```
 //!
 //! # What else looks like this
 //! input-lag (rounded corners, at any size), input-delay.

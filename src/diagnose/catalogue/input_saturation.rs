@@ -5,7 +5,9 @@
 //! The residual appears at large inputs alone, and follows their tops.
 //!
 //! # Equation
+//! ```text
 //!     u -> clamp(u, -L, L)    or    min(u, L)    or    max(u, L)
+//! ```
 //!
 //! # What else looks like this
 //! output-saturation, end-stop, input-square (softly).

@@ -7,7 +7,9 @@
 //! cannot be seen.
 //!
 //! # Equation
+//! ```text
 //!     u -> u + a u^2    or    u -> u |u|/u_ref
+//! ```
 //!
 //! # What else looks like this
 //! input-saturation (the other bend), parameter-dependence of the gain on the input.

@@ -6,7 +6,9 @@
 //! through zero.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - c v,  c >= 0
+//! ```
 //!
 //! # What else looks like this
 //! At one amplitude every other damping; input-lag and extra-lag near one frequency.

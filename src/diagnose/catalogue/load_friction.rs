@@ -6,7 +6,9 @@
 //! The jump of the residual force at the reversal of the speed is larger while the load is larger.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - mu |load| sign(v),  mu >= 0
+//! ```
 //!
 //! # What else looks like this
 //! dry-friction where the load is constant; parameter-dependence of the friction.

@@ -6,7 +6,9 @@
 //! Damping that falls with the root of the frequency; tails that no single lag fits.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - c sum_k s_k (q - lag(q, tau_k)),  tau_k = tau, tau/10, tau/100, s_k = 1, sqrt 10, 10
+//! ```
 //!
 //! # What else looks like this
 //! extra-lag (one time alone), linear-damping in a narrow band.

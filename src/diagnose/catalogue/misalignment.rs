@@ -6,7 +6,9 @@
 //! angle.
 //!
 //! # Equation
+//! ```text
 //!     K -> K + delta
+//! ```
 //!
 //! # What else looks like this
 //! output-offset at one heading, a harmonic of the heading (cross-coupling), input-delay while

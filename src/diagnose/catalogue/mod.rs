@@ -84,7 +84,8 @@ impl Mechanism {
     /// The page: the file's own doc comment without the comment marks.
     pub fn page(&self) -> String {
         let mut page = format!("{}: {}\n", self.code, self.title);
-        for line in self.source.lines().map_while(|l| l.strip_prefix("//!")) {
+        let fence = |line: &&str| !line.trim_start().starts_with("```");
+        for line in self.source.lines().map_while(|l| l.strip_prefix("//!")).filter(fence) {
             let line = line.strip_prefix(' ').unwrap_or(line);
             if line.starts_with("# ") && !page.ends_with("\n\n") {
                 page.push('\n');

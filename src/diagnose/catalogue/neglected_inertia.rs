@@ -6,7 +6,9 @@
 //! jumps.
 //!
 //! # Equation
+//! ```text
 //!     x' = r,  tau r' = f(x) - r    in place of x' = f(x);  with m x'' + r x' + C0 x: tau = m/r
+//! ```
 //!
 //! # What else looks like this
 //! extra-lag, input-delay, output-lag: they part only near and above 1/tau.

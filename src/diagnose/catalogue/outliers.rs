@@ -5,7 +5,9 @@
 //! Isolated values many times the noise away from both neighbours.
 //!
 //! # Equation
+//! ```text
 //!     y_i = y(t_i) + something large, for few i
+//! ```
 //!
 //! # What else looks like this
 //! Real shocks (several samples long), wrapped-angle (a whole turn), gap.

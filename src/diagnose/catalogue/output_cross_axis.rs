@@ -5,7 +5,9 @@
 //! The residual is proportional to the other signal at once, without the thing's own dynamics.
 //!
 //! # Equation
+//! ```text
 //!     y -> y + c u
+//! ```
 //!
 //! # What else looks like this
 //! cross-coupling (through the dynamics), misalignment.

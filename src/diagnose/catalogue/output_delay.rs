@@ -5,7 +5,9 @@
 //! The residual is proportional to the rate of the output.
 //!
 //! # Equation
+//! ```text
 //!     y -> delay(y, Td),  Td >= 0
+//! ```
 //!
 //! # What else looks like this
 //! input-delay (the same with one input and one output), output-lag, clock-offset (of a whole

@@ -5,7 +5,9 @@
 //! The residual is a straight line in time.
 //!
 //! # Equation
+//! ```text
 //!     y -> y + d (t - t0)
+//! ```
 //!
 //! # What else looks like this
 //! drift-force, parameter-drift; slow noise, which does not go on along the line.

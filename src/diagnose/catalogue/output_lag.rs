@@ -5,7 +5,9 @@
 //! Fast changes of the output are rounded; the thing itself is not slower, as other sensors show.
 //!
 //! # Equation
+//! ```text
 //!     y -> lag(y, Tl),  Tl >= 0
+//! ```
 //!
 //! # What else looks like this
 //! input-lag (the same in a linear model with one input), output-delay at low frequency, extra-lag.

@@ -5,7 +5,9 @@
 //! The residual has a mean that does not depend on the motion.
 //!
 //! # Equation
+//! ```text
 //!     y -> y + b
+//! ```
 //!
 //! # What else looks like this
 //! constant-force, input-offset: the same thing where the model is linear and has a rest.

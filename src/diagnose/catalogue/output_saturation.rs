@@ -6,7 +6,9 @@
 //! disturbed.
 //!
 //! # Equation
+//! ```text
 //!     y -> min(y, L)    or    max(y, L)    or both
+//! ```
 //!
 //! # What else looks like this
 //! end-stop, overflow, input-saturation: there the thing itself stops; frozen-channel.

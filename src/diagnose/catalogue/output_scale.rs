@@ -5,7 +5,9 @@
 //! The residual is proportional to the output.
 //!
 //! # Equation
+//! ```text
 //!     y -> (1 + a) y
+//! ```
 //!
 //! # What else looks like this
 //! Any gain of the model that is fitted: then it cannot be seen. wrong-unit where the factor is a

@@ -6,7 +6,9 @@
 //! The level is cut at one height; the next tank may jump there.
 //!
 //! # Equation
+//! ```text
 //!     s' = … - ko max(s - so, 0),  n' = … + share ko max(s - so, 0)
+//! ```
 //!
 //! # What else looks like this
 //! output-saturation (the sensor clips, the next tank does not notice), input-saturation, end-stop.

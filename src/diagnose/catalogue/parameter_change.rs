@@ -6,7 +6,9 @@
 //! differ.
 //!
 //! # Equation
+//! ```text
 //!     p -> p (1 + a step(t - tc))
+//! ```
 //!
 //! # What else looks like this
 //! clock-jump, parameter-drift, parameter-dependence on a switched signal, frozen-channel.

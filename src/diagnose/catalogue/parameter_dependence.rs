@@ -5,7 +5,9 @@
 //! Fits on parts of the recording give other values, in step with the signal.
 //!
 //! # Equation
+//! ```text
 //!     p -> p (1 + a (u - mean u))
+//! ```
 //!
 //! # What else looks like this
 //! parameter-change, parameter-drift (when the signal drifts), cross-coupling (a sum, not a

@@ -5,7 +5,9 @@
 //! Fits on successive parts of the recording give values on a line.
 //!
 //! # Equation
+//! ```text
 //!     p -> p (1 + a (t - t0)),  t0 the middle of the fitted part
+//! ```
 //!
 //! # What else looks like this
 //! parameter-dependence on a signal that drifts, drift-force (a sum, not a product), parameter-

@@ -6,7 +6,9 @@
 //! A line in the spectrum of the residual, or a residual force that repeats with the position.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … + A sin(w t) + B cos(w t)    or    + A sin(n q) + B cos(n q)
+//! ```
 //!
 //! # What else looks like this
 //! extra-resonance (a line that the input excites), drift-force at very long periods, gravity-

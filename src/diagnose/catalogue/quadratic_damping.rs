@@ -5,7 +5,9 @@
 //! Large swings decay faster than small ones; the residual force bends with the speed, oddly.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - c2 v |v|,  c2 >= 0
+//! ```
 //!
 //! # What else looks like this
 //! cubic-damping, dry-friction (the other way: small swings decay faster), cubic-stiffness seen

@@ -5,7 +5,9 @@
 //! The motion's mean shifts with its amplitude; even harmonics.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - k2 q^2
+//! ```
 //!
 //! # What else looks like this
 //! constant-force at one amplitude; cubic-stiffness about a position that is not zero.

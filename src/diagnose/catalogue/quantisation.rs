@@ -5,7 +5,9 @@
 //! Few distinct values, with equal distances; the residual is a saw.
 //!
 //! # Equation
+//! ```text
 //!     y -> q round(y/q)
+//! ```
 //!
 //! # What else looks like this
 //! A signal that really moves in steps; frozen-channel.

@@ -9,7 +9,9 @@
 //! (sine of twice the heading) and vanishes in calm water, with no line of its own in the spectrum.
 //!
 //! # Equation
+//! ```text
 //!     s' = … + k A lag(B, T)     (gyrosphere: A = W2, B = W1, k = P^2/(g^2 C0 H), mean by I_n)
+//! ```
 //!
 //! # What else looks like this
 //! constant-force where the motion never changes; cross-coupling (linear, no mean), misalignment.

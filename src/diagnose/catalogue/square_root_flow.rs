@@ -7,7 +7,9 @@
 //! with the level.
 //!
 //! # Equation
+//! ```text
 //!     s -> sqrt(max(s, 0) s_ref)  wherever s drives a flow;  s_ref is only a scale
+//! ```
 //!
 //! # What else looks like this
 //! parameter-dependence on the level; cubic-stiffness (softening) over a narrow range.

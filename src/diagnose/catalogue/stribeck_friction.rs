@@ -6,7 +6,9 @@
 //! Stick and slip at low speed; the residual force has a peak on both sides of zero speed.
 //!
 //! # Equation
+//! ```text
 //!     M v' = … - (Fc + Fs exp(-(v/vs)^2)) sign(v),  Fc, Fs >= 0
+//! ```
 //!
 //! # What else looks like this
 //! dry-friction (no peak), quadratic-damping with dry friction; they part at very low speed.

@@ -5,7 +5,9 @@
 //! Jumps of exactly one turn between neighbours.
 //!
 //! # Equation
+//! ```text
 //!     y -> y modulo 360 deg
+//! ```
 //!
 //! # What else looks like this
 //! outliers, clock-jump. In a recording file, `wraps = true` cures it.

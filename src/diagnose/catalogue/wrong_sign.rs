@@ -5,7 +5,9 @@
 //! The model fits well with the channel turned over, and not at all as it stands.
 //!
 //! # Equation
+//! ```text
 //!     u -> -u    or    y -> -y
+//! ```
 //!
 //! # What else looks like this
 //! misalignment by half a turn; a gain that should be negative.

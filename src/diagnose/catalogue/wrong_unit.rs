@@ -5,7 +5,9 @@
 //! The model fits well when the channel is multiplied by a known factor between two units.
 //!
 //! # Equation
+//! ```text
 //!     u -> f u,  f = 180/pi, 1852/3600, 1000, 9.81 …
+//! ```
 //!
 //! # What else looks like this
 //! output-scale, a gain of the model.

@@ -68,7 +68,11 @@ impl Sentence<'_> {
 
 /// The kind of an address without its talker; a proprietary address has none.
 pub(super) fn kind(address: &str) -> &str {
-    if address.starts_with('P') { address } else { address.get(2..).unwrap_or(address) }
+    if address.starts_with('P') {
+        address
+    } else {
+        address.get(2..).filter(|k| !k.is_empty()).unwrap_or(address)
+    }
 }
 
 #[cfg(test)]

@@ -57,7 +57,7 @@ pub fn symbols(expression: &Expr) -> BTreeSet<&str> {
 /// ```
 /// use gyrospec::{expression::Expr, symbolic::derivative};
 /// let slope = derivative(&Expr::parse("a*sin(2*K)")?, "K")?;
-/// assert_eq!(slope.to_string(), "a*cos(2*K)*2");
+/// assert_eq!(slope.to_string(), "a*(cos(2*K)*2)");
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn derivative(expression: &Expr, name: &str) -> Result<Expr> {
