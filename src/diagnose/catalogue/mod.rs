@@ -1,6 +1,6 @@
 //! The catalogue of mechanisms that a model may have left out: one file a mechanism.
 //!
-//! A new mechanism is one new file and one line in [`mechanisms!`] below. Its file begins with a
+//! A new mechanism is one new file and one line in `mechanisms!` below. Its file begins with a
 //! doc comment of fixed sections, which `gyrospec explain CODE` prints as it stands, and gives a
 //! function that proposes extended models: the mechanism placed at each site that admits it.
 
