@@ -45,6 +45,8 @@ fn known_closed_forms_come_out() {
         ("(T*s + 1)*(s + a)", "1", vec![], "I = 1 / (2a(1 + Ta))"),
         ("m*s^2 + r*s + c", "c^2", vec!["c = m*w^2", "r = 2*z*m*w"], "I = w / (4z)"),
         ("m*s^2 + sqrt(c*m)*s + c", "1", vec![], "I = 1 / (2c √(cm))"),
+        ("a*s^3 + b*s^2 + c*s + d", "s^4", vec![], "I = c / (2a(bc − ad))"),
+        ("T*s + 1", "sqrt(y)*y^2.5", vec![], "I = y³ / (2T)"),
     ] {
         assert_eq!(written(h, g, &relations), wanted);
     }
@@ -70,6 +72,7 @@ fn what_cannot_be_derived_says_why() {
     for (h, g, relation, kind, says) in [
         ("s^2 - 2*mu*s + w^2", "1", "", ErrorKind::NotComputed, "stable"),
         ("T*s + 1", "s^2", "", ErrorKind::OutOfRange, "infinite"),
+        ("T*s^2 + s", "1", "", ErrorKind::ImaginaryAxis, "imaginary axis"),
         ("T + 1", "1", "", ErrorKind::BadInput, "order 0"),
         ("T*s + sin(s)", "1", "", ErrorKind::BadInput, "under a function"),
         ("T*s + 1", "1/s", "", ErrorKind::BadInput, "polynomials in s"),

@@ -171,9 +171,15 @@ fn gather(expression: &Expr, names: &mut Vec<Expr>, calls: &mut Vec<Expr>) {
                 names.push(expression.clone());
             }
         }
-        Expr::Call(..) => {
+        Expr::Call(function, arguments) => {
             if !calls.contains(expression) {
                 calls.push(expression.clone());
+            }
+            if *function == Function::Sqrt {
+                // its square is its argument
+                for argument in arguments {
+                    gather(argument, names, calls);
+                }
             }
         }
         _ => {

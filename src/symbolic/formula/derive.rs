@@ -150,7 +150,15 @@ impl Prepared {
         let program = Program::new(self.b.len())?;
         let checked = |p: &Vec<Polynomial>| p.iter().cloned().map(|p| Checked(Ok(p))).collect::<Vec<_>>();
         let (above, below) = program.evaluate(&checked(&self.a), &checked(&self.b));
-        Fraction::new(&above.0?, &below.0?)?.times(&self.factor)
+        let below = below.0?;
+        if below.is_zero() {
+            return Err(Error::new(
+                ErrorKind::ImaginaryAxis,
+                "H has a root on the imaginary axis for all values",
+            )
+            .with_hint("the mean is infinite; an integrator needs a leak"));
+        }
+        Fraction::new(&above.0?, &below)?.times(&self.factor)
     }
 }
 

@@ -65,7 +65,14 @@ struct Parts {
     above: Integer,
     below: Integer,
     symbols: Vec<i32>,
-    sums: Vec<(Expr, i32)>,
+    sums: Vec<Sum>,
+}
+
+/// A sum to a power; what may as well stand with the other sign knows how it looks then.
+struct Sum {
+    written: Expr,
+    turned: Option<Expr>,
+    count: i32,
 }
 
 impl Writer<'_> {
@@ -111,14 +118,18 @@ impl Writer<'_> {
             // expression = p/q · polynomial, so polynomial = q/p · expression
             parts.number(&numbers.1, count);
             parts.number(&numbers.0, -count);
-            parts.sum(expression.clone(), count);
+            parts.sum(expression.clone(), None, count);
             return Ok(());
         }
         let short = self.shortest(&known.polynomial)?;
         parts.number(&short.denominator.content(), -count);
         let rest = parts.monomial(&short.numerator, count)?;
         if rest.as_constant().is_none() {
-            parts.sum(self.alphabet.sum(&rest)?, count);
+            let minus = rest.terms().iter().filter(|(_, c)| c.is_negative()).count();
+            let turned = (2 * minus >= rest.terms().len())
+                .then(|| self.alphabet.sum(&rest.scaled(&Integer::from(-1))))
+                .transpose()?;
+            parts.sum(self.alphabet.sum(&rest)?, turned, count);
         }
         Ok(())
     }
@@ -164,17 +175,25 @@ impl Parts {
         polynomial.divided_by(&unit)?.ok_or_else(|| Error::not_computed("a content that does not divide"))
     }
 
-    fn sum(&mut self, expression: Expr, count: i32) {
-        match self.sums.iter_mut().find(|(known, _)| *known == expression) {
-            Some((_, power)) => *power += count,
-            None => self.sums.push((expression, count)),
+    fn sum(&mut self, written: Expr, turned: Option<Expr>, count: i32) {
+        match self.sums.iter_mut().find(|known| known.written == written) {
+            Some(known) => known.count += count,
+            None => self.sums.push(Sum { written, turned, count }),
         }
     }
 
-    fn expression(self, alphabet: &Alphabet) -> Result<Expr> {
+    /// Turns one sum with as many minus as plus signs, where that saves the minus before the whole.
+    fn save_minus(&mut self) -> bool {
+        let odd = self.sums.iter_mut().find(|sum| sum.turned.is_some() && sum.count % 2 != 0);
+        let turned = odd.and_then(|sum| sum.turned.take().map(|turned| sum.written = turned));
+        turned.is_some()
+    }
+
+    fn expression(mut self, alphabet: &Alphabet) -> Result<Expr> {
         let common = self.above.gcd(&self.below);
         let lowest = |x: &Integer| x.divided_by(&common).unwrap_or_else(|| x.clone());
-        let negative = self.above.is_negative() != self.below.is_negative();
+        let minus = self.above.is_negative() != self.below.is_negative();
+        let negative = minus && !self.save_minus();
         let above = self.side(1, &lowest(&self.above.magnitude()), alphabet)?;
         let below = self.side(-1, &lowest(&self.below.magnitude()), alphabet)?;
         let size = match (above, below) {
@@ -192,8 +211,8 @@ impl Parts {
             atoms.filter(move |(atom, count)| **count * sign > 0 && matches!(atom, Expr::Call(..)) == calls)
         };
         let raised = |(base, count): (&Expr, &i32)| power(base, count.unsigned_abs());
-        let sums =
-            self.sums.iter().filter(|(_, count)| count * sign > 0).map(|(sum, count)| raised((sum, count)));
+        let here = self.sums.iter().filter(|sum| sum.count * sign > 0);
+        let sums = here.map(|sum| power(&sum.written, sum.count.unsigned_abs()));
         let factors =
             number.into_iter().chain(symbol(false).map(raised)).chain(sums).chain(symbol(true).map(raised));
         Ok(factors.reduce(|x, y| x * y))

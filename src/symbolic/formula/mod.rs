@@ -69,12 +69,24 @@ impl Formula {
         value(&self.expression, &|name| values.get(name).copied())
     }
 
-    /// Its derivative in one symbol, simplified where that can be done.
+    /// Its derivative in one symbol, simplified where that can be done; symbols that a relation gives as a power of
+    /// one name, such as b in b² = μ² + ε², vary with it.
     ///
     /// # Errors
     /// Not computed, where a function in it has none.
     pub fn derivative(&self, symbol: &str, simplifier: &Simplifier) -> Result<Self> {
-        let slope = derivative(&self.expression, symbol)?;
+        let mut slope = derivative(&self.expression, symbol)?;
+        for relation in &simplifier.relations {
+            if let [(name, power)] = verify::powers(&relation.left)[..]
+                && name != symbol
+                && relation.right.mentions(symbol)
+            {
+                // ∂y/∂b · (∂r/∂x)/(k bᵏ⁻¹) for bᵏ = r(x)
+                let inner = derivative(&relation.right, symbol)?;
+                let outer = derivative(&self.expression, name)?;
+                slope = slope + outer * inner / (Expr::number(power) * Expr::name(name).pow(power - 1.0));
+            }
+        }
         let expression = simplifier.simplify(&slope).unwrap_or(slope);
         let by = self.by.iter().cloned().chain([symbol.to_owned()]).collect();
         Ok(Self { name: self.name.clone(), by, expression })

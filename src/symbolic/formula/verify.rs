@@ -105,7 +105,7 @@ pub fn completed(values: &Values, relations: &[Relation]) -> Result<Values> {
 }
 
 /// The names in a product of powers of names, with their powers; none where it is anything else.
-fn powers(product: &Expr) -> Vec<(&str, f64)> {
+pub fn powers(product: &Expr) -> Vec<(&str, f64)> {
     match product {
         Expr::Name(name) => vec![(name, 1.0)],
         Expr::Binary(BinaryOp::Pow, base, exponent) => match (&**base, exponent.constant()) {
