@@ -2,7 +2,7 @@
 
 use gyrospec::ErrorKind;
 use gyrospec::symbolic::{
-    CodeLanguage, Derived, FormulaRequest, Simplifier, Values, formula, irregular_roll,
+    CodeLanguage, Derived, FormulaRequest, Simplifier, Values, completed, formula, irregular_roll,
 };
 use std::process::Command;
 
@@ -165,4 +165,20 @@ fn slopes_of_the_derived_formula_agree_with_differences() {
         at(0.7);
         approx::assert_relative_eq!(exact, difference, max_relative = 1e-8);
     }
+}
+
+/// With b² = μ² + ε² the slope in μ is that of the formula with b moving along.
+#[test]
+fn slopes_follow_the_relations() {
+    let request = irregular_roll();
+    let (formula, simplifier) = (derived(&request).unwrap().formula, request.simplifier().unwrap());
+    let mut given: Values = formula.expression.names().iter().map(|n| ((*n).to_owned(), 0.7)).collect();
+    given.remove("b");
+    let mut at = |mu: f64| {
+        given.insert("mu".into(), mu);
+        completed(&given, &simplifier.relations).unwrap()
+    };
+    let slope = formula.derivative("mu", &simplifier).unwrap().evaluate(&at(0.7)).unwrap();
+    let values = [at(0.7 + 1e-5), at(0.7 - 1e-5)].map(|values| formula.evaluate(&values).unwrap());
+    approx::assert_relative_eq!(slope, (values[0] - values[1]) / 2e-5, max_relative = 1e-8);
 }
