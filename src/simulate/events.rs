@@ -21,8 +21,11 @@ use super::machine::{Machine, tangents_only};
 use super::probe::{Stretch, between};
 use crate::model::Scalar;
 
-/// Bisections until the event is known to a fraction of the step below rounding of its effect.
-const HALVINGS: usize = 50;
+/// The event is known well enough within this share of the step.
+const CLOSE: f64 = 1e-13;
+/// Trial times of a search, and the least share of the bracket that one must cut off.
+const TRIES: usize = 60;
+const EDGE: f64 = 2e-4;
 
 impl<T: Scalar> Machine<'_, T> {
     fn sign(&self, k: usize) -> f64 {
@@ -56,23 +59,31 @@ impl<T: Scalar> Machine<'_, T> {
     /// The earliest time in a stretch at which a switch must change, and the switch.
     pub fn locate(&mut self, s: &Stretch<'_, T>, room: &mut [T]) -> (f64, usize) {
         let (mut low, mut high) = (s.from, s.to);
-        let mut switch = self.worst_margin().0;
+        let (mut switch, mut below) = self.worst_margin();
         self.load(s.from, s.x0);
-        if self.worst_margin().1 < 0.0 {
-            return (s.from, self.worst_margin().0);
+        let (first, mut above) = self.worst_margin();
+        if above < 0.0 {
+            return (s.from, first);
         }
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
+        let mut side = 0;
+        for _ in 0..TRIES {
+            if high - low <= CLOSE * (s.to - s.from) {
                 break;
             }
+            let share = (above / (above - below)).clamp(EDGE, 1.0 - EDGE);
+            let middle = low + share * (high - low);
             between(s, middle, room);
             self.load(middle, room);
             let (k, margin) = self.worst_margin();
+            // Illinois: the end that stays twice loses half its weight.
             if margin < 0.0 {
-                (high, switch) = (middle, k);
+                (high, below, switch) = (middle, margin, k);
+                above *= if side > 0 { 0.5 } else { 1.0 };
+                side = 1;
             } else {
-                low = middle;
+                (low, above) = (middle, margin);
+                below *= if side < 0 { 0.5 } else { 1.0 };
+                side = -1;
             }
         }
         (high, switch)

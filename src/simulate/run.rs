@@ -10,7 +10,7 @@ use crate::model::Scalar;
 use crate::model::program::{Program, Switching};
 
 /// Events within one step before the rest of it is taken without looking.
-const MOST_EVENTS: usize = 40;
+const MOST_EVENTS: usize = 12;
 /// A state beyond this has blown up.
 const TOO_LARGE: f64 = 1e100;
 

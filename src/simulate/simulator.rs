@@ -287,10 +287,16 @@ impl Simulator {
             let course = Course { clocks: case.clocks, ..self.course(&mesh, plan, &steady) };
             let ran = run(&course, &parameters, &given)?;
             let coarse = plan.foretold(ran.roughness) > SLACK * self.tolerance.max(self.plan.error);
-            if !coarse || plan.method == Method::Stiff || plan.substeps >= most_substeps(mesh.intervals()) {
+            let failed = ran.blew_up.is_some();
+            if !(coarse || failed) || plan.method == Method::Stiff {
                 return Ok(ran);
             }
-            plan = Plan { substeps: 2 * plan.substeps, error: plan.error / 16.0, ..plan };
+            let most = most_substeps(mesh.intervals()).min(MOST_FINER * self.plan.substeps);
+            plan = if failed || plan.substeps >= most {
+                Plan { method: Method::Stiff, substeps: self.plan.substeps, ..self.plan }
+            } else {
+                Plan { substeps: 2 * plan.substeps, error: plan.error / 16.0, ..plan }
+            };
         }
     }
 
@@ -325,6 +331,8 @@ impl Simulator {
 
 /// How much larger than planned a foretold error may be before a run is repeated with more steps.
 const SLACK: f64 = 4.0;
+/// How many times more steps than planned are tried before the stiff method.
+const MOST_FINER: usize = 16;
 
 /// One run asked for.
 #[derive(Clone)]

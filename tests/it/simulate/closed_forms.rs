@@ -238,3 +238,27 @@ fn the_slowest_time_is_that_of_the_slowest_root() {
     let slowest = s.slowest_time(&s.parameters(), &s.initials()).unwrap().unwrap();
     assert!((slowest - 2.0).abs() < 1e-6, "{slowest}");
 }
+
+#[test]
+fn parameters_may_move_to_where_only_the_stiff_path_goes() {
+    let model = r#"
+        name = "lag"
+        [inputs]
+        u = { unit = "V" }
+        [parameters]
+        T = { value = 0.7, unit = "s" }
+        [states]
+        y = { rate = "(u - y)/T", unit = "V", initial = 0 }
+        [outputs]
+        out = { equals = "y", unit = "V" }
+    "#;
+    let time = times(20.0, 0.1);
+    let r = recording(vec![channel("u", "V", &time, |t| t), channel("out", "V", &time, |_| 0.0)]);
+    let s = simulator(model, &r);
+    assert_eq!(s.steps().0, Method::Explicit);
+    for lag in [0.02, 1e-3, 1e-6] {
+        let got = s.run(&[lag], &[0.0]).unwrap().outputs.remove(0);
+        let off = worst(&time, &got, |t| t - lag + lag * (-t / lag).exp());
+        assert!(off < 1e-3 * lag + 1e-6, "{lag}: {off}");
+    }
+}
