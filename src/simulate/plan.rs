@@ -8,8 +8,8 @@
 //!
 //! # Numerical aspects
 //! The difference of two halvings is the error of the coarser one. For other parameters the error
-//! is foretold from the roughness of the steps (last stage against the rates at the end), which
-//! grows with it; where it is foretold too large the run is repeated with more steps.
+//! is foretold from the roughness of the steps (their embedded error), which grows with it; where
+//! it is foretold too large, or a run blows up, the run is repeated with more or stiff steps.
 
 use super::run::{Course, Ran, run};
 use super::steps::Method;
@@ -34,8 +34,10 @@ const MOST_STIFF: (usize, usize) = (16, 200_000);
 /// Steps in an interval beyond which no mesh is cut.
 const FINEST: usize = 8192;
 
-/// An explicit error below this falls quickly enough with more steps.
+/// An error below this falls quickly enough with more steps.
 const CONVERGING: f64 = 0.01;
+/// Share of what runs that blow up have in common by which they are compared.
+const BEFORE_THE_END: f64 = 0.8;
 /// Halving the step must divide the error by so much before the next halving is foretold to.
 const ASYMPTOTIC: f64 = 10.0;
 
@@ -43,9 +45,9 @@ fn limit((least, in_a_run): (usize, usize), intervals: usize) -> usize {
     (in_a_run / intervals.max(1)).clamp(least, FINEST)
 }
 
-/// The most steps in an interval that the explicit method may take.
-pub(super) fn most_substeps(intervals: usize) -> usize {
-    limit(MOST_EXPLICIT, intervals)
+/// The most steps in an interval that a method may take.
+pub(super) fn most_substeps(method: Method, intervals: usize) -> usize {
+    limit(if method == Method::Explicit { MOST_EXPLICIT } else { MOST_STIFF }, intervals)
 }
 
 impl Plan {
@@ -53,6 +55,19 @@ impl Plan {
     pub fn foretold(&self, roughness: f64) -> f64 {
         let grown = if self.roughness > 0.0 { roughness / self.roughness } else { 1.0 };
         self.error * grown
+    }
+
+    /// The same with the next power of two times more steps.
+    pub fn finer(&self, times: f64) -> Self {
+        let factor = (times.ceil().clamp(2.0, 1e4) as usize).next_power_of_two();
+        // Both methods are of order 4, their embedded errors of order 3.
+        let (error, roughness) = ((factor as f64).powi(-4), (factor as f64).powi(-3));
+        Self {
+            method: self.method,
+            substeps: self.substeps * factor,
+            error: self.error * error,
+            roughness: self.roughness * roughness,
+        }
     }
 }
 
@@ -64,31 +79,35 @@ pub(super) fn plan(course: &Course<'_>, parameters: &[f64], given: &[f64], toler
     if explicit.error <= tolerance {
         return Ok(explicit);
     }
-    let stiff = if explicit.error < CONVERGING {
-        explicit
-    } else {
-        search.refine(Method::Stiff, limit(MOST_STIFF, intervals))?
-    };
+    let stiff = if explicit.error < CONVERGING { explicit } else { search.stiff()? };
     if stiff.error <= tolerance {
         return Ok(stiff);
     }
-    let longer = search.refine(Method::Explicit, most_substeps(intervals))?;
-    // NaN: a run that blew up is worse than any number.
-    let worse = |p: &Plan| if p.error.is_nan() { f64::INFINITY } else { p.error };
-    Ok(if worse(&longer) <= worse(&stiff) { longer } else { stiff })
+    let longer = search.refine(Method::Explicit, limit(MOST_EXPLICIT, intervals))?;
+    Ok(if longer.error <= stiff.error { longer } else { stiff })
 }
 
-struct Search<'a> {
-    course: &'a Course<'a>,
-    parameters: &'a [f64],
-    given: &'a [f64],
-    tolerance: f64,
+/// The search for a plan at given parameters.
+pub(super) struct Search<'a> {
+    pub course: &'a Course<'a>,
+    pub parameters: &'a [f64],
+    pub given: &'a [f64],
+    pub tolerance: f64,
 }
 
 impl Search<'_> {
     fn run(&self, method: Method, substeps: usize) -> Result<Ran<f64>> {
         let Course { program, mesh, clocks, steady, .. } = *self.course;
         run(&Course { program, mesh, clocks, steady, method, substeps }, self.parameters, self.given)
+    }
+
+    /// The plan of the stiff method; none that has not begun to converge.
+    pub fn stiff_if_it_converges(&self) -> Result<Option<Plan>> {
+        Ok(Some(self.stiff()?).filter(|p| p.error < CONVERGING))
+    }
+
+    fn stiff(&self) -> Result<Plan> {
+        self.refine(Method::Stiff, limit(MOST_STIFF, self.course.mesh.intervals()))
     }
 
     /// The fewest steps whose halving moves the outputs by less than the tolerance.
@@ -102,8 +121,8 @@ impl Search<'_> {
             if error < best.error {
                 best = Plan { method, substeps, error, roughness: coarse.roughness };
             }
-            if error <= self.tolerance || (fine.blew_up.is_some() && coarse.blew_up.is_some() && substeps > 2)
-            {
+            let hopeless = coarse.blew_up.is_some() && (method == Method::Stiff || substeps > 2);
+            if error <= self.tolerance || (hopeless && fine.blew_up.is_some()) {
                 break;
             }
             let next = error / 16.0;
@@ -122,16 +141,19 @@ fn difference(a: &Ran<f64>, b: &Ran<f64>) -> f64 {
     if a.blew_up.is_some() != b.blew_up.is_some() {
         return f64::INFINITY;
     }
-    let shares = a.values.iter().zip(&b.values).map(|(a, b)| share(a, b));
-    shares.fold(0.0, f64::max)
+    let part = if a.blew_up.is_some() { BEFORE_THE_END } else { 1.0 };
+    let shares = a.values.iter().zip(&b.values).map(|(a, b)| share(a, b, part));
+    shares.fold(0.0, |worst, share| if share.is_nan() { f64::INFINITY } else { worst.max(share) })
 }
 
-fn share(a: &[f64], b: &[f64]) -> f64 {
-    let pairs = || a.iter().zip(b).filter(|(x, y)| x.is_finite() && y.is_finite());
-    let count = pairs().count().max(1) as f64;
-    let mean = pairs().map(|(x, _)| x).sum::<f64>() / count;
-    let spread = (pairs().map(|(x, _)| (x - mean).powi(2)).sum::<f64>() / count).sqrt();
-    let moved = (pairs().map(|(x, y)| (x - y).powi(2)).sum::<f64>() / count).sqrt();
+fn share(a: &[f64], b: &[f64], part: f64) -> f64 {
+    let common = || a.iter().zip(b).filter(|(x, y)| x.is_finite() && y.is_finite());
+    let count = (part * common().count() as f64) as usize;
+    let pairs = || common().take(count);
+    let n = count.max(1) as f64;
+    let mean = pairs().map(|(x, _)| x).sum::<f64>() / n;
+    let spread = (pairs().map(|(x, _)| (x - mean).powi(2)).sum::<f64>() / n).sqrt();
+    let moved = (pairs().map(|(x, y)| (x - y).powi(2)).sum::<f64>() / n).sqrt();
     // A constant output is compared with its size.
     let scale = if spread > 1e-9 * mean.abs() { spread } else { mean.abs() };
     if moved == 0.0 { 0.0 } else { moved / scale }

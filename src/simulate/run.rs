@@ -30,7 +30,7 @@ pub(super) struct Course<'a> {
 pub(super) struct Ran<T> {
     /// For each clock: time by time, register by register.
     pub values: Vec<Vec<T>>,
-    /// Σ over steps of |h·(k₄ − k₅)|/6 against the range of each state, the largest: grows with the error.
+    /// Σ over steps of the embedded error against the range of each state, the largest.
     pub roughness: f64,
     /// The time and the state at which the run blew up.
     pub blew_up: Option<(f64, usize)>,
@@ -51,7 +51,7 @@ struct Runner<'a, T> {
     roughness: Roughness,
 }
 
-/// How far the last stage of each step lies from the rates at its end.
+/// The embedded errors of the steps.
 struct Roughness {
     sums: Vec<f64>,
     ranges: Vec<(f64, f64)>,
@@ -62,9 +62,9 @@ impl Roughness {
         Self { sums: vec![0.0; n], ranges: vec![(f64::INFINITY, f64::NEG_INFINITY); n] }
     }
 
-    fn add<T: Scalar>(&mut self, h: f64, last_stage: &[T], k1: &[T], x1: &[T]) {
+    fn add<T: Scalar>(&mut self, stepper: &Stepper<T>, h: f64, k1: &[T], x1: &[T]) {
         for i in 0..self.sums.len() {
-            self.sums[i] += (last_stage[i].value() - k1[i].value()).abs() * h / 6.0;
+            self.sums[i] += stepper.embedded_error(h, k1, i);
             let (low, high) = self.ranges[i];
             self.ranges[i] = (low.min(x1[i].value()), high.max(x1[i].value()));
         }
@@ -173,9 +173,7 @@ impl<T: Scalar> Runner<'_, T> {
             }
             let quiet = self.m.program.watches.is_empty() || self.m.worst_margin().1 >= 0.0;
             if quiet || event >= MOST_EVENTS {
-                if let Some(last) = self.stepper.last_stage() {
-                    self.roughness.add(to - t, last, &self.k1, &self.x1);
-                }
+                self.roughness.add(&self.stepper, to - t, &self.k1, &self.x1);
                 self.accept(t, to);
                 return;
             }

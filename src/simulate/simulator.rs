@@ -2,7 +2,7 @@
 
 use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
-use super::plan::{Plan, most_substeps, plan};
+use super::plan::{self, Plan, Search};
 use super::probe::Clock;
 use super::request::{Options, Trajectory, Unknown};
 use super::run::{Course, Ran, run};
@@ -107,7 +107,7 @@ impl Simulator {
         let mesh = self.mesh_at(&parameters);
         faults::first_step(self, &mesh, &parameters)?;
         let (given, steady) = self.starts(&self.initials());
-        self.plan = plan(&self.course(&mesh, self.plan, &steady), &parameters, &given, self.tolerance)?;
+        self.plan = plan::plan(&self.course(&mesh, self.plan, &steady), &parameters, &given, self.tolerance)?;
         Ok(())
     }
 
@@ -286,18 +286,35 @@ impl Simulator {
         loop {
             let course = Course { clocks: case.clocks, ..self.course(&mesh, plan, &steady) };
             let ran = run(&course, &parameters, &given)?;
-            let coarse = plan.foretold(ran.roughness) > SLACK * self.tolerance.max(self.plan.error);
-            let failed = ran.blew_up.is_some();
-            if !(coarse || failed) || plan.method == Method::Stiff {
-                return Ok(ran);
+            match self.better(&course, plan, &ran, (&case.parameters, &starts))? {
+                Some(next) => plan = next,
+                None => return Ok(ran),
             }
-            let most = most_substeps(mesh.intervals()).min(MOST_FINER * self.plan.substeps);
-            plan = if failed || plan.substeps >= most {
-                Plan { method: Method::Stiff, substeps: self.plan.substeps, ..self.plan }
-            } else {
-                Plan { substeps: 2 * plan.substeps, error: plan.error / 16.0, ..plan }
-            };
         }
+    }
+
+    /// The plan to repeat a run with, if it blew up or its error is foretold to be too large.
+    fn better<T>(
+        &self,
+        course: &Course<'_>,
+        plan: Plan,
+        ran: &Ran<T>,
+        (parameters, given): (&[f64], &[f64]),
+    ) -> Result<Option<Plan>> {
+        let excess = plan.foretold(ran.roughness) / (SLACK * self.tolerance.max(self.plan.error));
+        let blew_up = ran.blew_up.is_some();
+        if plan.method != self.plan.method || self.plan.error.is_nan() || !(blew_up || excess > 1.0) {
+            return Ok(None);
+        }
+        let finer = plan.finer(excess.powf(0.25));
+        let most = plan::most_substeps(plan.method, course.mesh.intervals());
+        if !blew_up && finer.substeps <= most.min(MOST_FINER * self.plan.substeps) {
+            return Ok(Some(finer));
+        }
+        if plan.method == Method::Stiff {
+            return Ok(None);
+        }
+        Search { course, parameters, given, tolerance: self.tolerance }.stiff_if_it_converges()
     }
 
     pub(super) fn mesh_at(&self, parameters: &[f64]) -> Arc<Mesh> {

@@ -63,9 +63,13 @@ impl<T: Scalar> Stepper<T> {
         }
     }
 
-    /// The rates of the last stage of an explicit step; none for the stiff method.
-    pub fn last_stage(&self) -> Option<&[T]> {
-        if self.method == Method::Explicit { self.k.last().map(Vec::as_slice) } else { None }
+    /// The embedded error of a state in the last step, of h s, with the rates at its end.
+    pub fn embedded_error(&self, h: f64, k_end: &[T], state: usize) -> f64 {
+        match self.method {
+            // h·(k₄ − k₅)/6
+            Method::Explicit => (self.k[2][state].value() - k_end[state].value()).abs() * h / 6.0,
+            Method::Stiff => self.k[5][state].value().abs(),
+        }
     }
 
     fn explicit(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
