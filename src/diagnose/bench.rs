@@ -91,6 +91,9 @@ impl Stand {
     }
 }
 
+/// Samples times states from which on a simulation is long, and below which it is short.
+const LONG: usize = 40_000;
+const SHORT: usize = 6_000;
 /// Share of the white part of the noise that the simulator's error may have.
 const SOLVER: f64 = 0.05;
 /// Bounds of the simulator's tolerance, as a share of an output's spread.
@@ -181,14 +184,20 @@ impl Bench {
         if self.is_long(model) { 12 } else { 40 }
     }
 
+    /// Short recordings are fitted from all starts every time.
+    pub fn effort(&self, model: &Model) -> Effort {
+        if self.load(model) < SHORT { Effort::Full } else { Effort::Near }
+    }
+
     fn is_long(&self, model: &Model) -> bool {
-        let samples: usize = self
-            .recordings
-            .iter()
-            .filter_map(|r| model.outputs.iter().find_map(|o| r.find(&o.name)))
-            .map(Channel::len)
-            .sum();
-        samples * model.states.len().max(1) > 40_000
+        self.load(model) > LONG
+    }
+
+    /// Samples times states of one simulation.
+    fn load(&self, model: &Model) -> usize {
+        let output = |r: &Recording| model.outputs.iter().find_map(|o| r.find(&o.name)).map(Channel::len);
+        let samples: usize = self.recordings.iter().filter_map(output).sum();
+        samples * model.states.len().max(1)
     }
 
     /// A model ready to run over the parts that the screening uses.

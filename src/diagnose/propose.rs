@@ -18,9 +18,12 @@ use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
 use super::screen::{Score, Screen};
 use crate::Result;
-use crate::estimate::fit::Effort;
+use crate::estimate::noise::{Autoregression, NoiseModel};
 use crate::estimate::{Fit, fit};
 use rayon::prelude::*;
+
+/// Samples to which the free run is shortened for its own screening.
+const FREE: usize = 3000;
 
 /// A proposal with its score.
 #[derive(Clone)]
@@ -31,12 +34,18 @@ pub struct Screened {
     pub start: Vec<f64>,
     /// Its score.
     pub score: Score,
+    /// Share of the free-run residual's square that it explains.
+    pub explained: f64,
+    /// Weights of its directions in the free run.
+    pub weights: Vec<f64>,
 }
 
 /// Outcome of one screening.
 pub struct Screening {
     /// All that could be scored, best first.
     pub screened: Vec<Screened>,
+    /// The same, by what they explain of the free run.
+    pub free: Vec<Screened>,
     /// Chance that the largest score is noise.
     pub p_value: f64,
 }
@@ -45,6 +54,8 @@ pub struct Screening {
 pub struct View {
     /// Screening space.
     pub screen: Screen,
+    /// The same for the free run as it stands, whatever its colour.
+    pub free: Screen,
     /// Where the model stands.
     pub stand: Stand,
     /// Tracks of the model itself.
@@ -65,7 +76,17 @@ impl View {
             }
         }
         let own = own_tracks(fit, &plain);
-        Ok(Self { screen: Screen::new(&own, &noise, bench.seed), stand, tracks: plain })
+        let samples: usize = own.iter().map(|t| t.residual.len()).sum();
+        let plain_noise: Vec<NoiseModel> = fit
+            .rmse
+            .iter()
+            .map(|r| NoiseModel {
+                decimation: (samples / FREE).max(1),
+                autoregression: Autoregression::white((r * r).max(f64::MIN_POSITIVE)),
+            })
+            .collect();
+        let free = Screen::new(&own, &plain_noise, bench.seed);
+        Ok(Self { screen: Screen::new(&own, &noise, bench.seed), free, stand, tracks: plain })
     }
 }
 
@@ -97,11 +118,15 @@ pub fn screen(bench: &Bench, scene: &Scene, view: &View) -> Screening {
         proposals.into_par_iter().map(|p| score_starts(bench, &p, view)).collect();
     let all: Vec<&Score> = scored.iter().flatten().map(|s| &s.score).collect();
     let p_value = Screen::p_value(&all);
-    let best =
-        |list: Vec<Screened>| list.into_iter().max_by(|a, b| a.score.statistic.total_cmp(&b.score.statistic));
-    let mut screened: Vec<Screened> = scored.into_iter().filter_map(best).collect();
+    let mut screened: Vec<Screened> = scored.iter().filter_map(|l| best(l, &|s| s.score.statistic)).collect();
     screened.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
-    Screening { screened, p_value }
+    let mut free: Vec<Screened> = scored.iter().filter_map(|l| best(l, &|s| s.explained)).collect();
+    free.sort_by(|a, b| b.explained.total_cmp(&a.explained));
+    Screening { screened, free, p_value }
+}
+
+fn best(list: &[Screened], by: &dyn Fn(&Screened) -> f64) -> Option<Screened> {
+    list.iter().max_by(|a, b| by(a).total_cmp(&by(b))).cloned()
 }
 
 fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened> {
@@ -121,18 +146,34 @@ fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened
         };
         let stand = view.stand.extended(&proposal.model, &quiet);
         let Ok(tracks) = bench::run(&records, &stand, &wanted) else { continue };
-        let directions = if wanted.is_empty() {
-            vec![view.screen.whitened(&difference(&view.tracks, &tracks), |t| &t.residual)]
-        } else {
-            (0..wanted.len()).map(|j| view.screen.whitened(&tracks, |t| &t.sensitivities[j])).collect()
+        let moved = difference(&view.tracks, &tracks);
+        let directions = |space: &Screen| -> Vec<Vec<f64>> {
+            if wanted.is_empty() {
+                vec![space.whitened(&moved, |t| &t.residual)]
+            } else {
+                (0..wanted.len()).map(|j| space.whitened(&tracks, |t| &t.sensitivities[j])).collect()
+            }
         };
-        if let Some(mut score) = view.screen.score(directions, proposal.is_one_sided()) {
+        let one_sided = proposal.is_one_sided();
+        let free = view.free.score(directions(&view.free), one_sided);
+        let explained = free
+            .as_ref()
+            .filter(|f| f.statistic > 0.0)
+            .map_or(0.0, |f| f.chi2 / view.free.residual.len() as f64);
+        let weights = free.map(|f| f.weights).unwrap_or_default();
+        if let Some(mut score) = view.screen.score(directions(&view.screen), one_sided) {
             if super::choose::is_timed_wave(proposal) {
                 // Its frequency is the best of all that the recording resolves.
                 let frequencies = 0.5 * view.screen.residual.len() as f64;
                 score.statistic = (score.statistic - frequencies.max(1.0).ln()).max(0.0);
             }
-            scored.push(Screened { proposal: proposal.clone(), start: start.clone(), score });
+            scored.push(Screened {
+                proposal: proposal.clone(),
+                start: start.clone(),
+                score,
+                explained,
+                weights,
+            });
         }
     }
     scored
@@ -152,24 +193,28 @@ fn difference(from: &[Track], to: &[Track]) -> Vec<Track> {
         .collect()
 }
 
-/// The proposals worth a fit: the best, not more than a few of one code.
+/// The proposals worth a fit: in turn the best by likelihood and by the free run, a few of one code.
 pub fn worth_fitting(screening: &Screening, most: usize) -> Vec<&Screened> {
+    let likely = screening.screened.iter().filter(|s| s.score.statistic > 3.0);
+    let free = screening.free.iter().filter(|s| s.explained > 0.03);
+    let mut lists = [likely.collect::<Vec<_>>().into_iter(), free.collect::<Vec<_>>().into_iter()];
     let mut chosen: Vec<&Screened> = Vec::new();
-    for s in &screening.screened {
-        let same = chosen.iter().filter(|c| c.proposal.code == s.proposal.code).count();
-        let alike = chosen.iter().any(|c| {
-            c.proposal.code == s.proposal.code
-                && c.score.degrees == s.score.degrees
-                && cosine(&c.score, &s.score) > 0.999
-        });
-        if same < 3 && !alike && s.score.statistic > 3.0 {
-            chosen.push(s);
-        }
-        if chosen.len() >= most {
-            break;
-        }
+    let mut turn = 0;
+    let mut idle = 0;
+    while chosen.len() < most && idle < 2 {
+        let next = lists[turn].by_ref().find(|s| is_new(&chosen, s));
+        idle = if next.is_some() { 0 } else { idle + 1 };
+        chosen.extend(next);
+        turn = 1 - turn;
     }
     chosen
+}
+
+/// Whether a proposal differs from those chosen, and its code is not chosen three times yet.
+fn is_new(chosen: &[&Screened], s: &Screened) -> bool {
+    let same: Vec<&&Screened> = chosen.iter().filter(|c| c.proposal.code == s.proposal.code).collect();
+    let alike = |c: &Screened| c.score.degrees == s.score.degrees && cosine(&c.score, &s.score) > 0.999;
+    same.len() < 3 && !same.iter().any(|c| alike(c))
 }
 
 fn cosine(a: &Score, b: &Score) -> f64 {
@@ -201,7 +246,7 @@ pub fn refit(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Option
         if !value.is_finite() || enough {
             continue;
         }
-        let mut options = bench.options(Effort::Near, bench.steps(&p.model));
+        let mut options = bench.options(bench.effort(&p.model), bench.steps(&p.model));
         options.initials.clone_from(&stand.initials);
         let fitted = fit(&stand.placed(&p.model), &bench.recordings, &options).ok();
         let better = |f: &Fit| best.as_ref().is_none_or(|b| f.sum_of_squares < b.sum_of_squares);
@@ -221,7 +266,12 @@ fn sizes(s: &Screened) -> Vec<Vec<f64>> {
     let natural: Vec<f64> = p.amplitudes.iter().map(|k| s.start[*k]).collect();
     let scored: Vec<f64> =
         s.score.weights.iter().zip(&natural).map(|(w, n)| w.clamp(-3.0 * n.abs(), 3.0 * n.abs())).collect();
+    let in_free_run: Vec<f64> =
+        s.weights.iter().zip(&natural).map(|(w, n)| w.clamp(-10.0 * n.abs(), 10.0 * n.abs())).collect();
     let part =
         |f: f64| -> Vec<f64> { scored.iter().zip(&natural).map(|(w, n)| f * n.abs() * w.signum()).collect() };
-    [scored.clone(), part(0.3), part(1.0)].iter().map(|a| p.with_amplitudes(&s.start, a)).collect()
+    [scored.clone(), in_free_run, part(0.3), part(1.0)]
+        .iter()
+        .map(|a| p.with_amplitudes(&s.start, a))
+        .collect()
 }

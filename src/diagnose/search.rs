@@ -131,7 +131,10 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
             let rest = round.screening;
             let (first, rest) = match first {
                 Some(f) => (f, rest),
-                None => (Screening { screened: rest.screened.clone(), p_value: rest.p_value }, rest),
+                None => (
+                    Screening { screened: rest.screened.clone(), free: Vec::new(), p_value: rest.p_value },
+                    rest,
+                ),
             };
             let scale = Scale::of(&base, bench.is_trials());
             let measures = (start, Measure::of(&current, &scale));

@@ -54,12 +54,15 @@ pub fn is_rate(unit: &Unit) -> bool {
     metres || is_frequency(unit)
 }
 
-/// Whether an expression is a name, or a name times or over something that is no sum.
+/// Whether an expression is a name, or a number times or under it.
 pub fn is_multiple_of(e: &Expr, name: &str) -> bool {
     match e {
         Expr::Name(n) => n == name,
-        Expr::Binary(BinaryOp::Div, a, _) => is_multiple_of(a, name),
-        Expr::Binary(BinaryOp::Mul, a, b) => is_multiple_of(a, name) || is_multiple_of(b, name),
+        Expr::Binary(BinaryOp::Div, a, b) => is_multiple_of(a, name) && matches!(**b, Expr::Number(_)),
+        Expr::Binary(BinaryOp::Mul, a, b) => {
+            let number = |x: &Expr| matches!(x, Expr::Number(_));
+            number(a) && is_multiple_of(b, name) || number(b) && is_multiple_of(a, name)
+        }
         _ => false,
     }
 }
