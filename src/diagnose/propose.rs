@@ -214,7 +214,7 @@ pub fn worth_fitting(screening: &Screening, most: usize) -> Vec<&Screened> {
 fn is_new(chosen: &[&Screened], s: &Screened) -> bool {
     let same: Vec<&&Screened> = chosen.iter().filter(|c| c.proposal.code == s.proposal.code).collect();
     let alike = |c: &Screened| c.score.degrees == s.score.degrees && cosine(&c.score, &s.score) > 0.999;
-    same.len() < 3 && !same.iter().any(|c| alike(c))
+    same.len() < 2 && !same.iter().any(|c| alike(c))
 }
 
 fn cosine(a: &Score, b: &Score) -> f64 {

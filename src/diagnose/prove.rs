@@ -58,7 +58,7 @@ pub fn held_out(bench: &Bench, fitted: &Fit, separate: &[Recording]) -> Result<V
     if by_levels {
         return left_levels(bench, fitted);
     }
-    let options = bench.options(Effort::Full, 40);
+    let options = bench.options(Effort::Near, 40);
     let found = holdout(fitted, &bench.recordings, separate, &options)?;
     let mut all = vec![Held::default(); fitted.model.outputs.len()];
     for h in &found {

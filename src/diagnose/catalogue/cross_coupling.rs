@@ -52,8 +52,9 @@ fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Propos
     let mut d = Draft::at(scene, "cross-coupling", m);
     let c = d.amplitude("c", &m.force.over(&signal.unit), ANY, "coupling");
     d.uses(&signal.name);
-    d.force(&m.state, &format!("{c}*{}{factor}", signal.name));
-    d.start(&[m.size / signal.size()]);
+    let part = d.centred(signal);
+    d.force(&m.state, &format!("{c}*{part}{factor}"));
+    d.start(&[m.size / signal.spread]);
     d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(&m.state)))
 }
 
@@ -64,8 +65,9 @@ fn in_definition(scene: &Scene, definition: &Signal, signal: &Signal, factor: &s
     let mut d = Draft::new(scene, "cross-coupling", SiteKind::Definition, &definition.name);
     let c = d.amplitude("c", &definition.unit.over(&signal.unit), ANY, "coupling");
     d.uses(&signal.name);
-    d.define(&definition.name, &format!("{c}*{}{factor}", signal.name));
-    d.start(&[definition.spread / signal.size()]);
+    let part = d.centred(signal);
+    d.define(&definition.name, &format!("{c}*{part}{factor}"));
+    d.start(&[definition.spread / signal.spread]);
     d.done(&format!("{}{factor} enters {}, {{0}}", scene.words(&signal.name), scene.words(&definition.name)))
 }
 

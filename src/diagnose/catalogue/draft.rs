@@ -1,7 +1,7 @@
 //! A mechanism being placed in a model.
 
 use super::edit::{self, Place};
-use super::scene::{Motion, Scene};
+use super::scene::{Motion, Scene, Signal};
 use crate::expression::Expr;
 use crate::model::{Initial, Model, Parameter, State};
 use crate::units::Unit;
@@ -219,6 +219,16 @@ impl<'a> Draft<'a> {
                 meaning: None,
             });
         }
+    }
+
+    /// A signal as a coupling feels it: about its mean where that outweighs its motion.
+    pub fn centred(&mut self, signal: &Signal) -> String {
+        if signal.mean.abs() < 2.0 * signal.spread {
+            return signal.name.clone();
+        }
+        let name = format!("{}_mean", signal.name);
+        let mean = self.constant(&name, &signal.unit, signal.mean, "mean of the recording");
+        format!("({} - {mean})", signal.name)
     }
 
     fn read(&mut self, text: &str) -> Option<Expr> {

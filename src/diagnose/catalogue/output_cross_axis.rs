@@ -48,7 +48,8 @@ fn at(scene: &Scene, output: &str, s: &Signal, factor: &str) -> Option<Proposal>
     let mut d = Draft::new(scene, "output-cross-axis", SiteKind::Output, output);
     let c = d.amplitude("c", &scene.unit(output).over(&s.unit), ANY, "part of the other motion");
     d.uses(&s.name);
-    d.output(output, &format!("{{}} + {c}*{}{factor}", s.name));
-    d.start(&[scene.signal(output)?.spread / s.size()]);
+    let part = d.centred(s);
+    d.output(output, &format!("{{}} + {c}*{part}{factor}"));
+    d.start(&[scene.signal(output)?.spread / s.spread]);
     d.done(&format!("the sensor of {} also feels {}{factor}, {{0}}", scene.words(output), scene.words(&s.name)))
 }
