@@ -13,7 +13,7 @@ use crate::{Error, Result};
 use std::collections::BTreeMap;
 
 /// Longest stretch, in samples over all recordings, that the screening runs over.
-const SCREENED: usize = 24_000;
+const SCREENED: usize = 40_000;
 
 /// Recordings with what of them is fitted.
 pub struct Bench {
@@ -93,7 +93,7 @@ impl Stand {
 
 /// Samples times states from which on a simulation is long, and below which it is short.
 const LONG: usize = 40_000;
-const SHORT: usize = 6_000;
+const SHORT: usize = 3_000;
 /// Share of the white part of the noise that the simulator's error may have.
 const SOLVER: f64 = 0.05;
 /// Bounds of the simulator's tolerance, as a share of an output's spread.
@@ -122,6 +122,7 @@ impl Bench {
             seed: self.seed,
             separate_holdout: self.separate,
             tolerance: self.tolerance,
+            drawn_starts: if iterations < 60 { 0 } else { 4 },
             stopping: Stopping { iterations, reduction: 1e-6, step: 1e-6 },
             ..FitOptions::default()
         }
