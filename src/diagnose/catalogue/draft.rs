@@ -336,6 +336,13 @@ impl<'a> Draft<'a> {
     pub fn done(mut self, says: &str) -> Option<Proposal> {
         self.proposal.says = says.to_string();
         self.proposal.neutral = neutral(&self.proposal);
+        // The simulator chooses its steps at the model's own values.
+        for (i, a) in self.proposal.added.iter().enumerate() {
+            let value = self.proposal.starts.first().and_then(|s| s.get(i)).copied().unwrap_or(0.0);
+            for p in self.proposal.model.parameters.iter_mut().filter(|p| p.name == a.name) {
+                p.value = value;
+            }
+        }
         let whole = self.proposal.starts.iter().all(|s| s.len() == self.proposal.added.len());
         (!self.failed && whole && !self.proposal.starts.is_empty()).then_some(self.proposal)
     }
