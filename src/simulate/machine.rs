@@ -75,10 +75,14 @@ impl<'a, T: Scalar> Machine<'a, T> {
     }
 
     /// Loads a time: inputs, and what depends on them alone.
+    #[inline]
     pub fn load_time(&mut self, t: f64) {
-        if t == self.loaded {
-            return;
+        if t != self.loaded {
+            self.load_new_time(t);
         }
+    }
+
+    fn load_new_time(&mut self, t: f64) {
         self.loaded = t;
         let into = t - self.mesh.time[self.interval];
         let first = self.interval * self.mesh.columns;
@@ -95,6 +99,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
     }
 
     /// Loads a time and a state.
+    #[inline]
     pub fn load(&mut self, t: f64, x: &[T]) {
         self.load_time(t);
         for (register, value) in self.program.states.iter().zip(x) {

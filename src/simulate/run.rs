@@ -63,10 +63,11 @@ impl Roughness {
     }
 
     fn add<T: Scalar>(&mut self, stepper: &Stepper<T>, h: f64, k1: &[T], x1: &[T]) {
-        for i in 0..self.sums.len() {
-            self.sums[i] += stepper.embedded_error(h, k1, i);
-            let (low, high) = self.ranges[i];
-            self.ranges[i] = (low.min(x1[i].value()), high.max(x1[i].value()));
+        stepper.add_embedded_errors(h, k1, &mut self.sums);
+        for ((low, high), x) in self.ranges.iter_mut().zip(x1) {
+            let x = x.value();
+            *low = if x < *low { x } else { *low };
+            *high = if x > *high { x } else { *high };
         }
     }
 

@@ -69,7 +69,7 @@ pub(super) fn outputs(model: &Model, recording: &Recording) -> Result<Vec<Output
             output: i,
             unit: output.unit.clone(),
             time: c.time.clone(),
-            measured: c.values.clone().into(),
+            measured: c.values.as_slice().into(),
             wraps: c.wraps,
             covered: Vec::new(),
         });

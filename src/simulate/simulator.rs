@@ -54,6 +54,8 @@ pub struct Simulator {
     /// The mesh of models without delayed inputs.
     mesh: Option<Arc<Mesh>>,
     plan: Plan,
+    /// What to take where the plan of order 2 does not do.
+    careful: Option<Plan>,
     tolerance: f64,
 }
 
@@ -81,6 +83,7 @@ impl Simulator {
             span,
             mesh: None,
             plan: Plan { method: Method::Explicit, substeps: 1, error: 0.0, roughness: 0.0 },
+            careful: None,
             tolerance: options.tolerance,
         };
         if simulator.is_dynamic() {
@@ -107,7 +110,10 @@ impl Simulator {
         let mesh = self.mesh_at(&parameters);
         faults::first_step(self, &mesh, &parameters)?;
         let (given, steady) = self.starts(&self.initials());
-        self.plan = plan::plan(&self.course(&mesh, self.plan, &steady), &parameters, &given, self.tolerance)?;
+        let course = self.course(&mesh, self.plan, &steady);
+        let search =
+            Search { course: &course, parameters: &parameters, given: &given, tolerance: self.tolerance };
+        (self.plan, self.careful) = plan::plan(&search)?;
         Ok(())
     }
 
@@ -247,9 +253,9 @@ impl Simulator {
 
     /// Runs one chunk of unknowns and adds what it gives.
     fn add<T: Scalar>(&self, case: &Case<'_>, out: &mut Trajectory) -> Result<()> {
-        let ran = self.ran::<T>(case)?;
+        let (ran, plan) = self.ran::<T>(case)?;
         (out.blew_up, out.events) = (ran.blew_up, ran.events);
-        out.solver_error = self.plan.foretold(ran.roughness);
+        out.solver_error = plan.foretold(ran.roughness);
         let take = |o: usize, f: &dyn Fn(T) -> f64| -> Vec<f64> {
             let (clock, column) = self.places[o];
             let width = self.clocks[clock].registers.len();
@@ -265,7 +271,8 @@ impl Simulator {
         Ok(())
     }
 
-    pub(super) fn ran<T: Scalar>(&self, case: &Case<'_>) -> Result<Ran<T>> {
+    /// Runs, and gives the plan that did.
+    pub(super) fn ran<T: Scalar>(&self, case: &Case<'_>) -> Result<(Ran<T>, Plan)> {
         let direction =
             |unknown: Unknown| case.unknowns.iter().position(|u| *u == unknown).unwrap_or(usize::MAX);
         let known = |k: usize| self.constants.iter().any(|c| c.0 == k);
@@ -276,7 +283,7 @@ impl Simulator {
         let parameters: Vec<T> = case.parameters.iter().enumerate().map(parameter).collect();
         if !self.is_dynamic() {
             let values = static_run::run(&self.program, &self.samples, case.clocks, &parameters);
-            return Ok(Ran { values, roughness: 0.0, blew_up: None, events: 0 });
+            return Ok((Ran { values, roughness: 0.0, blew_up: None, events: 0 }, self.plan));
         }
         let (starts, steady) = self.starts(case.initials);
         let given: Vec<T> =
@@ -288,7 +295,7 @@ impl Simulator {
             let ran = run(&course, &parameters, &given)?;
             match self.better(&course, plan, &ran, (&case.parameters, &starts))? {
                 Some(next) => plan = next,
-                None => return Ok(ran),
+                None => return Ok((ran, plan)),
             }
         }
     }
@@ -303,8 +310,12 @@ impl Simulator {
     ) -> Result<Option<Plan>> {
         let excess = plan.foretold(ran.roughness) / (SLACK * self.tolerance.max(self.plan.error));
         let blew_up = ran.blew_up.is_some();
-        if plan.method != self.plan.method || self.plan.error.is_nan() || !(blew_up || excess > 1.0) {
+        let was_sought = plan.method == Method::Stiff && self.plan.method != Method::Stiff;
+        if was_sought || self.plan.error.is_nan() || !(blew_up || excess > 1.0) {
             return Ok(None);
+        }
+        if plan.method == Method::Heun {
+            return Ok(self.careful);
         }
         let finer = plan.finer(excess.powf(0.25));
         let most = plan::most_substeps(plan.method, course.mesh.intervals());

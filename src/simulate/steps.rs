@@ -2,16 +2,19 @@
 //! One step of the solver between two times with straight inputs and held switches.
 //!
 //! # Method
-//! Explicit: the classical Runge-Kutta method of order 4. Stiff: RODAS, a Rosenbrock method of
+//! Explicit: the classical Runge-Kutta method of order 4. Heun: the Runge-Kutta method of order 2
+//! that evaluates the rates at the ends of the step alone. Stiff: RODAS, a Rosenbrock method of
 //! order 4 with six stages, L-stable and stiffly accurate, with the exact Jacobian.
 //!
 //! # References
+//! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed.,
+//! Springer 1993, section II.1.
 //! E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, 2nd ed., Springer 1996,
 //! section IV.7 and the coefficients of its code RODAS, in the form of A. Sandu et al.,
 //! Atmos. Environ. 31 (1997) 3459-3472.
 //!
 //! # Numerical aspects
-//! Both run in dual numbers throughout, the Jacobian's entries included, so tangents are the exact
+//! All run in dual numbers throughout, the Jacobian's entries included, so tangents are the exact
 //! derivatives of the computed values.
 
 use super::linear::Factors;
@@ -23,6 +26,8 @@ use crate::model::Scalar;
 pub enum Method {
     /// Classical Runge-Kutta, order 4.
     Explicit,
+    /// Heun's method, order 2, for recordings that sample far faster than the model moves.
+    Heun,
     /// RODAS, order 4, for models with a fast lag beside slow motion.
     Stiff,
 }
@@ -42,7 +47,11 @@ pub(super) struct Stepper<T> {
 impl<T: Scalar> Stepper<T> {
     pub fn new(method: Method, n: usize) -> Self {
         let zeros = |n: usize| vec![T::constant(0.0); n];
-        let (stages, square) = if method == Method::Stiff { (6, n * n) } else { (3, 0) };
+        let (stages, square) = match method {
+            Method::Explicit => (3, 0),
+            Method::Heun => (1, 0),
+            Method::Stiff => (6, n * n),
+        };
         Self {
             method,
             stage: zeros(n),
@@ -59,16 +68,39 @@ impl<T: Scalar> Stepper<T> {
     pub fn step(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
         match self.method {
             Method::Explicit => self.explicit(m, (t, h), (x, k1), out),
+            Method::Heun => self.heun(m, (t, h), (x, k1), out),
             Method::Stiff => self.stiff(m, (t, h), (x, k1), out),
         }
     }
 
-    /// The embedded error of a state in the last step, of h s, with the rates at its end.
-    pub fn embedded_error(&self, h: f64, k_end: &[T], state: usize) -> f64 {
-        match self.method {
+    /// Adds the embedded errors of the last step, of h s and with the rates k at its end, to sums
+    /// state by state.
+    pub fn add_embedded_errors(&self, h: f64, k: &[T], sums: &mut [f64]) {
+        let last = self.k[self.k.len() - 1].iter().map(|k| k.value());
+        let weight = match self.method {
             // h·(k₄ − k₅)/6
-            Method::Explicit => (self.k[2][state].value() - k_end[state].value()).abs() * h / 6.0,
-            Method::Stiff => self.k[5][state].value().abs(),
+            Method::Explicit => h / 6.0,
+            // h·(k₂ − k₃)/2
+            Method::Heun => h / 2.0,
+            Method::Stiff => {
+                sums.iter_mut().zip(last).for_each(|(sum, u)| *sum += u.abs());
+                return;
+            }
+        };
+        for ((sum, last), k) in sums.iter_mut().zip(last).zip(k) {
+            *sum += weight * (last - k.value()).abs();
+        }
+    }
+
+    fn heun(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
+        let k2 = &mut self.k[0];
+        for i in 0..x.len() {
+            out[i] = x[i] + k1[i].scale(h);
+        }
+        m.rates(t + h, out, k2);
+        for i in 0..x.len() {
+            // x + h·(k₁ + k₂)/2
+            out[i] = x[i] + (k1[i] + k2[i]).scale(0.5 * h);
         }
     }
 

@@ -36,7 +36,7 @@ impl Simulator {
         let clocks = [Clock { time: time.clone(), registers: lists.concat() }];
         let case =
             Case { parameters: self.with_constants(parameters), initials, unknowns: &[], clocks: &clocks };
-        let ran = self.ran::<f64>(&case)?;
+        let (ran, _) = self.ran::<f64>(&case)?;
         let width = clocks[0].registers.len().max(1);
         let (from, to) = self.span();
         let column = |c: usize| -> Vec<f64> {

@@ -31,18 +31,32 @@ fn a_damped_oscillator_swings_as_it_should() {
 }
 
 #[test]
-fn both_methods_are_of_order_four() {
+fn methods_are_of_their_orders() {
     let time = times(20.0, 0.1);
     let r = recording(vec![channel("y", "m", &time, |_| 0.0)]);
     let model = Model::parse(OSCILLATOR).unwrap();
-    for method in [Method::Explicit, Method::Stiff] {
+    for (method, wanted) in [(Method::Explicit, 4.0), (Method::Stiff, 4.0), (Method::Heun, 2.0)] {
         let error = |n: usize| {
             let options = Options { fixed: Some((method, n)), ..Options::default() };
             worst(&time, &outputs(&Simulator::new(&model, &r, &options).unwrap()), decay)
         };
         let order = (error(1) / error(2)).log2();
-        assert!((order - 4.0).abs() < 0.3, "{method:?}: order {order}");
+        assert!((order - wanted).abs() < 0.3, "{method:?}: order {order}");
     }
+}
+
+#[test]
+fn what_is_sampled_finely_takes_two_evaluations_a_step_until_it_moves_faster() {
+    let time = times(20.0, 2e-4);
+    let r = recording(vec![channel("y", "m", &time, |_| 0.0)]);
+    let s = Simulator::new(&Model::parse(OSCILLATOR).unwrap(), &r, &Options::default()).unwrap();
+    assert_eq!(s.steps().0, Method::Heun);
+    assert!(worst(&time, &outputs(&s), decay) < 2e-5);
+    let fast = s.run(&[600.0, 0.1], &[1.0, 0.0]).unwrap();
+    let wd = (3.6e5f64 - 0.01).sqrt();
+    let exact = |t: f64| (-0.1 * t).exp() * ((wd * t).cos() + 0.1 / wd * (wd * t).sin());
+    assert!(worst(&time, &fast.outputs[0], exact) < 2e-4, "{}", worst(&time, &fast.outputs[0], exact));
+    assert!(fast.solver_error < 4.1e-5, "{}", fast.solver_error);
 }
 
 #[test]
