@@ -150,25 +150,32 @@ impl Dimension {
         Self(self.0.map(|e| e.times(exponent)))
     }
 
-    /// The text in base units after one derived unit has been taken out, and its length in factors.
-    fn spelled(self, derived: &str) -> (usize, String) {
+    /// The text in base units after one derived unit has been taken out, and its length: the sum of all powers.
+    fn spelled(self, derived: &str) -> (f64, String) {
         let mut over = Vec::new();
         let mut under = Vec::new();
+        let mut length = 0.0;
         if !derived.is_empty() {
             over.push(derived.to_string());
+            length += 1.0;
         }
         for (name, e) in BASE.iter().zip(self.0) {
             let list = if e.numerator < 0 { &mut under } else { &mut over };
             let size = if e.numerator < 0 { e.negative() } else { e };
+            length += size.to_f64();
             match size {
                 Ratio::ZERO => {}
                 Ratio::ONE => list.push((*name).to_string()),
                 _ => list.push(format!("{name}^{size}")),
             }
         }
-        let count = over.len() + under.len();
         let head = if over.is_empty() { "1".to_string() } else { over.join("*") };
-        (count, [vec![head], under].concat().join("/"))
+        (length, [vec![head], under].concat().join("/"))
+    }
+
+    /// Whether a power of mass is in it; nobody writes N/kg or W*kg.
+    fn has_mass(self) -> bool {
+        self.0[1] != Ratio::ZERO
     }
 }
 
@@ -177,7 +184,9 @@ impl fmt::Display for Dimension {
         let plain = self.spelled("");
         let best = names::DERIVED
             .iter()
-            .map(|(name, powers)| self.over(Self::whole(*powers)).spelled(name))
+            .map(|(name, powers)| (name, self.over(Self::whole(*powers))))
+            .filter(|(_, rest)| !rest.has_mass())
+            .map(|(name, rest)| rest.spelled(name))
             .fold(plain, |best, other| if other.0 < best.0 { other } else { best });
         f.write_str(&best.1)
     }

@@ -55,8 +55,17 @@ fn errors_name_the_nearest() {
 
 #[test]
 fn dimensions_spell_short() {
-    for (unit, text) in [("kg*m/s^2", "N"), ("deg/s", "1/s"), ("V/s", "V/s"), ("N/m", "kg/s^2"), ("deg", "1")]
-    {
+    for (unit, text) in [
+        ("kg*m/s^2", "N"),
+        ("deg/s", "1/s"),
+        ("V/s", "V/s"),
+        ("N/m", "N/m"),
+        ("N*m*s", "N*m*s"),
+        ("m/s^2", "m/s^2"),
+        ("Pa*s", "Pa*s"),
+        ("kg*m^2", "m^2*kg"),
+        ("deg", "1"),
+    ] {
         assert_eq!(u(unit).dimension().to_string(), text);
         assert_eq!(u(text).dimension(), u(unit).dimension());
     }
