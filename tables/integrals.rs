@@ -1,2305 +1,591 @@
 // I_n = (1/2 pi) integral of G(jw) / (H(jw) H(-jw)) dw over all w,
 // H(s) = a0 s^n + a1 s^(n-1) + ... + an with all roots in the left half plane,
 // G(s) = b0 s^(2n-2) + b1 s^(2n-4) + ... + b(n-1).
-// The ratio of the published determinants, in shared minors; written by `gyrospec table`.
+// The ratio of the published determinants, by Routh's rows.
+// Where H is not stable: not a number.
+// Relative error measured at 2000 random points an order, damping ratios from 0.2, terms of G of
+// one sign: at most 4e-15 up to order 10 and 2e-14 up to order 14. Elsewhere it grows with the
+// condition of the integral; `gyrospec integral` gives all digits and a bound for any H and G.
+// Written by `gyrospec table`.
 
 /// I_1 from a0 ... a1 and b0 ... b0.
 pub fn i1(a: &[f64; 2], b: &[f64; 1]) -> f64 {
-    let determinant = a[1];
-    let numerator = b[0];
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let y0 = b[0] / a[1];
+    let stable = q1 > 0.0;
+    if stable { y0 / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_2 from a0 ... a2 and b0 ... b1.
 pub fn i2(a: &[f64; 3], b: &[f64; 2]) -> f64 {
-    let determinant = a[1] * a[2];
-    let numerator = -b[0] * a[2] + b[1] * a[0];
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let q2 = a[1] / a[2];
+    let y0 = b[0] / a[1];
+    let y1 = b[1] / a[2];
+    let stable = q1 > 0.0 && q2 > 0.0;
+    if stable { (q1 * y1 - y0) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_3 from a0 ... a3 and b0 ... b2.
 pub fn i3(a: &[f64; 4], b: &[f64; 3]) -> f64 {
-    let determinant = a[1] * a[2] * a[3] - a[3] * a[0] * a[3];
-    let numerator = b[0] * a[2] * a[3] - b[1] * a[0] * a[3] + b[2] * a[0] * a[1];
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let q2 = a[1] / r2_0;
+    let q3 = r2_0 / a[3];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = b[2] / a[3];
+    let z1 = y1 - q2 * y2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0;
+    if stable { (y0 - q1 * z1) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_4 from a0 ... a4 and b0 ... b3.
 pub fn i4(a: &[f64; 5], b: &[f64; 4]) -> f64 {
-    let m0 = a[2] * a[3] * a[4] - a[4] * a[1] * a[4];
-    let m1 = a[1] * a[2] - a[3] * a[0];
-    let determinant = a[1] * m0 - a[3] * a[0] * a[3] * a[4];
-    let numerator = -b[0] * m0 + b[1] * a[0] * a[3] * a[4] - b[2] * a[0] * a[1] * a[4]
-        + b[3] * a[0] * m1;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * a[4];
+    let q3 = r2_0 / r3_0;
+    let q4 = r3_0 / a[4];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[4] * y1) / r3_0;
+    let y3 = b[3] / a[4];
+    let z2 = y2 - q3 * y3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0;
+    if stable { (q1 * z1 - y0) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_5 from a0 ... a5 and b0 ... b4.
 pub fn i5(a: &[f64; 6], b: &[f64; 5]) -> f64 {
-    let m0 = a[3] * a[4] * a[5] - a[5] * a[2] * a[5];
-    let m1 = a[1] * a[4] * a[5] - a[5] * a[0] * a[5];
-    let m2 = a[2] * m0 - a[4] * m1;
-    let m3 = a[1] * a[2] * a[5] - a[3] * a[0] * a[5];
-    let m4 = a[2] * a[3] - a[4] * a[1];
-    let m5 = a[1] * m4 - a[3] * a[0] * a[3] + a[5] * a[0] * a[1];
-    let determinant = a[1] * m2 - a[3] * a[0] * m0 + a[5] * a[0] * m1;
-    let numerator = b[0] * m2 - b[1] * a[0] * m0 + b[2] * a[0] * m1 - b[3] * a[0] * m3
-        + b[4] * a[0] * m5;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * a[5];
+    let q4 = r3_0 / r4_0;
+    let q5 = r4_0 / a[5];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[5] * y2) / r4_0;
+    let y4 = b[4] / a[5];
+    let z3 = y3 - q4 * y4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0;
+    if stable { (y0 - q1 * z1) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_6 from a0 ... a6 and b0 ... b5.
 pub fn i6(a: &[f64; 7], b: &[f64; 6]) -> f64 {
-    let m0 = a[4] * a[5] * a[6] - a[6] * a[3] * a[6];
-    let m1 = a[2] * a[5] * a[6] - a[6] * a[1] * a[6];
-    let m2 = a[3] * m0 - a[5] * m1;
-    let m3 = a[1] * m0 - a[5] * a[0] * a[5] * a[6];
-    let m4 = a[1] * m1 - a[3] * a[0] * a[5] * a[6];
-    let m5 = a[2] * m2 - a[4] * m3 + a[6] * m4;
-    let m6 = a[2] * a[3] * a[6] - a[4] * a[1] * a[6];
-    let m7 = a[1] * m6 - a[3] * a[0] * a[3] * a[6] + a[5] * a[0] * a[1] * a[6];
-    let m8 = a[3] * a[4] - a[5] * a[2];
-    let m9 = a[1] * a[4] - a[5] * a[0];
-    let m10 = a[1] * a[2] - a[3] * a[0];
-    let m11 = a[2] * m8 - a[4] * m9 + a[6] * m10;
-    let m12 = a[1] * m11 - a[3] * a[0] * m8 + a[5] * a[0] * m9;
-    let determinant = a[1] * m5 - a[3] * a[0] * m2 + a[5] * a[0] * m3;
-    let numerator = -b[0] * m5 + b[1] * a[0] * m2 - b[2] * a[0] * m3 + b[3] * a[0] * m4
-        - b[4] * a[0] * m7 + b[5] * a[0] * m12;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * a[6];
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * a[6];
+    let q5 = r4_0 / r5_0;
+    let q6 = r5_0 / a[6];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[6] * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[6] * y3) / r5_0;
+    let y5 = b[5] / a[6];
+    let z4 = y4 - q5 * y5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0;
+    if stable { (q1 * z1 - y0) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_7 from a0 ... a7 and b0 ... b6.
 pub fn i7(a: &[f64; 8], b: &[f64; 7]) -> f64 {
-    let m0 = a[5] * a[6] * a[7] - a[7] * a[4] * a[7];
-    let m1 = a[3] * a[6] * a[7] - a[7] * a[2] * a[7];
-    let m2 = a[4] * m0 - a[6] * m1;
-    let m3 = a[1] * a[6] * a[7] - a[7] * a[0] * a[7];
-    let m4 = a[2] * m0 - a[6] * m3;
-    let m5 = a[2] * m1 - a[4] * m3;
-    let m6 = a[3] * m2 - a[5] * m4 + a[7] * m5;
-    let m7 = a[1] * m2 - a[5] * a[0] * m0 + a[7] * a[0] * m1;
-    let m8 = a[1] * m4 - a[3] * a[0] * m0 + a[7] * a[0] * m3;
-    let m9 = a[2] * m6 - a[4] * m7 + a[6] * m8;
-    let m10 = a[1] * m5 - a[3] * a[0] * m1 + a[5] * a[0] * m3;
-    let m11 = a[3] * a[4] * a[7] - a[5] * a[2] * a[7];
-    let m12 = a[1] * a[4] * a[7] - a[5] * a[0] * a[7];
-    let m13 = a[1] * a[2] * a[7] - a[3] * a[0] * a[7];
-    let m14 = a[2] * m11 - a[4] * m12 + a[6] * m13;
-    let m15 = a[1] * m14 - a[3] * a[0] * m11 + a[5] * a[0] * m12 - a[7] * a[0] * m13;
-    let m16 = a[4] * a[5] - a[6] * a[3];
-    let m17 = a[2] * a[5] - a[6] * a[1];
-    let m18 = a[2] * a[3] - a[4] * a[1];
-    let m19 = a[3] * m16 - a[5] * m17 + a[7] * m18;
-    let m20 = a[1] * m16 - a[5] * a[0] * a[5] + a[7] * a[0] * a[3];
-    let m21 = a[1] * m17 - a[3] * a[0] * a[5] + a[7] * a[0] * a[1];
-    let m22 = a[2] * m19 - a[4] * m20 + a[6] * m21;
-    let m23 = a[1] * m22 - a[3] * a[0] * m19 + a[5] * a[0] * m20 - a[7] * a[0] * m21;
-    let determinant = a[1] * m9 - a[3] * a[0] * m6 + a[5] * a[0] * m7 - a[7] * a[0] * m8;
-    let numerator = b[0] * m9 - b[1] * a[0] * m6 + b[2] * a[0] * m7 - b[3] * a[0] * m8
-        + b[4] * a[0] * m10 - b[5] * a[0] * m15 + b[6] * a[0] * m23;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let r2_2 = a[6] - q1 * a[7];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * r2_2;
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let r4_1 = r2_2 - q3 * a[7];
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * r4_1;
+    let q5 = r4_0 / r5_0;
+    let r6_0 = r4_1 - q5 * a[7];
+    let q6 = r5_0 / r6_0;
+    let q7 = r6_0 / a[7];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[7] * y0 - r2_2 * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[7] * y2 - r4_1 * y3) / r5_0;
+    let y5 = (b[5] - a[7] * y4) / r6_0;
+    let y6 = b[6] / a[7];
+    let z5 = y5 - q6 * y6;
+    let z4 = y4 - q5 * z5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0 && q7 > 0.0;
+    if stable { (y0 - q1 * z1) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_8 from a0 ... a8 and b0 ... b7.
 pub fn i8(a: &[f64; 9], b: &[f64; 8]) -> f64 {
-    let m0 = a[6] * a[7] * a[8] - a[8] * a[5] * a[8];
-    let m1 = a[4] * a[7] * a[8] - a[8] * a[3] * a[8];
-    let m2 = a[5] * m0 - a[7] * m1;
-    let m3 = a[2] * a[7] * a[8] - a[8] * a[1] * a[8];
-    let m4 = a[3] * m0 - a[7] * m3;
-    let m5 = a[3] * m1 - a[5] * m3;
-    let m6 = a[4] * m2 - a[6] * m4 + a[8] * m5;
-    let m7 = a[1] * m0 - a[7] * a[0] * a[7] * a[8];
-    let m8 = a[1] * m1 - a[5] * a[0] * a[7] * a[8];
-    let m9 = a[2] * m2 - a[6] * m7 + a[8] * m8;
-    let m10 = a[1] * m3 - a[3] * a[0] * a[7] * a[8];
-    let m11 = a[2] * m4 - a[4] * m7 + a[8] * m10;
-    let m12 = a[3] * m6 - a[5] * m9 + a[7] * m11;
-    let m13 = a[1] * m6 - a[5] * a[0] * m2 + a[7] * a[0] * m4;
-    let m14 = a[1] * m9 - a[3] * a[0] * m2 + a[7] * a[0] * m7;
-    let m15 = a[1] * m11 - a[3] * a[0] * m4 + a[5] * a[0] * m7;
-    let m16 = a[2] * m12 - a[4] * m13 + a[6] * m14 - a[8] * m15;
-    let m17 = a[2] * m5 - a[4] * m8 + a[6] * m10;
-    let m18 = a[1] * m17 - a[3] * a[0] * m5 + a[5] * a[0] * m8 - a[7] * a[0] * m10;
-    let m19 = a[4] * a[5] * a[8] - a[6] * a[3] * a[8];
-    let m20 = a[2] * a[5] * a[8] - a[6] * a[1] * a[8];
-    let m21 = a[2] * a[3] * a[8] - a[4] * a[1] * a[8];
-    let m22 = a[3] * m19 - a[5] * m20 + a[7] * m21;
-    let m23 = a[1] * m19 - a[5] * a[0] * a[5] * a[8] + a[7] * a[0] * a[3] * a[8];
-    let m24 = a[1] * m20 - a[3] * a[0] * a[5] * a[8] + a[7] * a[0] * a[1] * a[8];
-    let m25 = a[1] * m21 - a[3] * a[0] * a[3] * a[8] + a[5] * a[0] * a[1] * a[8];
-    let m26 = a[2] * m22 - a[4] * m23 + a[6] * m24 - a[8] * m25;
-    let m27 = a[1] * m26 - a[3] * a[0] * m22 + a[5] * a[0] * m23 - a[7] * a[0] * m24;
-    let m28 = a[5] * a[6] - a[7] * a[4];
-    let m29 = a[3] * a[6] - a[7] * a[2];
-    let m30 = a[3] * a[4] - a[5] * a[2];
-    let m31 = a[4] * m28 - a[6] * m29 + a[8] * m30;
-    let m32 = a[1] * a[6] - a[7] * a[0];
-    let m33 = a[1] * a[4] - a[5] * a[0];
-    let m34 = a[2] * m28 - a[6] * m32 + a[8] * m33;
-    let m35 = a[1] * a[2] - a[3] * a[0];
-    let m36 = a[2] * m29 - a[4] * m32 + a[8] * m35;
-    let m37 = a[3] * m31 - a[5] * m34 + a[7] * m36;
-    let m38 = a[1] * m31 - a[5] * a[0] * m28 + a[7] * a[0] * m29;
-    let m39 = a[1] * m34 - a[3] * a[0] * m28 + a[7] * a[0] * m32;
-    let m40 = a[1] * m36 - a[3] * a[0] * m29 + a[5] * a[0] * m32;
-    let m41 = a[2] * m37 - a[4] * m38 + a[6] * m39 - a[8] * m40;
-    let m42 = a[1] * m41 - a[3] * a[0] * m37 + a[5] * a[0] * m38 - a[7] * a[0] * m39;
-    let determinant = a[1] * m16 - a[3] * a[0] * m12 + a[5] * a[0] * m13 - a[7] * a[0] * m14;
-    let numerator = -b[0] * m16 + b[1] * a[0] * m12 - b[2] * a[0] * m13 + b[3] * a[0] * m14
-        - b[4] * a[0] * m15 + b[5] * a[0] * m18 - b[6] * a[0] * m27 + b[7] * a[0] * m42;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let r2_2 = a[6] - q1 * a[7];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * r2_2;
+    let r3_2 = a[7] - q2 * a[8];
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let r4_1 = r2_2 - q3 * r3_2;
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * r4_1;
+    let r5_1 = r3_2 - q4 * a[8];
+    let q5 = r4_0 / r5_0;
+    let r6_0 = r4_1 - q5 * r5_1;
+    let q6 = r5_0 / r6_0;
+    let r7_0 = r5_1 - q6 * a[8];
+    let q7 = r6_0 / r7_0;
+    let q8 = r7_0 / a[8];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[7] * y0 - r2_2 * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[8] * y1 - r3_2 * y2 - r4_1 * y3) / r5_0;
+    let y5 = (b[5] - a[8] * y3 - r5_1 * y4) / r6_0;
+    let y6 = (b[6] - a[8] * y5) / r7_0;
+    let y7 = b[7] / a[8];
+    let z6 = y6 - q7 * y7;
+    let z5 = y5 - q6 * z6;
+    let z4 = y4 - q5 * z5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0 && q7 > 0.0
+        && q8 > 0.0;
+    if stable { (q1 * z1 - y0) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_9 from a0 ... a9 and b0 ... b8.
 pub fn i9(a: &[f64; 10], b: &[f64; 9]) -> f64 {
-    let m0 = a[7] * a[8] * a[9] - a[9] * a[6] * a[9];
-    let m1 = a[5] * a[8] * a[9] - a[9] * a[4] * a[9];
-    let m2 = a[6] * m0 - a[8] * m1;
-    let m3 = a[3] * a[8] * a[9] - a[9] * a[2] * a[9];
-    let m4 = a[4] * m0 - a[8] * m3;
-    let m5 = a[4] * m1 - a[6] * m3;
-    let m6 = a[5] * m2 - a[7] * m4 + a[9] * m5;
-    let m7 = a[1] * a[8] * a[9] - a[9] * a[0] * a[9];
-    let m8 = a[2] * m0 - a[8] * m7;
-    let m9 = a[2] * m1 - a[6] * m7;
-    let m10 = a[3] * m2 - a[7] * m8 + a[9] * m9;
-    let m11 = a[2] * m3 - a[4] * m7;
-    let m12 = a[3] * m4 - a[5] * m8 + a[9] * m11;
-    let m13 = a[4] * m6 - a[6] * m10 + a[8] * m12;
-    let m14 = a[1] * m2 - a[7] * a[0] * m0 + a[9] * a[0] * m1;
-    let m15 = a[1] * m4 - a[5] * a[0] * m0 + a[9] * a[0] * m3;
-    let m16 = a[2] * m6 - a[6] * m14 + a[8] * m15;
-    let m17 = a[1] * m8 - a[3] * a[0] * m0 + a[9] * a[0] * m7;
-    let m18 = a[2] * m10 - a[4] * m14 + a[8] * m17;
-    let m19 = a[2] * m12 - a[4] * m15 + a[6] * m17;
-    let m20 = a[3] * m13 - a[5] * m16 + a[7] * m18 - a[9] * m19;
-    let m21 = a[1] * m13 - a[5] * a[0] * m6 + a[7] * a[0] * m10 - a[9] * a[0] * m12;
-    let m22 = a[1] * m16 - a[3] * a[0] * m6 + a[7] * a[0] * m14 - a[9] * a[0] * m15;
-    let m23 = a[1] * m18 - a[3] * a[0] * m10 + a[5] * a[0] * m14 - a[9] * a[0] * m17;
-    let m24 = a[2] * m20 - a[4] * m21 + a[6] * m22 - a[8] * m23;
-    let m25 = a[1] * m19 - a[3] * a[0] * m12 + a[5] * a[0] * m15 - a[7] * a[0] * m17;
-    let m26 = a[3] * m5 - a[5] * m9 + a[7] * m11;
-    let m27 = a[1] * m5 - a[5] * a[0] * m1 + a[7] * a[0] * m3;
-    let m28 = a[1] * m9 - a[3] * a[0] * m1 + a[7] * a[0] * m7;
-    let m29 = a[1] * m11 - a[3] * a[0] * m3 + a[5] * a[0] * m7;
-    let m30 = a[2] * m26 - a[4] * m27 + a[6] * m28 - a[8] * m29;
-    let m31 = a[1] * m30 - a[3] * a[0] * m26 + a[5] * a[0] * m27 - a[7] * a[0] * m28
-        + a[9] * a[0] * m29;
-    let m32 = a[5] * a[6] * a[9] - a[7] * a[4] * a[9];
-    let m33 = a[3] * a[6] * a[9] - a[7] * a[2] * a[9];
-    let m34 = a[3] * a[4] * a[9] - a[5] * a[2] * a[9];
-    let m35 = a[4] * m32 - a[6] * m33 + a[8] * m34;
-    let m36 = a[1] * a[6] * a[9] - a[7] * a[0] * a[9];
-    let m37 = a[1] * a[4] * a[9] - a[5] * a[0] * a[9];
-    let m38 = a[2] * m32 - a[6] * m36 + a[8] * m37;
-    let m39 = a[1] * a[2] * a[9] - a[3] * a[0] * a[9];
-    let m40 = a[2] * m33 - a[4] * m36 + a[8] * m39;
-    let m41 = a[2] * m34 - a[4] * m37 + a[6] * m39;
-    let m42 = a[3] * m35 - a[5] * m38 + a[7] * m40 - a[9] * m41;
-    let m43 = a[1] * m35 - a[5] * a[0] * m32 + a[7] * a[0] * m33 - a[9] * a[0] * m34;
-    let m44 = a[1] * m38 - a[3] * a[0] * m32 + a[7] * a[0] * m36 - a[9] * a[0] * m37;
-    let m45 = a[1] * m40 - a[3] * a[0] * m33 + a[5] * a[0] * m36 - a[9] * a[0] * m39;
-    let m46 = a[2] * m42 - a[4] * m43 + a[6] * m44 - a[8] * m45;
-    let m47 = a[1] * m46 - a[3] * a[0] * m42 + a[5] * a[0] * m43 - a[7] * a[0] * m44
-        + a[9] * a[0] * m45;
-    let m48 = a[6] * a[7] - a[8] * a[5];
-    let m49 = a[4] * a[7] - a[8] * a[3];
-    let m50 = a[4] * a[5] - a[6] * a[3];
-    let m51 = a[5] * m48 - a[7] * m49 + a[9] * m50;
-    let m52 = a[2] * a[7] - a[8] * a[1];
-    let m53 = a[2] * a[5] - a[6] * a[1];
-    let m54 = a[3] * m48 - a[7] * m52 + a[9] * m53;
-    let m55 = a[2] * a[3] - a[4] * a[1];
-    let m56 = a[3] * m49 - a[5] * m52 + a[9] * m55;
-    let m57 = a[4] * m51 - a[6] * m54 + a[8] * m56;
-    let m58 = a[1] * m48 - a[7] * a[0] * a[7] + a[9] * a[0] * a[5];
-    let m59 = a[1] * m49 - a[5] * a[0] * a[7] + a[9] * a[0] * a[3];
-    let m60 = a[2] * m51 - a[6] * m58 + a[8] * m59;
-    let m61 = a[1] * m52 - a[3] * a[0] * a[7] + a[9] * a[0] * a[1];
-    let m62 = a[2] * m54 - a[4] * m58 + a[8] * m61;
-    let m63 = a[2] * m56 - a[4] * m59 + a[6] * m61;
-    let m64 = a[3] * m57 - a[5] * m60 + a[7] * m62 - a[9] * m63;
-    let m65 = a[1] * m57 - a[5] * a[0] * m51 + a[7] * a[0] * m54 - a[9] * a[0] * m56;
-    let m66 = a[1] * m60 - a[3] * a[0] * m51 + a[7] * a[0] * m58 - a[9] * a[0] * m59;
-    let m67 = a[1] * m62 - a[3] * a[0] * m54 + a[5] * a[0] * m58 - a[9] * a[0] * m61;
-    let m68 = a[2] * m64 - a[4] * m65 + a[6] * m66 - a[8] * m67;
-    let m69 = a[1] * m68 - a[3] * a[0] * m64 + a[5] * a[0] * m65 - a[7] * a[0] * m66
-        + a[9] * a[0] * m67;
-    let determinant = a[1] * m24 - a[3] * a[0] * m20 + a[5] * a[0] * m21 - a[7] * a[0] * m22
-        + a[9] * a[0] * m23;
-    let numerator = b[0] * m24 - b[1] * a[0] * m20 + b[2] * a[0] * m21 - b[3] * a[0] * m22
-        + b[4] * a[0] * m23 - b[5] * a[0] * m25 + b[6] * a[0] * m31 - b[7] * a[0] * m47
-        + b[8] * a[0] * m69;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let r2_2 = a[6] - q1 * a[7];
+    let r2_3 = a[8] - q1 * a[9];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * r2_2;
+    let r3_2 = a[7] - q2 * r2_3;
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let r4_1 = r2_2 - q3 * r3_2;
+    let r4_2 = r2_3 - q3 * a[9];
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * r4_1;
+    let r5_1 = r3_2 - q4 * r4_2;
+    let q5 = r4_0 / r5_0;
+    let r6_0 = r4_1 - q5 * r5_1;
+    let r6_1 = r4_2 - q5 * a[9];
+    let q6 = r5_0 / r6_0;
+    let r7_0 = r5_1 - q6 * r6_1;
+    let q7 = r6_0 / r7_0;
+    let r8_0 = r6_1 - q7 * a[9];
+    let q8 = r7_0 / r8_0;
+    let q9 = r8_0 / a[9];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[7] * y0 - r2_2 * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[9] * y0 - r2_3 * y1 - r3_2 * y2 - r4_1 * y3) / r5_0;
+    let y5 = (b[5] - a[9] * y2 - r4_2 * y3 - r5_1 * y4) / r6_0;
+    let y6 = (b[6] - a[9] * y4 - r6_1 * y5) / r7_0;
+    let y7 = (b[7] - a[9] * y6) / r8_0;
+    let y8 = b[8] / a[9];
+    let z7 = y7 - q8 * y8;
+    let z6 = y6 - q7 * z7;
+    let z5 = y5 - q6 * z6;
+    let z4 = y4 - q5 * z5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0 && q7 > 0.0
+        && q8 > 0.0 && q9 > 0.0;
+    if stable { (y0 - q1 * z1) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_10 from a0 ... a10 and b0 ... b9.
 pub fn i10(a: &[f64; 11], b: &[f64; 10]) -> f64 {
-    let m0 = a[8] * a[9] * a[10] - a[10] * a[7] * a[10];
-    let m1 = a[6] * a[9] * a[10] - a[10] * a[5] * a[10];
-    let m2 = a[7] * m0 - a[9] * m1;
-    let m3 = a[4] * a[9] * a[10] - a[10] * a[3] * a[10];
-    let m4 = a[5] * m0 - a[9] * m3;
-    let m5 = a[5] * m1 - a[7] * m3;
-    let m6 = a[6] * m2 - a[8] * m4 + a[10] * m5;
-    let m7 = a[2] * a[9] * a[10] - a[10] * a[1] * a[10];
-    let m8 = a[3] * m0 - a[9] * m7;
-    let m9 = a[3] * m1 - a[7] * m7;
-    let m10 = a[4] * m2 - a[8] * m8 + a[10] * m9;
-    let m11 = a[3] * m3 - a[5] * m7;
-    let m12 = a[4] * m4 - a[6] * m8 + a[10] * m11;
-    let m13 = a[5] * m6 - a[7] * m10 + a[9] * m12;
-    let m14 = a[1] * m0 - a[9] * a[0] * a[9] * a[10];
-    let m15 = a[1] * m1 - a[7] * a[0] * a[9] * a[10];
-    let m16 = a[2] * m2 - a[8] * m14 + a[10] * m15;
-    let m17 = a[1] * m3 - a[5] * a[0] * a[9] * a[10];
-    let m18 = a[2] * m4 - a[6] * m14 + a[10] * m17;
-    let m19 = a[3] * m6 - a[7] * m16 + a[9] * m18;
-    let m20 = a[1] * m7 - a[3] * a[0] * a[9] * a[10];
-    let m21 = a[2] * m8 - a[4] * m14 + a[10] * m20;
-    let m22 = a[3] * m10 - a[5] * m16 + a[9] * m21;
-    let m23 = a[3] * m12 - a[5] * m18 + a[7] * m21;
-    let m24 = a[4] * m13 - a[6] * m19 + a[8] * m22 - a[10] * m23;
-    let m25 = a[1] * m6 - a[7] * a[0] * m2 + a[9] * a[0] * m4;
-    let m26 = a[1] * m10 - a[5] * a[0] * m2 + a[9] * a[0] * m8;
-    let m27 = a[1] * m12 - a[5] * a[0] * m4 + a[7] * a[0] * m8;
-    let m28 = a[2] * m13 - a[6] * m25 + a[8] * m26 - a[10] * m27;
-    let m29 = a[1] * m16 - a[3] * a[0] * m2 + a[9] * a[0] * m14;
-    let m30 = a[1] * m18 - a[3] * a[0] * m4 + a[7] * a[0] * m14;
-    let m31 = a[2] * m19 - a[4] * m25 + a[8] * m29 - a[10] * m30;
-    let m32 = a[1] * m21 - a[3] * a[0] * m8 + a[5] * a[0] * m14;
-    let m33 = a[2] * m22 - a[4] * m26 + a[6] * m29 - a[10] * m32;
-    let m34 = a[3] * m24 - a[5] * m28 + a[7] * m31 - a[9] * m33;
-    let m35 = a[1] * m24 - a[5] * a[0] * m13 + a[7] * a[0] * m19 - a[9] * a[0] * m22;
-    let m36 = a[1] * m28 - a[3] * a[0] * m13 + a[7] * a[0] * m25 - a[9] * a[0] * m26;
-    let m37 = a[1] * m31 - a[3] * a[0] * m19 + a[5] * a[0] * m25 - a[9] * a[0] * m29;
-    let m38 = a[1] * m33 - a[3] * a[0] * m22 + a[5] * a[0] * m26 - a[7] * a[0] * m29;
-    let m39 = a[2] * m34 - a[4] * m35 + a[6] * m36 - a[8] * m37 + a[10] * m38;
-    let m40 = a[2] * m23 - a[4] * m27 + a[6] * m30 - a[8] * m32;
-    let m41 = a[1] * m40 - a[3] * a[0] * m23 + a[5] * a[0] * m27 - a[7] * a[0] * m30
-        + a[9] * a[0] * m32;
-    let m42 = a[4] * m5 - a[6] * m9 + a[8] * m11;
-    let m43 = a[2] * m5 - a[6] * m15 + a[8] * m17;
-    let m44 = a[2] * m9 - a[4] * m15 + a[8] * m20;
-    let m45 = a[2] * m11 - a[4] * m17 + a[6] * m20;
-    let m46 = a[3] * m42 - a[5] * m43 + a[7] * m44 - a[9] * m45;
-    let m47 = a[1] * m42 - a[5] * a[0] * m5 + a[7] * a[0] * m9 - a[9] * a[0] * m11;
-    let m48 = a[1] * m43 - a[3] * a[0] * m5 + a[7] * a[0] * m15 - a[9] * a[0] * m17;
-    let m49 = a[1] * m44 - a[3] * a[0] * m9 + a[5] * a[0] * m15 - a[9] * a[0] * m20;
-    let m50 = a[1] * m45 - a[3] * a[0] * m11 + a[5] * a[0] * m17 - a[7] * a[0] * m20;
-    let m51 = a[2] * m46 - a[4] * m47 + a[6] * m48 - a[8] * m49 + a[10] * m50;
-    let m52 = a[1] * m51 - a[3] * a[0] * m46 + a[5] * a[0] * m47 - a[7] * a[0] * m48
-        + a[9] * a[0] * m49;
-    let m53 = a[6] * a[7] * a[10] - a[8] * a[5] * a[10];
-    let m54 = a[4] * a[7] * a[10] - a[8] * a[3] * a[10];
-    let m55 = a[4] * a[5] * a[10] - a[6] * a[3] * a[10];
-    let m56 = a[5] * m53 - a[7] * m54 + a[9] * m55;
-    let m57 = a[2] * a[7] * a[10] - a[8] * a[1] * a[10];
-    let m58 = a[2] * a[5] * a[10] - a[6] * a[1] * a[10];
-    let m59 = a[3] * m53 - a[7] * m57 + a[9] * m58;
-    let m60 = a[2] * a[3] * a[10] - a[4] * a[1] * a[10];
-    let m61 = a[3] * m54 - a[5] * m57 + a[9] * m60;
-    let m62 = a[3] * m55 - a[5] * m58 + a[7] * m60;
-    let m63 = a[4] * m56 - a[6] * m59 + a[8] * m61 - a[10] * m62;
-    let m64 = a[1] * m53 - a[7] * a[0] * a[7] * a[10] + a[9] * a[0] * a[5] * a[10];
-    let m65 = a[1] * m54 - a[5] * a[0] * a[7] * a[10] + a[9] * a[0] * a[3] * a[10];
-    let m66 = a[1] * m55 - a[5] * a[0] * a[5] * a[10] + a[7] * a[0] * a[3] * a[10];
-    let m67 = a[2] * m56 - a[6] * m64 + a[8] * m65 - a[10] * m66;
-    let m68 = a[1] * m57 - a[3] * a[0] * a[7] * a[10] + a[9] * a[0] * a[1] * a[10];
-    let m69 = a[1] * m58 - a[3] * a[0] * a[5] * a[10] + a[7] * a[0] * a[1] * a[10];
-    let m70 = a[2] * m59 - a[4] * m64 + a[8] * m68 - a[10] * m69;
-    let m71 = a[1] * m60 - a[3] * a[0] * a[3] * a[10] + a[5] * a[0] * a[1] * a[10];
-    let m72 = a[2] * m61 - a[4] * m65 + a[6] * m68 - a[10] * m71;
-    let m73 = a[3] * m63 - a[5] * m67 + a[7] * m70 - a[9] * m72;
-    let m74 = a[1] * m63 - a[5] * a[0] * m56 + a[7] * a[0] * m59 - a[9] * a[0] * m61;
-    let m75 = a[1] * m67 - a[3] * a[0] * m56 + a[7] * a[0] * m64 - a[9] * a[0] * m65;
-    let m76 = a[1] * m70 - a[3] * a[0] * m59 + a[5] * a[0] * m64 - a[9] * a[0] * m68;
-    let m77 = a[1] * m72 - a[3] * a[0] * m61 + a[5] * a[0] * m65 - a[7] * a[0] * m68;
-    let m78 = a[2] * m73 - a[4] * m74 + a[6] * m75 - a[8] * m76 + a[10] * m77;
-    let m79 = a[1] * m78 - a[3] * a[0] * m73 + a[5] * a[0] * m74 - a[7] * a[0] * m75
-        + a[9] * a[0] * m76;
-    let m80 = a[7] * a[8] - a[9] * a[6];
-    let m81 = a[5] * a[8] - a[9] * a[4];
-    let m82 = a[5] * a[6] - a[7] * a[4];
-    let m83 = a[6] * m80 - a[8] * m81 + a[10] * m82;
-    let m84 = a[3] * a[8] - a[9] * a[2];
-    let m85 = a[3] * a[6] - a[7] * a[2];
-    let m86 = a[4] * m80 - a[8] * m84 + a[10] * m85;
-    let m87 = a[3] * a[4] - a[5] * a[2];
-    let m88 = a[4] * m81 - a[6] * m84 + a[10] * m87;
-    let m89 = a[5] * m83 - a[7] * m86 + a[9] * m88;
-    let m90 = a[1] * a[8] - a[9] * a[0];
-    let m91 = a[1] * a[6] - a[7] * a[0];
-    let m92 = a[2] * m80 - a[8] * m90 + a[10] * m91;
-    let m93 = a[1] * a[4] - a[5] * a[0];
-    let m94 = a[2] * m81 - a[6] * m90 + a[10] * m93;
-    let m95 = a[3] * m83 - a[7] * m92 + a[9] * m94;
-    let m96 = a[1] * a[2] - a[3] * a[0];
-    let m97 = a[2] * m84 - a[4] * m90 + a[10] * m96;
-    let m98 = a[3] * m86 - a[5] * m92 + a[9] * m97;
-    let m99 = a[3] * m88 - a[5] * m94 + a[7] * m97;
-    let m100 = a[4] * m89 - a[6] * m95 + a[8] * m98 - a[10] * m99;
-    let m101 = a[1] * m83 - a[7] * a[0] * m80 + a[9] * a[0] * m81;
-    let m102 = a[1] * m86 - a[5] * a[0] * m80 + a[9] * a[0] * m84;
-    let m103 = a[1] * m88 - a[5] * a[0] * m81 + a[7] * a[0] * m84;
-    let m104 = a[2] * m89 - a[6] * m101 + a[8] * m102 - a[10] * m103;
-    let m105 = a[1] * m92 - a[3] * a[0] * m80 + a[9] * a[0] * m90;
-    let m106 = a[1] * m94 - a[3] * a[0] * m81 + a[7] * a[0] * m90;
-    let m107 = a[2] * m95 - a[4] * m101 + a[8] * m105 - a[10] * m106;
-    let m108 = a[1] * m97 - a[3] * a[0] * m84 + a[5] * a[0] * m90;
-    let m109 = a[2] * m98 - a[4] * m102 + a[6] * m105 - a[10] * m108;
-    let m110 = a[3] * m100 - a[5] * m104 + a[7] * m107 - a[9] * m109;
-    let m111 = a[1] * m100 - a[5] * a[0] * m89 + a[7] * a[0] * m95 - a[9] * a[0] * m98;
-    let m112 = a[1] * m104 - a[3] * a[0] * m89 + a[7] * a[0] * m101 - a[9] * a[0] * m102;
-    let m113 = a[1] * m107 - a[3] * a[0] * m95 + a[5] * a[0] * m101 - a[9] * a[0] * m105;
-    let m114 = a[1] * m109 - a[3] * a[0] * m98 + a[5] * a[0] * m102 - a[7] * a[0] * m105;
-    let m115 = a[2] * m110 - a[4] * m111 + a[6] * m112 - a[8] * m113 + a[10] * m114;
-    let m116 = a[1] * m115 - a[3] * a[0] * m110 + a[5] * a[0] * m111 - a[7] * a[0] * m112
-        + a[9] * a[0] * m113;
-    let determinant = a[1] * m39 - a[3] * a[0] * m34 + a[5] * a[0] * m35 - a[7] * a[0] * m36
-        + a[9] * a[0] * m37;
-    let numerator = -b[0] * m39 + b[1] * a[0] * m34 - b[2] * a[0] * m35 + b[3] * a[0] * m36
-        - b[4] * a[0] * m37 + b[5] * a[0] * m38 - b[6] * a[0] * m41 + b[7] * a[0] * m52
-        - b[8] * a[0] * m79 + b[9] * a[0] * m116;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let r2_2 = a[6] - q1 * a[7];
+    let r2_3 = a[8] - q1 * a[9];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * r2_2;
+    let r3_2 = a[7] - q2 * r2_3;
+    let r3_3 = a[9] - q2 * a[10];
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let r4_1 = r2_2 - q3 * r3_2;
+    let r4_2 = r2_3 - q3 * r3_3;
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * r4_1;
+    let r5_1 = r3_2 - q4 * r4_2;
+    let r5_2 = r3_3 - q4 * a[10];
+    let q5 = r4_0 / r5_0;
+    let r6_0 = r4_1 - q5 * r5_1;
+    let r6_1 = r4_2 - q5 * r5_2;
+    let q6 = r5_0 / r6_0;
+    let r7_0 = r5_1 - q6 * r6_1;
+    let r7_1 = r5_2 - q6 * a[10];
+    let q7 = r6_0 / r7_0;
+    let r8_0 = r6_1 - q7 * r7_1;
+    let q8 = r7_0 / r8_0;
+    let r9_0 = r7_1 - q8 * a[10];
+    let q9 = r8_0 / r9_0;
+    let q10 = r9_0 / a[10];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[7] * y0 - r2_2 * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[9] * y0 - r2_3 * y1 - r3_2 * y2 - r4_1 * y3) / r5_0;
+    let y5 = (b[5] - a[10] * y1 - r3_3 * y2 - r4_2 * y3 - r5_1 * y4) / r6_0;
+    let y6 = (b[6] - a[10] * y3 - r5_2 * y4 - r6_1 * y5) / r7_0;
+    let y7 = (b[7] - a[10] * y5 - r7_1 * y6) / r8_0;
+    let y8 = (b[8] - a[10] * y7) / r9_0;
+    let y9 = b[9] / a[10];
+    let z8 = y8 - q9 * y9;
+    let z7 = y7 - q8 * z8;
+    let z6 = y6 - q7 * z7;
+    let z5 = y5 - q6 * z6;
+    let z4 = y4 - q5 * z5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0 && q7 > 0.0
+        && q8 > 0.0 && q9 > 0.0 && q10 > 0.0;
+    if stable { (q1 * z1 - y0) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_11 from a0 ... a11 and b0 ... b10.
 pub fn i11(a: &[f64; 12], b: &[f64; 11]) -> f64 {
-    let m0 = a[9] * a[10] * a[11] - a[11] * a[8] * a[11];
-    let m1 = a[7] * a[10] * a[11] - a[11] * a[6] * a[11];
-    let m2 = a[8] * m0 - a[10] * m1;
-    let m3 = a[5] * a[10] * a[11] - a[11] * a[4] * a[11];
-    let m4 = a[6] * m0 - a[10] * m3;
-    let m5 = a[6] * m1 - a[8] * m3;
-    let m6 = a[7] * m2 - a[9] * m4 + a[11] * m5;
-    let m7 = a[3] * a[10] * a[11] - a[11] * a[2] * a[11];
-    let m8 = a[4] * m0 - a[10] * m7;
-    let m9 = a[4] * m1 - a[8] * m7;
-    let m10 = a[5] * m2 - a[9] * m8 + a[11] * m9;
-    let m11 = a[4] * m3 - a[6] * m7;
-    let m12 = a[5] * m4 - a[7] * m8 + a[11] * m11;
-    let m13 = a[6] * m6 - a[8] * m10 + a[10] * m12;
-    let m14 = a[1] * a[10] * a[11] - a[11] * a[0] * a[11];
-    let m15 = a[2] * m0 - a[10] * m14;
-    let m16 = a[2] * m1 - a[8] * m14;
-    let m17 = a[3] * m2 - a[9] * m15 + a[11] * m16;
-    let m18 = a[2] * m3 - a[6] * m14;
-    let m19 = a[3] * m4 - a[7] * m15 + a[11] * m18;
-    let m20 = a[4] * m6 - a[8] * m17 + a[10] * m19;
-    let m21 = a[2] * m7 - a[4] * m14;
-    let m22 = a[3] * m8 - a[5] * m15 + a[11] * m21;
-    let m23 = a[4] * m10 - a[6] * m17 + a[10] * m22;
-    let m24 = a[4] * m12 - a[6] * m19 + a[8] * m22;
-    let m25 = a[5] * m13 - a[7] * m20 + a[9] * m23 - a[11] * m24;
-    let m26 = a[1] * m2 - a[9] * a[0] * m0 + a[11] * a[0] * m1;
-    let m27 = a[1] * m4 - a[7] * a[0] * m0 + a[11] * a[0] * m3;
-    let m28 = a[2] * m6 - a[8] * m26 + a[10] * m27;
-    let m29 = a[1] * m8 - a[5] * a[0] * m0 + a[11] * a[0] * m7;
-    let m30 = a[2] * m10 - a[6] * m26 + a[10] * m29;
-    let m31 = a[2] * m12 - a[6] * m27 + a[8] * m29;
-    let m32 = a[3] * m13 - a[7] * m28 + a[9] * m30 - a[11] * m31;
-    let m33 = a[1] * m15 - a[3] * a[0] * m0 + a[11] * a[0] * m14;
-    let m34 = a[2] * m17 - a[4] * m26 + a[10] * m33;
-    let m35 = a[2] * m19 - a[4] * m27 + a[8] * m33;
-    let m36 = a[3] * m20 - a[5] * m28 + a[9] * m34 - a[11] * m35;
-    let m37 = a[2] * m22 - a[4] * m29 + a[6] * m33;
-    let m38 = a[3] * m23 - a[5] * m30 + a[7] * m34 - a[11] * m37;
-    let m39 = a[4] * m25 - a[6] * m32 + a[8] * m36 - a[10] * m38;
-    let m40 = a[1] * m13 - a[7] * a[0] * m6 + a[9] * a[0] * m10 - a[11] * a[0] * m12;
-    let m41 = a[1] * m20 - a[5] * a[0] * m6 + a[9] * a[0] * m17 - a[11] * a[0] * m19;
-    let m42 = a[1] * m23 - a[5] * a[0] * m10 + a[7] * a[0] * m17 - a[11] * a[0] * m22;
-    let m43 = a[2] * m25 - a[6] * m40 + a[8] * m41 - a[10] * m42;
-    let m44 = a[1] * m28 - a[3] * a[0] * m6 + a[9] * a[0] * m26 - a[11] * a[0] * m27;
-    let m45 = a[1] * m30 - a[3] * a[0] * m10 + a[7] * a[0] * m26 - a[11] * a[0] * m29;
-    let m46 = a[2] * m32 - a[4] * m40 + a[8] * m44 - a[10] * m45;
-    let m47 = a[1] * m34 - a[3] * a[0] * m17 + a[5] * a[0] * m26 - a[11] * a[0] * m33;
-    let m48 = a[2] * m36 - a[4] * m41 + a[6] * m44 - a[10] * m47;
-    let m49 = a[2] * m38 - a[4] * m42 + a[6] * m45 - a[8] * m47;
-    let m50 = a[3] * m39 - a[5] * m43 + a[7] * m46 - a[9] * m48 + a[11] * m49;
-    let m51 = a[1] * m39 - a[5] * a[0] * m25 + a[7] * a[0] * m32 - a[9] * a[0] * m36
-        + a[11] * a[0] * m38;
-    let m52 = a[1] * m43 - a[3] * a[0] * m25 + a[7] * a[0] * m40 - a[9] * a[0] * m41
-        + a[11] * a[0] * m42;
-    let m53 = a[1] * m46 - a[3] * a[0] * m32 + a[5] * a[0] * m40 - a[9] * a[0] * m44
-        + a[11] * a[0] * m45;
-    let m54 = a[1] * m48 - a[3] * a[0] * m36 + a[5] * a[0] * m41 - a[7] * a[0] * m44
-        + a[11] * a[0] * m47;
-    let m55 = a[2] * m50 - a[4] * m51 + a[6] * m52 - a[8] * m53 + a[10] * m54;
-    let m56 = a[1] * m49 - a[3] * a[0] * m38 + a[5] * a[0] * m42 - a[7] * a[0] * m45
-        + a[9] * a[0] * m47;
-    let m57 = a[3] * m24 - a[5] * m31 + a[7] * m35 - a[9] * m37;
-    let m58 = a[1] * m24 - a[5] * a[0] * m12 + a[7] * a[0] * m19 - a[9] * a[0] * m22;
-    let m59 = a[1] * m31 - a[3] * a[0] * m12 + a[7] * a[0] * m27 - a[9] * a[0] * m29;
-    let m60 = a[1] * m35 - a[3] * a[0] * m19 + a[5] * a[0] * m27 - a[9] * a[0] * m33;
-    let m61 = a[1] * m37 - a[3] * a[0] * m22 + a[5] * a[0] * m29 - a[7] * a[0] * m33;
-    let m62 = a[2] * m57 - a[4] * m58 + a[6] * m59 - a[8] * m60 + a[10] * m61;
-    let m63 = a[1] * m62 - a[3] * a[0] * m57 + a[5] * a[0] * m58 - a[7] * a[0] * m59
-        + a[9] * a[0] * m60 - a[11] * a[0] * m61;
-    let m64 = a[5] * m5 - a[7] * m9 + a[9] * m11;
-    let m65 = a[3] * m5 - a[7] * m16 + a[9] * m18;
-    let m66 = a[3] * m9 - a[5] * m16 + a[9] * m21;
-    let m67 = a[3] * m11 - a[5] * m18 + a[7] * m21;
-    let m68 = a[4] * m64 - a[6] * m65 + a[8] * m66 - a[10] * m67;
-    let m69 = a[1] * m5 - a[7] * a[0] * m1 + a[9] * a[0] * m3;
-    let m70 = a[1] * m9 - a[5] * a[0] * m1 + a[9] * a[0] * m7;
-    let m71 = a[1] * m11 - a[5] * a[0] * m3 + a[7] * a[0] * m7;
-    let m72 = a[2] * m64 - a[6] * m69 + a[8] * m70 - a[10] * m71;
-    let m73 = a[1] * m16 - a[3] * a[0] * m1 + a[9] * a[0] * m14;
-    let m74 = a[1] * m18 - a[3] * a[0] * m3 + a[7] * a[0] * m14;
-    let m75 = a[2] * m65 - a[4] * m69 + a[8] * m73 - a[10] * m74;
-    let m76 = a[1] * m21 - a[3] * a[0] * m7 + a[5] * a[0] * m14;
-    let m77 = a[2] * m66 - a[4] * m70 + a[6] * m73 - a[10] * m76;
-    let m78 = a[2] * m67 - a[4] * m71 + a[6] * m74 - a[8] * m76;
-    let m79 = a[3] * m68 - a[5] * m72 + a[7] * m75 - a[9] * m77 + a[11] * m78;
-    let m80 = a[1] * m68 - a[5] * a[0] * m64 + a[7] * a[0] * m65 - a[9] * a[0] * m66
-        + a[11] * a[0] * m67;
-    let m81 = a[1] * m72 - a[3] * a[0] * m64 + a[7] * a[0] * m69 - a[9] * a[0] * m70
-        + a[11] * a[0] * m71;
-    let m82 = a[1] * m75 - a[3] * a[0] * m65 + a[5] * a[0] * m69 - a[9] * a[0] * m73
-        + a[11] * a[0] * m74;
-    let m83 = a[1] * m77 - a[3] * a[0] * m66 + a[5] * a[0] * m70 - a[7] * a[0] * m73
-        + a[11] * a[0] * m76;
-    let m84 = a[2] * m79 - a[4] * m80 + a[6] * m81 - a[8] * m82 + a[10] * m83;
-    let m85 = a[1] * m84 - a[3] * a[0] * m79 + a[5] * a[0] * m80 - a[7] * a[0] * m81
-        + a[9] * a[0] * m82 - a[11] * a[0] * m83;
-    let m86 = a[7] * a[8] * a[11] - a[9] * a[6] * a[11];
-    let m87 = a[5] * a[8] * a[11] - a[9] * a[4] * a[11];
-    let m88 = a[5] * a[6] * a[11] - a[7] * a[4] * a[11];
-    let m89 = a[6] * m86 - a[8] * m87 + a[10] * m88;
-    let m90 = a[3] * a[8] * a[11] - a[9] * a[2] * a[11];
-    let m91 = a[3] * a[6] * a[11] - a[7] * a[2] * a[11];
-    let m92 = a[4] * m86 - a[8] * m90 + a[10] * m91;
-    let m93 = a[3] * a[4] * a[11] - a[5] * a[2] * a[11];
-    let m94 = a[4] * m87 - a[6] * m90 + a[10] * m93;
-    let m95 = a[4] * m88 - a[6] * m91 + a[8] * m93;
-    let m96 = a[5] * m89 - a[7] * m92 + a[9] * m94 - a[11] * m95;
-    let m97 = a[1] * a[8] * a[11] - a[9] * a[0] * a[11];
-    let m98 = a[1] * a[6] * a[11] - a[7] * a[0] * a[11];
-    let m99 = a[2] * m86 - a[8] * m97 + a[10] * m98;
-    let m100 = a[1] * a[4] * a[11] - a[5] * a[0] * a[11];
-    let m101 = a[2] * m87 - a[6] * m97 + a[10] * m100;
-    let m102 = a[2] * m88 - a[6] * m98 + a[8] * m100;
-    let m103 = a[3] * m89 - a[7] * m99 + a[9] * m101 - a[11] * m102;
-    let m104 = a[1] * a[2] * a[11] - a[3] * a[0] * a[11];
-    let m105 = a[2] * m90 - a[4] * m97 + a[10] * m104;
-    let m106 = a[2] * m91 - a[4] * m98 + a[8] * m104;
-    let m107 = a[3] * m92 - a[5] * m99 + a[9] * m105 - a[11] * m106;
-    let m108 = a[2] * m93 - a[4] * m100 + a[6] * m104;
-    let m109 = a[3] * m94 - a[5] * m101 + a[7] * m105 - a[11] * m108;
-    let m110 = a[4] * m96 - a[6] * m103 + a[8] * m107 - a[10] * m109;
-    let m111 = a[1] * m89 - a[7] * a[0] * m86 + a[9] * a[0] * m87 - a[11] * a[0] * m88;
-    let m112 = a[1] * m92 - a[5] * a[0] * m86 + a[9] * a[0] * m90 - a[11] * a[0] * m91;
-    let m113 = a[1] * m94 - a[5] * a[0] * m87 + a[7] * a[0] * m90 - a[11] * a[0] * m93;
-    let m114 = a[2] * m96 - a[6] * m111 + a[8] * m112 - a[10] * m113;
-    let m115 = a[1] * m99 - a[3] * a[0] * m86 + a[9] * a[0] * m97 - a[11] * a[0] * m98;
-    let m116 = a[1] * m101 - a[3] * a[0] * m87 + a[7] * a[0] * m97 - a[11] * a[0] * m100;
-    let m117 = a[2] * m103 - a[4] * m111 + a[8] * m115 - a[10] * m116;
-    let m118 = a[1] * m105 - a[3] * a[0] * m90 + a[5] * a[0] * m97 - a[11] * a[0] * m104;
-    let m119 = a[2] * m107 - a[4] * m112 + a[6] * m115 - a[10] * m118;
-    let m120 = a[2] * m109 - a[4] * m113 + a[6] * m116 - a[8] * m118;
-    let m121 = a[3] * m110 - a[5] * m114 + a[7] * m117 - a[9] * m119 + a[11] * m120;
-    let m122 = a[1] * m110 - a[5] * a[0] * m96 + a[7] * a[0] * m103 - a[9] * a[0] * m107
-        + a[11] * a[0] * m109;
-    let m123 = a[1] * m114 - a[3] * a[0] * m96 + a[7] * a[0] * m111 - a[9] * a[0] * m112
-        + a[11] * a[0] * m113;
-    let m124 = a[1] * m117 - a[3] * a[0] * m103 + a[5] * a[0] * m111 - a[9] * a[0] * m115
-        + a[11] * a[0] * m116;
-    let m125 = a[1] * m119 - a[3] * a[0] * m107 + a[5] * a[0] * m112 - a[7] * a[0] * m115
-        + a[11] * a[0] * m118;
-    let m126 = a[2] * m121 - a[4] * m122 + a[6] * m123 - a[8] * m124 + a[10] * m125;
-    let m127 = a[1] * m126 - a[3] * a[0] * m121 + a[5] * a[0] * m122 - a[7] * a[0] * m123
-        + a[9] * a[0] * m124 - a[11] * a[0] * m125;
-    let m128 = a[8] * a[9] - a[10] * a[7];
-    let m129 = a[6] * a[9] - a[10] * a[5];
-    let m130 = a[6] * a[7] - a[8] * a[5];
-    let m131 = a[7] * m128 - a[9] * m129 + a[11] * m130;
-    let m132 = a[4] * a[9] - a[10] * a[3];
-    let m133 = a[4] * a[7] - a[8] * a[3];
-    let m134 = a[5] * m128 - a[9] * m132 + a[11] * m133;
-    let m135 = a[4] * a[5] - a[6] * a[3];
-    let m136 = a[5] * m129 - a[7] * m132 + a[11] * m135;
-    let m137 = a[6] * m131 - a[8] * m134 + a[10] * m136;
-    let m138 = a[2] * a[9] - a[10] * a[1];
-    let m139 = a[2] * a[7] - a[8] * a[1];
-    let m140 = a[3] * m128 - a[9] * m138 + a[11] * m139;
-    let m141 = a[2] * a[5] - a[6] * a[1];
-    let m142 = a[3] * m129 - a[7] * m138 + a[11] * m141;
-    let m143 = a[4] * m131 - a[8] * m140 + a[10] * m142;
-    let m144 = a[2] * a[3] - a[4] * a[1];
-    let m145 = a[3] * m132 - a[5] * m138 + a[11] * m144;
-    let m146 = a[4] * m134 - a[6] * m140 + a[10] * m145;
-    let m147 = a[4] * m136 - a[6] * m142 + a[8] * m145;
-    let m148 = a[5] * m137 - a[7] * m143 + a[9] * m146 - a[11] * m147;
-    let m149 = a[1] * m128 - a[9] * a[0] * a[9] + a[11] * a[0] * a[7];
-    let m150 = a[1] * m129 - a[7] * a[0] * a[9] + a[11] * a[0] * a[5];
-    let m151 = a[2] * m131 - a[8] * m149 + a[10] * m150;
-    let m152 = a[1] * m132 - a[5] * a[0] * a[9] + a[11] * a[0] * a[3];
-    let m153 = a[2] * m134 - a[6] * m149 + a[10] * m152;
-    let m154 = a[2] * m136 - a[6] * m150 + a[8] * m152;
-    let m155 = a[3] * m137 - a[7] * m151 + a[9] * m153 - a[11] * m154;
-    let m156 = a[1] * m138 - a[3] * a[0] * a[9] + a[11] * a[0] * a[1];
-    let m157 = a[2] * m140 - a[4] * m149 + a[10] * m156;
-    let m158 = a[2] * m142 - a[4] * m150 + a[8] * m156;
-    let m159 = a[3] * m143 - a[5] * m151 + a[9] * m157 - a[11] * m158;
-    let m160 = a[2] * m145 - a[4] * m152 + a[6] * m156;
-    let m161 = a[3] * m146 - a[5] * m153 + a[7] * m157 - a[11] * m160;
-    let m162 = a[4] * m148 - a[6] * m155 + a[8] * m159 - a[10] * m161;
-    let m163 = a[1] * m137 - a[7] * a[0] * m131 + a[9] * a[0] * m134 - a[11] * a[0] * m136;
-    let m164 = a[1] * m143 - a[5] * a[0] * m131 + a[9] * a[0] * m140 - a[11] * a[0] * m142;
-    let m165 = a[1] * m146 - a[5] * a[0] * m134 + a[7] * a[0] * m140 - a[11] * a[0] * m145;
-    let m166 = a[2] * m148 - a[6] * m163 + a[8] * m164 - a[10] * m165;
-    let m167 = a[1] * m151 - a[3] * a[0] * m131 + a[9] * a[0] * m149 - a[11] * a[0] * m150;
-    let m168 = a[1] * m153 - a[3] * a[0] * m134 + a[7] * a[0] * m149 - a[11] * a[0] * m152;
-    let m169 = a[2] * m155 - a[4] * m163 + a[8] * m167 - a[10] * m168;
-    let m170 = a[1] * m157 - a[3] * a[0] * m140 + a[5] * a[0] * m149 - a[11] * a[0] * m156;
-    let m171 = a[2] * m159 - a[4] * m164 + a[6] * m167 - a[10] * m170;
-    let m172 = a[2] * m161 - a[4] * m165 + a[6] * m168 - a[8] * m170;
-    let m173 = a[3] * m162 - a[5] * m166 + a[7] * m169 - a[9] * m171 + a[11] * m172;
-    let m174 = a[1] * m162 - a[5] * a[0] * m148 + a[7] * a[0] * m155 - a[9] * a[0] * m159
-        + a[11] * a[0] * m161;
-    let m175 = a[1] * m166 - a[3] * a[0] * m148 + a[7] * a[0] * m163 - a[9] * a[0] * m164
-        + a[11] * a[0] * m165;
-    let m176 = a[1] * m169 - a[3] * a[0] * m155 + a[5] * a[0] * m163 - a[9] * a[0] * m167
-        + a[11] * a[0] * m168;
-    let m177 = a[1] * m171 - a[3] * a[0] * m159 + a[5] * a[0] * m164 - a[7] * a[0] * m167
-        + a[11] * a[0] * m170;
-    let m178 = a[2] * m173 - a[4] * m174 + a[6] * m175 - a[8] * m176 + a[10] * m177;
-    let m179 = a[1] * m178 - a[3] * a[0] * m173 + a[5] * a[0] * m174 - a[7] * a[0] * m175
-        + a[9] * a[0] * m176 - a[11] * a[0] * m177;
-    let determinant = a[1] * m55 - a[3] * a[0] * m50 + a[5] * a[0] * m51 - a[7] * a[0] * m52
-        + a[9] * a[0] * m53 - a[11] * a[0] * m54;
-    let numerator = b[0] * m55 - b[1] * a[0] * m50 + b[2] * a[0] * m51 - b[3] * a[0] * m52
-        + b[4] * a[0] * m53 - b[5] * a[0] * m54 + b[6] * a[0] * m56 - b[7] * a[0] * m63
-        + b[8] * a[0] * m85 - b[9] * a[0] * m127 + b[10] * a[0] * m179;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let r2_2 = a[6] - q1 * a[7];
+    let r2_3 = a[8] - q1 * a[9];
+    let r2_4 = a[10] - q1 * a[11];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * r2_2;
+    let r3_2 = a[7] - q2 * r2_3;
+    let r3_3 = a[9] - q2 * r2_4;
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let r4_1 = r2_2 - q3 * r3_2;
+    let r4_2 = r2_3 - q3 * r3_3;
+    let r4_3 = r2_4 - q3 * a[11];
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * r4_1;
+    let r5_1 = r3_2 - q4 * r4_2;
+    let r5_2 = r3_3 - q4 * r4_3;
+    let q5 = r4_0 / r5_0;
+    let r6_0 = r4_1 - q5 * r5_1;
+    let r6_1 = r4_2 - q5 * r5_2;
+    let r6_2 = r4_3 - q5 * a[11];
+    let q6 = r5_0 / r6_0;
+    let r7_0 = r5_1 - q6 * r6_1;
+    let r7_1 = r5_2 - q6 * r6_2;
+    let q7 = r6_0 / r7_0;
+    let r8_0 = r6_1 - q7 * r7_1;
+    let r8_1 = r6_2 - q7 * a[11];
+    let q8 = r7_0 / r8_0;
+    let r9_0 = r7_1 - q8 * r8_1;
+    let q9 = r8_0 / r9_0;
+    let r10_0 = r8_1 - q9 * a[11];
+    let q10 = r9_0 / r10_0;
+    let q11 = r10_0 / a[11];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[7] * y0 - r2_2 * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[9] * y0 - r2_3 * y1 - r3_2 * y2 - r4_1 * y3) / r5_0;
+    let y5 = (b[5] - a[11] * y0 - r2_4 * y1 - r3_3 * y2 - r4_2 * y3 - r5_1 * y4) / r6_0;
+    let y6 = (b[6] - a[11] * y2 - r4_3 * y3 - r5_2 * y4 - r6_1 * y5) / r7_0;
+    let y7 = (b[7] - a[11] * y4 - r6_2 * y5 - r7_1 * y6) / r8_0;
+    let y8 = (b[8] - a[11] * y6 - r8_1 * y7) / r9_0;
+    let y9 = (b[9] - a[11] * y8) / r10_0;
+    let y10 = b[10] / a[11];
+    let z9 = y9 - q10 * y10;
+    let z8 = y8 - q9 * z9;
+    let z7 = y7 - q8 * z8;
+    let z6 = y6 - q7 * z7;
+    let z5 = y5 - q6 * z6;
+    let z4 = y4 - q5 * z5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0 && q7 > 0.0
+        && q8 > 0.0 && q9 > 0.0 && q10 > 0.0 && q11 > 0.0;
+    if stable { (y0 - q1 * z1) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_12 from a0 ... a12 and b0 ... b11.
 pub fn i12(a: &[f64; 13], b: &[f64; 12]) -> f64 {
-    let m0 = a[10] * a[11] * a[12] - a[12] * a[9] * a[12];
-    let m1 = a[8] * a[11] * a[12] - a[12] * a[7] * a[12];
-    let m2 = a[9] * m0 - a[11] * m1;
-    let m3 = a[6] * a[11] * a[12] - a[12] * a[5] * a[12];
-    let m4 = a[7] * m0 - a[11] * m3;
-    let m5 = a[7] * m1 - a[9] * m3;
-    let m6 = a[8] * m2 - a[10] * m4 + a[12] * m5;
-    let m7 = a[4] * a[11] * a[12] - a[12] * a[3] * a[12];
-    let m8 = a[5] * m0 - a[11] * m7;
-    let m9 = a[5] * m1 - a[9] * m7;
-    let m10 = a[6] * m2 - a[10] * m8 + a[12] * m9;
-    let m11 = a[5] * m3 - a[7] * m7;
-    let m12 = a[6] * m4 - a[8] * m8 + a[12] * m11;
-    let m13 = a[7] * m6 - a[9] * m10 + a[11] * m12;
-    let m14 = a[2] * a[11] * a[12] - a[12] * a[1] * a[12];
-    let m15 = a[3] * m0 - a[11] * m14;
-    let m16 = a[3] * m1 - a[9] * m14;
-    let m17 = a[4] * m2 - a[10] * m15 + a[12] * m16;
-    let m18 = a[3] * m3 - a[7] * m14;
-    let m19 = a[4] * m4 - a[8] * m15 + a[12] * m18;
-    let m20 = a[5] * m6 - a[9] * m17 + a[11] * m19;
-    let m21 = a[3] * m7 - a[5] * m14;
-    let m22 = a[4] * m8 - a[6] * m15 + a[12] * m21;
-    let m23 = a[5] * m10 - a[7] * m17 + a[11] * m22;
-    let m24 = a[5] * m12 - a[7] * m19 + a[9] * m22;
-    let m25 = a[6] * m13 - a[8] * m20 + a[10] * m23 - a[12] * m24;
-    let m26 = a[1] * m0 - a[11] * a[0] * a[11] * a[12];
-    let m27 = a[1] * m1 - a[9] * a[0] * a[11] * a[12];
-    let m28 = a[2] * m2 - a[10] * m26 + a[12] * m27;
-    let m29 = a[1] * m3 - a[7] * a[0] * a[11] * a[12];
-    let m30 = a[2] * m4 - a[8] * m26 + a[12] * m29;
-    let m31 = a[3] * m6 - a[9] * m28 + a[11] * m30;
-    let m32 = a[1] * m7 - a[5] * a[0] * a[11] * a[12];
-    let m33 = a[2] * m8 - a[6] * m26 + a[12] * m32;
-    let m34 = a[3] * m10 - a[7] * m28 + a[11] * m33;
-    let m35 = a[3] * m12 - a[7] * m30 + a[9] * m33;
-    let m36 = a[4] * m13 - a[8] * m31 + a[10] * m34 - a[12] * m35;
-    let m37 = a[1] * m14 - a[3] * a[0] * a[11] * a[12];
-    let m38 = a[2] * m15 - a[4] * m26 + a[12] * m37;
-    let m39 = a[3] * m17 - a[5] * m28 + a[11] * m38;
-    let m40 = a[3] * m19 - a[5] * m30 + a[9] * m38;
-    let m41 = a[4] * m20 - a[6] * m31 + a[10] * m39 - a[12] * m40;
-    let m42 = a[3] * m22 - a[5] * m33 + a[7] * m38;
-    let m43 = a[4] * m23 - a[6] * m34 + a[8] * m39 - a[12] * m42;
-    let m44 = a[5] * m25 - a[7] * m36 + a[9] * m41 - a[11] * m43;
-    let m45 = a[1] * m6 - a[9] * a[0] * m2 + a[11] * a[0] * m4;
-    let m46 = a[1] * m10 - a[7] * a[0] * m2 + a[11] * a[0] * m8;
-    let m47 = a[1] * m12 - a[7] * a[0] * m4 + a[9] * a[0] * m8;
-    let m48 = a[2] * m13 - a[8] * m45 + a[10] * m46 - a[12] * m47;
-    let m49 = a[1] * m17 - a[5] * a[0] * m2 + a[11] * a[0] * m15;
-    let m50 = a[1] * m19 - a[5] * a[0] * m4 + a[9] * a[0] * m15;
-    let m51 = a[2] * m20 - a[6] * m45 + a[10] * m49 - a[12] * m50;
-    let m52 = a[1] * m22 - a[5] * a[0] * m8 + a[7] * a[0] * m15;
-    let m53 = a[2] * m23 - a[6] * m46 + a[8] * m49 - a[12] * m52;
-    let m54 = a[3] * m25 - a[7] * m48 + a[9] * m51 - a[11] * m53;
-    let m55 = a[1] * m28 - a[3] * a[0] * m2 + a[11] * a[0] * m26;
-    let m56 = a[1] * m30 - a[3] * a[0] * m4 + a[9] * a[0] * m26;
-    let m57 = a[2] * m31 - a[4] * m45 + a[10] * m55 - a[12] * m56;
-    let m58 = a[1] * m33 - a[3] * a[0] * m8 + a[7] * a[0] * m26;
-    let m59 = a[2] * m34 - a[4] * m46 + a[8] * m55 - a[12] * m58;
-    let m60 = a[3] * m36 - a[5] * m48 + a[9] * m57 - a[11] * m59;
-    let m61 = a[1] * m38 - a[3] * a[0] * m15 + a[5] * a[0] * m26;
-    let m62 = a[2] * m39 - a[4] * m49 + a[6] * m55 - a[12] * m61;
-    let m63 = a[3] * m41 - a[5] * m51 + a[7] * m57 - a[11] * m62;
-    let m64 = a[3] * m43 - a[5] * m53 + a[7] * m59 - a[9] * m62;
-    let m65 = a[4] * m44 - a[6] * m54 + a[8] * m60 - a[10] * m63 + a[12] * m64;
-    let m66 = a[1] * m25 - a[7] * a[0] * m13 + a[9] * a[0] * m20 - a[11] * a[0] * m23;
-    let m67 = a[1] * m36 - a[5] * a[0] * m13 + a[9] * a[0] * m31 - a[11] * a[0] * m34;
-    let m68 = a[1] * m41 - a[5] * a[0] * m20 + a[7] * a[0] * m31 - a[11] * a[0] * m39;
-    let m69 = a[1] * m43 - a[5] * a[0] * m23 + a[7] * a[0] * m34 - a[9] * a[0] * m39;
-    let m70 = a[2] * m44 - a[6] * m66 + a[8] * m67 - a[10] * m68 + a[12] * m69;
-    let m71 = a[1] * m48 - a[3] * a[0] * m13 + a[9] * a[0] * m45 - a[11] * a[0] * m46;
-    let m72 = a[1] * m51 - a[3] * a[0] * m20 + a[7] * a[0] * m45 - a[11] * a[0] * m49;
-    let m73 = a[1] * m53 - a[3] * a[0] * m23 + a[7] * a[0] * m46 - a[9] * a[0] * m49;
-    let m74 = a[2] * m54 - a[4] * m66 + a[8] * m71 - a[10] * m72 + a[12] * m73;
-    let m75 = a[1] * m57 - a[3] * a[0] * m31 + a[5] * a[0] * m45 - a[11] * a[0] * m55;
-    let m76 = a[1] * m59 - a[3] * a[0] * m34 + a[5] * a[0] * m46 - a[9] * a[0] * m55;
-    let m77 = a[2] * m60 - a[4] * m67 + a[6] * m71 - a[10] * m75 + a[12] * m76;
-    let m78 = a[1] * m62 - a[3] * a[0] * m39 + a[5] * a[0] * m49 - a[7] * a[0] * m55;
-    let m79 = a[2] * m63 - a[4] * m68 + a[6] * m72 - a[8] * m75 + a[12] * m78;
-    let m80 = a[3] * m65 - a[5] * m70 + a[7] * m74 - a[9] * m77 + a[11] * m79;
-    let m81 = a[1] * m65 - a[5] * a[0] * m44 + a[7] * a[0] * m54 - a[9] * a[0] * m60
-        + a[11] * a[0] * m63;
-    let m82 = a[1] * m70 - a[3] * a[0] * m44 + a[7] * a[0] * m66 - a[9] * a[0] * m67
-        + a[11] * a[0] * m68;
-    let m83 = a[1] * m74 - a[3] * a[0] * m54 + a[5] * a[0] * m66 - a[9] * a[0] * m71
-        + a[11] * a[0] * m72;
-    let m84 = a[1] * m77 - a[3] * a[0] * m60 + a[5] * a[0] * m67 - a[7] * a[0] * m71
-        + a[11] * a[0] * m75;
-    let m85 = a[1] * m79 - a[3] * a[0] * m63 + a[5] * a[0] * m68 - a[7] * a[0] * m72
-        + a[9] * a[0] * m75;
-    let m86 = a[2] * m80 - a[4] * m81 + a[6] * m82 - a[8] * m83 + a[10] * m84 - a[12] * m85;
-    let m87 = a[2] * m64 - a[4] * m69 + a[6] * m73 - a[8] * m76 + a[10] * m78;
-    let m88 = a[1] * m87 - a[3] * a[0] * m64 + a[5] * a[0] * m69 - a[7] * a[0] * m73
-        + a[9] * a[0] * m76 - a[11] * a[0] * m78;
-    let m89 = a[4] * m24 - a[6] * m35 + a[8] * m40 - a[10] * m42;
-    let m90 = a[2] * m24 - a[6] * m47 + a[8] * m50 - a[10] * m52;
-    let m91 = a[2] * m35 - a[4] * m47 + a[8] * m56 - a[10] * m58;
-    let m92 = a[2] * m40 - a[4] * m50 + a[6] * m56 - a[10] * m61;
-    let m93 = a[2] * m42 - a[4] * m52 + a[6] * m58 - a[8] * m61;
-    let m94 = a[3] * m89 - a[5] * m90 + a[7] * m91 - a[9] * m92 + a[11] * m93;
-    let m95 = a[1] * m89 - a[5] * a[0] * m24 + a[7] * a[0] * m35 - a[9] * a[0] * m40
-        + a[11] * a[0] * m42;
-    let m96 = a[1] * m90 - a[3] * a[0] * m24 + a[7] * a[0] * m47 - a[9] * a[0] * m50
-        + a[11] * a[0] * m52;
-    let m97 = a[1] * m91 - a[3] * a[0] * m35 + a[5] * a[0] * m47 - a[9] * a[0] * m56
-        + a[11] * a[0] * m58;
-    let m98 = a[1] * m92 - a[3] * a[0] * m40 + a[5] * a[0] * m50 - a[7] * a[0] * m56
-        + a[11] * a[0] * m61;
-    let m99 = a[1] * m93 - a[3] * a[0] * m42 + a[5] * a[0] * m52 - a[7] * a[0] * m58
-        + a[9] * a[0] * m61;
-    let m100 = a[2] * m94 - a[4] * m95 + a[6] * m96 - a[8] * m97 + a[10] * m98 - a[12] * m99;
-    let m101 = a[1] * m100 - a[3] * a[0] * m94 + a[5] * a[0] * m95 - a[7] * a[0] * m96
-        + a[9] * a[0] * m97 - a[11] * a[0] * m98;
-    let m102 = a[6] * m5 - a[8] * m9 + a[10] * m11;
-    let m103 = a[4] * m5 - a[8] * m16 + a[10] * m18;
-    let m104 = a[4] * m9 - a[6] * m16 + a[10] * m21;
-    let m105 = a[4] * m11 - a[6] * m18 + a[8] * m21;
-    let m106 = a[5] * m102 - a[7] * m103 + a[9] * m104 - a[11] * m105;
-    let m107 = a[2] * m5 - a[8] * m27 + a[10] * m29;
-    let m108 = a[2] * m9 - a[6] * m27 + a[10] * m32;
-    let m109 = a[2] * m11 - a[6] * m29 + a[8] * m32;
-    let m110 = a[3] * m102 - a[7] * m107 + a[9] * m108 - a[11] * m109;
-    let m111 = a[2] * m16 - a[4] * m27 + a[10] * m37;
-    let m112 = a[2] * m18 - a[4] * m29 + a[8] * m37;
-    let m113 = a[3] * m103 - a[5] * m107 + a[9] * m111 - a[11] * m112;
-    let m114 = a[2] * m21 - a[4] * m32 + a[6] * m37;
-    let m115 = a[3] * m104 - a[5] * m108 + a[7] * m111 - a[11] * m114;
-    let m116 = a[3] * m105 - a[5] * m109 + a[7] * m112 - a[9] * m114;
-    let m117 = a[4] * m106 - a[6] * m110 + a[8] * m113 - a[10] * m115 + a[12] * m116;
-    let m118 = a[1] * m102 - a[7] * a[0] * m5 + a[9] * a[0] * m9 - a[11] * a[0] * m11;
-    let m119 = a[1] * m103 - a[5] * a[0] * m5 + a[9] * a[0] * m16 - a[11] * a[0] * m18;
-    let m120 = a[1] * m104 - a[5] * a[0] * m9 + a[7] * a[0] * m16 - a[11] * a[0] * m21;
-    let m121 = a[1] * m105 - a[5] * a[0] * m11 + a[7] * a[0] * m18 - a[9] * a[0] * m21;
-    let m122 = a[2] * m106 - a[6] * m118 + a[8] * m119 - a[10] * m120 + a[12] * m121;
-    let m123 = a[1] * m107 - a[3] * a[0] * m5 + a[9] * a[0] * m27 - a[11] * a[0] * m29;
-    let m124 = a[1] * m108 - a[3] * a[0] * m9 + a[7] * a[0] * m27 - a[11] * a[0] * m32;
-    let m125 = a[1] * m109 - a[3] * a[0] * m11 + a[7] * a[0] * m29 - a[9] * a[0] * m32;
-    let m126 = a[2] * m110 - a[4] * m118 + a[8] * m123 - a[10] * m124 + a[12] * m125;
-    let m127 = a[1] * m111 - a[3] * a[0] * m16 + a[5] * a[0] * m27 - a[11] * a[0] * m37;
-    let m128 = a[1] * m112 - a[3] * a[0] * m18 + a[5] * a[0] * m29 - a[9] * a[0] * m37;
-    let m129 = a[2] * m113 - a[4] * m119 + a[6] * m123 - a[10] * m127 + a[12] * m128;
-    let m130 = a[1] * m114 - a[3] * a[0] * m21 + a[5] * a[0] * m32 - a[7] * a[0] * m37;
-    let m131 = a[2] * m115 - a[4] * m120 + a[6] * m124 - a[8] * m127 + a[12] * m130;
-    let m132 = a[3] * m117 - a[5] * m122 + a[7] * m126 - a[9] * m129 + a[11] * m131;
-    let m133 = a[1] * m117 - a[5] * a[0] * m106 + a[7] * a[0] * m110 - a[9] * a[0] * m113
-        + a[11] * a[0] * m115;
-    let m134 = a[1] * m122 - a[3] * a[0] * m106 + a[7] * a[0] * m118 - a[9] * a[0] * m119
-        + a[11] * a[0] * m120;
-    let m135 = a[1] * m126 - a[3] * a[0] * m110 + a[5] * a[0] * m118 - a[9] * a[0] * m123
-        + a[11] * a[0] * m124;
-    let m136 = a[1] * m129 - a[3] * a[0] * m113 + a[5] * a[0] * m119 - a[7] * a[0] * m123
-        + a[11] * a[0] * m127;
-    let m137 = a[1] * m131 - a[3] * a[0] * m115 + a[5] * a[0] * m120 - a[7] * a[0] * m124
-        + a[9] * a[0] * m127;
-    let m138 = a[2] * m132 - a[4] * m133 + a[6] * m134 - a[8] * m135 + a[10] * m136
-        - a[12] * m137;
-    let m139 = a[1] * m138 - a[3] * a[0] * m132 + a[5] * a[0] * m133 - a[7] * a[0] * m134
-        + a[9] * a[0] * m135 - a[11] * a[0] * m136;
-    let m140 = a[8] * a[9] * a[12] - a[10] * a[7] * a[12];
-    let m141 = a[6] * a[9] * a[12] - a[10] * a[5] * a[12];
-    let m142 = a[6] * a[7] * a[12] - a[8] * a[5] * a[12];
-    let m143 = a[7] * m140 - a[9] * m141 + a[11] * m142;
-    let m144 = a[4] * a[9] * a[12] - a[10] * a[3] * a[12];
-    let m145 = a[4] * a[7] * a[12] - a[8] * a[3] * a[12];
-    let m146 = a[5] * m140 - a[9] * m144 + a[11] * m145;
-    let m147 = a[4] * a[5] * a[12] - a[6] * a[3] * a[12];
-    let m148 = a[5] * m141 - a[7] * m144 + a[11] * m147;
-    let m149 = a[5] * m142 - a[7] * m145 + a[9] * m147;
-    let m150 = a[6] * m143 - a[8] * m146 + a[10] * m148 - a[12] * m149;
-    let m151 = a[2] * a[9] * a[12] - a[10] * a[1] * a[12];
-    let m152 = a[2] * a[7] * a[12] - a[8] * a[1] * a[12];
-    let m153 = a[3] * m140 - a[9] * m151 + a[11] * m152;
-    let m154 = a[2] * a[5] * a[12] - a[6] * a[1] * a[12];
-    let m155 = a[3] * m141 - a[7] * m151 + a[11] * m154;
-    let m156 = a[3] * m142 - a[7] * m152 + a[9] * m154;
-    let m157 = a[4] * m143 - a[8] * m153 + a[10] * m155 - a[12] * m156;
-    let m158 = a[2] * a[3] * a[12] - a[4] * a[1] * a[12];
-    let m159 = a[3] * m144 - a[5] * m151 + a[11] * m158;
-    let m160 = a[3] * m145 - a[5] * m152 + a[9] * m158;
-    let m161 = a[4] * m146 - a[6] * m153 + a[10] * m159 - a[12] * m160;
-    let m162 = a[3] * m147 - a[5] * m154 + a[7] * m158;
-    let m163 = a[4] * m148 - a[6] * m155 + a[8] * m159 - a[12] * m162;
-    let m164 = a[5] * m150 - a[7] * m157 + a[9] * m161 - a[11] * m163;
-    let m165 = a[1] * m140 - a[9] * a[0] * a[9] * a[12] + a[11] * a[0] * a[7] * a[12];
-    let m166 = a[1] * m141 - a[7] * a[0] * a[9] * a[12] + a[11] * a[0] * a[5] * a[12];
-    let m167 = a[1] * m142 - a[7] * a[0] * a[7] * a[12] + a[9] * a[0] * a[5] * a[12];
-    let m168 = a[2] * m143 - a[8] * m165 + a[10] * m166 - a[12] * m167;
-    let m169 = a[1] * m144 - a[5] * a[0] * a[9] * a[12] + a[11] * a[0] * a[3] * a[12];
-    let m170 = a[1] * m145 - a[5] * a[0] * a[7] * a[12] + a[9] * a[0] * a[3] * a[12];
-    let m171 = a[2] * m146 - a[6] * m165 + a[10] * m169 - a[12] * m170;
-    let m172 = a[1] * m147 - a[5] * a[0] * a[5] * a[12] + a[7] * a[0] * a[3] * a[12];
-    let m173 = a[2] * m148 - a[6] * m166 + a[8] * m169 - a[12] * m172;
-    let m174 = a[3] * m150 - a[7] * m168 + a[9] * m171 - a[11] * m173;
-    let m175 = a[1] * m151 - a[3] * a[0] * a[9] * a[12] + a[11] * a[0] * a[1] * a[12];
-    let m176 = a[1] * m152 - a[3] * a[0] * a[7] * a[12] + a[9] * a[0] * a[1] * a[12];
-    let m177 = a[2] * m153 - a[4] * m165 + a[10] * m175 - a[12] * m176;
-    let m178 = a[1] * m154 - a[3] * a[0] * a[5] * a[12] + a[7] * a[0] * a[1] * a[12];
-    let m179 = a[2] * m155 - a[4] * m166 + a[8] * m175 - a[12] * m178;
-    let m180 = a[3] * m157 - a[5] * m168 + a[9] * m177 - a[11] * m179;
-    let m181 = a[1] * m158 - a[3] * a[0] * a[3] * a[12] + a[5] * a[0] * a[1] * a[12];
-    let m182 = a[2] * m159 - a[4] * m169 + a[6] * m175 - a[12] * m181;
-    let m183 = a[3] * m161 - a[5] * m171 + a[7] * m177 - a[11] * m182;
-    let m184 = a[3] * m163 - a[5] * m173 + a[7] * m179 - a[9] * m182;
-    let m185 = a[4] * m164 - a[6] * m174 + a[8] * m180 - a[10] * m183 + a[12] * m184;
-    let m186 = a[1] * m150 - a[7] * a[0] * m143 + a[9] * a[0] * m146 - a[11] * a[0] * m148;
-    let m187 = a[1] * m157 - a[5] * a[0] * m143 + a[9] * a[0] * m153 - a[11] * a[0] * m155;
-    let m188 = a[1] * m161 - a[5] * a[0] * m146 + a[7] * a[0] * m153 - a[11] * a[0] * m159;
-    let m189 = a[1] * m163 - a[5] * a[0] * m148 + a[7] * a[0] * m155 - a[9] * a[0] * m159;
-    let m190 = a[2] * m164 - a[6] * m186 + a[8] * m187 - a[10] * m188 + a[12] * m189;
-    let m191 = a[1] * m168 - a[3] * a[0] * m143 + a[9] * a[0] * m165 - a[11] * a[0] * m166;
-    let m192 = a[1] * m171 - a[3] * a[0] * m146 + a[7] * a[0] * m165 - a[11] * a[0] * m169;
-    let m193 = a[1] * m173 - a[3] * a[0] * m148 + a[7] * a[0] * m166 - a[9] * a[0] * m169;
-    let m194 = a[2] * m174 - a[4] * m186 + a[8] * m191 - a[10] * m192 + a[12] * m193;
-    let m195 = a[1] * m177 - a[3] * a[0] * m153 + a[5] * a[0] * m165 - a[11] * a[0] * m175;
-    let m196 = a[1] * m179 - a[3] * a[0] * m155 + a[5] * a[0] * m166 - a[9] * a[0] * m175;
-    let m197 = a[2] * m180 - a[4] * m187 + a[6] * m191 - a[10] * m195 + a[12] * m196;
-    let m198 = a[1] * m182 - a[3] * a[0] * m159 + a[5] * a[0] * m169 - a[7] * a[0] * m175;
-    let m199 = a[2] * m183 - a[4] * m188 + a[6] * m192 - a[8] * m195 + a[12] * m198;
-    let m200 = a[3] * m185 - a[5] * m190 + a[7] * m194 - a[9] * m197 + a[11] * m199;
-    let m201 = a[1] * m185 - a[5] * a[0] * m164 + a[7] * a[0] * m174 - a[9] * a[0] * m180
-        + a[11] * a[0] * m183;
-    let m202 = a[1] * m190 - a[3] * a[0] * m164 + a[7] * a[0] * m186 - a[9] * a[0] * m187
-        + a[11] * a[0] * m188;
-    let m203 = a[1] * m194 - a[3] * a[0] * m174 + a[5] * a[0] * m186 - a[9] * a[0] * m191
-        + a[11] * a[0] * m192;
-    let m204 = a[1] * m197 - a[3] * a[0] * m180 + a[5] * a[0] * m187 - a[7] * a[0] * m191
-        + a[11] * a[0] * m195;
-    let m205 = a[1] * m199 - a[3] * a[0] * m183 + a[5] * a[0] * m188 - a[7] * a[0] * m192
-        + a[9] * a[0] * m195;
-    let m206 = a[2] * m200 - a[4] * m201 + a[6] * m202 - a[8] * m203 + a[10] * m204
-        - a[12] * m205;
-    let m207 = a[1] * m206 - a[3] * a[0] * m200 + a[5] * a[0] * m201 - a[7] * a[0] * m202
-        + a[9] * a[0] * m203 - a[11] * a[0] * m204;
-    let m208 = a[9] * a[10] - a[11] * a[8];
-    let m209 = a[7] * a[10] - a[11] * a[6];
-    let m210 = a[7] * a[8] - a[9] * a[6];
-    let m211 = a[8] * m208 - a[10] * m209 + a[12] * m210;
-    let m212 = a[5] * a[10] - a[11] * a[4];
-    let m213 = a[5] * a[8] - a[9] * a[4];
-    let m214 = a[6] * m208 - a[10] * m212 + a[12] * m213;
-    let m215 = a[5] * a[6] - a[7] * a[4];
-    let m216 = a[6] * m209 - a[8] * m212 + a[12] * m215;
-    let m217 = a[7] * m211 - a[9] * m214 + a[11] * m216;
-    let m218 = a[3] * a[10] - a[11] * a[2];
-    let m219 = a[3] * a[8] - a[9] * a[2];
-    let m220 = a[4] * m208 - a[10] * m218 + a[12] * m219;
-    let m221 = a[3] * a[6] - a[7] * a[2];
-    let m222 = a[4] * m209 - a[8] * m218 + a[12] * m221;
-    let m223 = a[5] * m211 - a[9] * m220 + a[11] * m222;
-    let m224 = a[3] * a[4] - a[5] * a[2];
-    let m225 = a[4] * m212 - a[6] * m218 + a[12] * m224;
-    let m226 = a[5] * m214 - a[7] * m220 + a[11] * m225;
-    let m227 = a[5] * m216 - a[7] * m222 + a[9] * m225;
-    let m228 = a[6] * m217 - a[8] * m223 + a[10] * m226 - a[12] * m227;
-    let m229 = a[1] * a[10] - a[11] * a[0];
-    let m230 = a[1] * a[8] - a[9] * a[0];
-    let m231 = a[2] * m208 - a[10] * m229 + a[12] * m230;
-    let m232 = a[1] * a[6] - a[7] * a[0];
-    let m233 = a[2] * m209 - a[8] * m229 + a[12] * m232;
-    let m234 = a[3] * m211 - a[9] * m231 + a[11] * m233;
-    let m235 = a[1] * a[4] - a[5] * a[0];
-    let m236 = a[2] * m212 - a[6] * m229 + a[12] * m235;
-    let m237 = a[3] * m214 - a[7] * m231 + a[11] * m236;
-    let m238 = a[3] * m216 - a[7] * m233 + a[9] * m236;
-    let m239 = a[4] * m217 - a[8] * m234 + a[10] * m237 - a[12] * m238;
-    let m240 = a[1] * a[2] - a[3] * a[0];
-    let m241 = a[2] * m218 - a[4] * m229 + a[12] * m240;
-    let m242 = a[3] * m220 - a[5] * m231 + a[11] * m241;
-    let m243 = a[3] * m222 - a[5] * m233 + a[9] * m241;
-    let m244 = a[4] * m223 - a[6] * m234 + a[10] * m242 - a[12] * m243;
-    let m245 = a[3] * m225 - a[5] * m236 + a[7] * m241;
-    let m246 = a[4] * m226 - a[6] * m237 + a[8] * m242 - a[12] * m245;
-    let m247 = a[5] * m228 - a[7] * m239 + a[9] * m244 - a[11] * m246;
-    let m248 = a[1] * m211 - a[9] * a[0] * m208 + a[11] * a[0] * m209;
-    let m249 = a[1] * m214 - a[7] * a[0] * m208 + a[11] * a[0] * m212;
-    let m250 = a[1] * m216 - a[7] * a[0] * m209 + a[9] * a[0] * m212;
-    let m251 = a[2] * m217 - a[8] * m248 + a[10] * m249 - a[12] * m250;
-    let m252 = a[1] * m220 - a[5] * a[0] * m208 + a[11] * a[0] * m218;
-    let m253 = a[1] * m222 - a[5] * a[0] * m209 + a[9] * a[0] * m218;
-    let m254 = a[2] * m223 - a[6] * m248 + a[10] * m252 - a[12] * m253;
-    let m255 = a[1] * m225 - a[5] * a[0] * m212 + a[7] * a[0] * m218;
-    let m256 = a[2] * m226 - a[6] * m249 + a[8] * m252 - a[12] * m255;
-    let m257 = a[3] * m228 - a[7] * m251 + a[9] * m254 - a[11] * m256;
-    let m258 = a[1] * m231 - a[3] * a[0] * m208 + a[11] * a[0] * m229;
-    let m259 = a[1] * m233 - a[3] * a[0] * m209 + a[9] * a[0] * m229;
-    let m260 = a[2] * m234 - a[4] * m248 + a[10] * m258 - a[12] * m259;
-    let m261 = a[1] * m236 - a[3] * a[0] * m212 + a[7] * a[0] * m229;
-    let m262 = a[2] * m237 - a[4] * m249 + a[8] * m258 - a[12] * m261;
-    let m263 = a[3] * m239 - a[5] * m251 + a[9] * m260 - a[11] * m262;
-    let m264 = a[1] * m241 - a[3] * a[0] * m218 + a[5] * a[0] * m229;
-    let m265 = a[2] * m242 - a[4] * m252 + a[6] * m258 - a[12] * m264;
-    let m266 = a[3] * m244 - a[5] * m254 + a[7] * m260 - a[11] * m265;
-    let m267 = a[3] * m246 - a[5] * m256 + a[7] * m262 - a[9] * m265;
-    let m268 = a[4] * m247 - a[6] * m257 + a[8] * m263 - a[10] * m266 + a[12] * m267;
-    let m269 = a[1] * m228 - a[7] * a[0] * m217 + a[9] * a[0] * m223 - a[11] * a[0] * m226;
-    let m270 = a[1] * m239 - a[5] * a[0] * m217 + a[9] * a[0] * m234 - a[11] * a[0] * m237;
-    let m271 = a[1] * m244 - a[5] * a[0] * m223 + a[7] * a[0] * m234 - a[11] * a[0] * m242;
-    let m272 = a[1] * m246 - a[5] * a[0] * m226 + a[7] * a[0] * m237 - a[9] * a[0] * m242;
-    let m273 = a[2] * m247 - a[6] * m269 + a[8] * m270 - a[10] * m271 + a[12] * m272;
-    let m274 = a[1] * m251 - a[3] * a[0] * m217 + a[9] * a[0] * m248 - a[11] * a[0] * m249;
-    let m275 = a[1] * m254 - a[3] * a[0] * m223 + a[7] * a[0] * m248 - a[11] * a[0] * m252;
-    let m276 = a[1] * m256 - a[3] * a[0] * m226 + a[7] * a[0] * m249 - a[9] * a[0] * m252;
-    let m277 = a[2] * m257 - a[4] * m269 + a[8] * m274 - a[10] * m275 + a[12] * m276;
-    let m278 = a[1] * m260 - a[3] * a[0] * m234 + a[5] * a[0] * m248 - a[11] * a[0] * m258;
-    let m279 = a[1] * m262 - a[3] * a[0] * m237 + a[5] * a[0] * m249 - a[9] * a[0] * m258;
-    let m280 = a[2] * m263 - a[4] * m270 + a[6] * m274 - a[10] * m278 + a[12] * m279;
-    let m281 = a[1] * m265 - a[3] * a[0] * m242 + a[5] * a[0] * m252 - a[7] * a[0] * m258;
-    let m282 = a[2] * m266 - a[4] * m271 + a[6] * m275 - a[8] * m278 + a[12] * m281;
-    let m283 = a[3] * m268 - a[5] * m273 + a[7] * m277 - a[9] * m280 + a[11] * m282;
-    let m284 = a[1] * m268 - a[5] * a[0] * m247 + a[7] * a[0] * m257 - a[9] * a[0] * m263
-        + a[11] * a[0] * m266;
-    let m285 = a[1] * m273 - a[3] * a[0] * m247 + a[7] * a[0] * m269 - a[9] * a[0] * m270
-        + a[11] * a[0] * m271;
-    let m286 = a[1] * m277 - a[3] * a[0] * m257 + a[5] * a[0] * m269 - a[9] * a[0] * m274
-        + a[11] * a[0] * m275;
-    let m287 = a[1] * m280 - a[3] * a[0] * m263 + a[5] * a[0] * m270 - a[7] * a[0] * m274
-        + a[11] * a[0] * m278;
-    let m288 = a[1] * m282 - a[3] * a[0] * m266 + a[5] * a[0] * m271 - a[7] * a[0] * m275
-        + a[9] * a[0] * m278;
-    let m289 = a[2] * m283 - a[4] * m284 + a[6] * m285 - a[8] * m286 + a[10] * m287
-        - a[12] * m288;
-    let m290 = a[1] * m289 - a[3] * a[0] * m283 + a[5] * a[0] * m284 - a[7] * a[0] * m285
-        + a[9] * a[0] * m286 - a[11] * a[0] * m287;
-    let determinant = a[1] * m86 - a[3] * a[0] * m80 + a[5] * a[0] * m81 - a[7] * a[0] * m82
-        + a[9] * a[0] * m83 - a[11] * a[0] * m84;
-    let numerator = -b[0] * m86 + b[1] * a[0] * m80 - b[2] * a[0] * m81 + b[3] * a[0] * m82
-        - b[4] * a[0] * m83 + b[5] * a[0] * m84 - b[6] * a[0] * m85 + b[7] * a[0] * m88
-        - b[8] * a[0] * m101 + b[9] * a[0] * m139 - b[10] * a[0] * m207
-        + b[11] * a[0] * m290;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let r2_2 = a[6] - q1 * a[7];
+    let r2_3 = a[8] - q1 * a[9];
+    let r2_4 = a[10] - q1 * a[11];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * r2_2;
+    let r3_2 = a[7] - q2 * r2_3;
+    let r3_3 = a[9] - q2 * r2_4;
+    let r3_4 = a[11] - q2 * a[12];
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let r4_1 = r2_2 - q3 * r3_2;
+    let r4_2 = r2_3 - q3 * r3_3;
+    let r4_3 = r2_4 - q3 * r3_4;
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * r4_1;
+    let r5_1 = r3_2 - q4 * r4_2;
+    let r5_2 = r3_3 - q4 * r4_3;
+    let r5_3 = r3_4 - q4 * a[12];
+    let q5 = r4_0 / r5_0;
+    let r6_0 = r4_1 - q5 * r5_1;
+    let r6_1 = r4_2 - q5 * r5_2;
+    let r6_2 = r4_3 - q5 * r5_3;
+    let q6 = r5_0 / r6_0;
+    let r7_0 = r5_1 - q6 * r6_1;
+    let r7_1 = r5_2 - q6 * r6_2;
+    let r7_2 = r5_3 - q6 * a[12];
+    let q7 = r6_0 / r7_0;
+    let r8_0 = r6_1 - q7 * r7_1;
+    let r8_1 = r6_2 - q7 * r7_2;
+    let q8 = r7_0 / r8_0;
+    let r9_0 = r7_1 - q8 * r8_1;
+    let r9_1 = r7_2 - q8 * a[12];
+    let q9 = r8_0 / r9_0;
+    let r10_0 = r8_1 - q9 * r9_1;
+    let q10 = r9_0 / r10_0;
+    let r11_0 = r9_1 - q10 * a[12];
+    let q11 = r10_0 / r11_0;
+    let q12 = r11_0 / a[12];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[7] * y0 - r2_2 * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[9] * y0 - r2_3 * y1 - r3_2 * y2 - r4_1 * y3) / r5_0;
+    let y5 = (b[5] - a[11] * y0 - r2_4 * y1 - r3_3 * y2 - r4_2 * y3 - r5_1 * y4) / r6_0;
+    let y6 = (b[6] - a[12] * y1 - r3_4 * y2 - r4_3 * y3 - r5_2 * y4 - r6_1 * y5) / r7_0;
+    let y7 = (b[7] - a[12] * y3 - r5_3 * y4 - r6_2 * y5 - r7_1 * y6) / r8_0;
+    let y8 = (b[8] - a[12] * y5 - r7_2 * y6 - r8_1 * y7) / r9_0;
+    let y9 = (b[9] - a[12] * y7 - r9_1 * y8) / r10_0;
+    let y10 = (b[10] - a[12] * y9) / r11_0;
+    let y11 = b[11] / a[12];
+    let z10 = y10 - q11 * y11;
+    let z9 = y9 - q10 * z10;
+    let z8 = y8 - q9 * z9;
+    let z7 = y7 - q8 * z8;
+    let z6 = y6 - q7 * z7;
+    let z5 = y5 - q6 * z6;
+    let z4 = y4 - q5 * z5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0 && q7 > 0.0
+        && q8 > 0.0 && q9 > 0.0 && q10 > 0.0 && q11 > 0.0 && q12 > 0.0;
+    if stable { (q1 * z1 - y0) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_13 from a0 ... a13 and b0 ... b12.
 pub fn i13(a: &[f64; 14], b: &[f64; 13]) -> f64 {
-    let m0 = a[11] * a[12] * a[13] - a[13] * a[10] * a[13];
-    let m1 = a[9] * a[12] * a[13] - a[13] * a[8] * a[13];
-    let m2 = a[10] * m0 - a[12] * m1;
-    let m3 = a[7] * a[12] * a[13] - a[13] * a[6] * a[13];
-    let m4 = a[8] * m0 - a[12] * m3;
-    let m5 = a[8] * m1 - a[10] * m3;
-    let m6 = a[9] * m2 - a[11] * m4 + a[13] * m5;
-    let m7 = a[5] * a[12] * a[13] - a[13] * a[4] * a[13];
-    let m8 = a[6] * m0 - a[12] * m7;
-    let m9 = a[6] * m1 - a[10] * m7;
-    let m10 = a[7] * m2 - a[11] * m8 + a[13] * m9;
-    let m11 = a[6] * m3 - a[8] * m7;
-    let m12 = a[7] * m4 - a[9] * m8 + a[13] * m11;
-    let m13 = a[8] * m6 - a[10] * m10 + a[12] * m12;
-    let m14 = a[3] * a[12] * a[13] - a[13] * a[2] * a[13];
-    let m15 = a[4] * m0 - a[12] * m14;
-    let m16 = a[4] * m1 - a[10] * m14;
-    let m17 = a[5] * m2 - a[11] * m15 + a[13] * m16;
-    let m18 = a[4] * m3 - a[8] * m14;
-    let m19 = a[5] * m4 - a[9] * m15 + a[13] * m18;
-    let m20 = a[6] * m6 - a[10] * m17 + a[12] * m19;
-    let m21 = a[4] * m7 - a[6] * m14;
-    let m22 = a[5] * m8 - a[7] * m15 + a[13] * m21;
-    let m23 = a[6] * m10 - a[8] * m17 + a[12] * m22;
-    let m24 = a[6] * m12 - a[8] * m19 + a[10] * m22;
-    let m25 = a[7] * m13 - a[9] * m20 + a[11] * m23 - a[13] * m24;
-    let m26 = a[1] * a[12] * a[13] - a[13] * a[0] * a[13];
-    let m27 = a[2] * m0 - a[12] * m26;
-    let m28 = a[2] * m1 - a[10] * m26;
-    let m29 = a[3] * m2 - a[11] * m27 + a[13] * m28;
-    let m30 = a[2] * m3 - a[8] * m26;
-    let m31 = a[3] * m4 - a[9] * m27 + a[13] * m30;
-    let m32 = a[4] * m6 - a[10] * m29 + a[12] * m31;
-    let m33 = a[2] * m7 - a[6] * m26;
-    let m34 = a[3] * m8 - a[7] * m27 + a[13] * m33;
-    let m35 = a[4] * m10 - a[8] * m29 + a[12] * m34;
-    let m36 = a[4] * m12 - a[8] * m31 + a[10] * m34;
-    let m37 = a[5] * m13 - a[9] * m32 + a[11] * m35 - a[13] * m36;
-    let m38 = a[2] * m14 - a[4] * m26;
-    let m39 = a[3] * m15 - a[5] * m27 + a[13] * m38;
-    let m40 = a[4] * m17 - a[6] * m29 + a[12] * m39;
-    let m41 = a[4] * m19 - a[6] * m31 + a[10] * m39;
-    let m42 = a[5] * m20 - a[7] * m32 + a[11] * m40 - a[13] * m41;
-    let m43 = a[4] * m22 - a[6] * m34 + a[8] * m39;
-    let m44 = a[5] * m23 - a[7] * m35 + a[9] * m40 - a[13] * m43;
-    let m45 = a[6] * m25 - a[8] * m37 + a[10] * m42 - a[12] * m44;
-    let m46 = a[1] * m2 - a[11] * a[0] * m0 + a[13] * a[0] * m1;
-    let m47 = a[1] * m4 - a[9] * a[0] * m0 + a[13] * a[0] * m3;
-    let m48 = a[2] * m6 - a[10] * m46 + a[12] * m47;
-    let m49 = a[1] * m8 - a[7] * a[0] * m0 + a[13] * a[0] * m7;
-    let m50 = a[2] * m10 - a[8] * m46 + a[12] * m49;
-    let m51 = a[2] * m12 - a[8] * m47 + a[10] * m49;
-    let m52 = a[3] * m13 - a[9] * m48 + a[11] * m50 - a[13] * m51;
-    let m53 = a[1] * m15 - a[5] * a[0] * m0 + a[13] * a[0] * m14;
-    let m54 = a[2] * m17 - a[6] * m46 + a[12] * m53;
-    let m55 = a[2] * m19 - a[6] * m47 + a[10] * m53;
-    let m56 = a[3] * m20 - a[7] * m48 + a[11] * m54 - a[13] * m55;
-    let m57 = a[2] * m22 - a[6] * m49 + a[8] * m53;
-    let m58 = a[3] * m23 - a[7] * m50 + a[9] * m54 - a[13] * m57;
-    let m59 = a[4] * m25 - a[8] * m52 + a[10] * m56 - a[12] * m58;
-    let m60 = a[1] * m27 - a[3] * a[0] * m0 + a[13] * a[0] * m26;
-    let m61 = a[2] * m29 - a[4] * m46 + a[12] * m60;
-    let m62 = a[2] * m31 - a[4] * m47 + a[10] * m60;
-    let m63 = a[3] * m32 - a[5] * m48 + a[11] * m61 - a[13] * m62;
-    let m64 = a[2] * m34 - a[4] * m49 + a[8] * m60;
-    let m65 = a[3] * m35 - a[5] * m50 + a[9] * m61 - a[13] * m64;
-    let m66 = a[4] * m37 - a[6] * m52 + a[10] * m63 - a[12] * m65;
-    let m67 = a[2] * m39 - a[4] * m53 + a[6] * m60;
-    let m68 = a[3] * m40 - a[5] * m54 + a[7] * m61 - a[13] * m67;
-    let m69 = a[4] * m42 - a[6] * m56 + a[8] * m63 - a[12] * m68;
-    let m70 = a[4] * m44 - a[6] * m58 + a[8] * m65 - a[10] * m68;
-    let m71 = a[5] * m45 - a[7] * m59 + a[9] * m66 - a[11] * m69 + a[13] * m70;
-    let m72 = a[1] * m13 - a[9] * a[0] * m6 + a[11] * a[0] * m10 - a[13] * a[0] * m12;
-    let m73 = a[1] * m20 - a[7] * a[0] * m6 + a[11] * a[0] * m17 - a[13] * a[0] * m19;
-    let m74 = a[1] * m23 - a[7] * a[0] * m10 + a[9] * a[0] * m17 - a[13] * a[0] * m22;
-    let m75 = a[2] * m25 - a[8] * m72 + a[10] * m73 - a[12] * m74;
-    let m76 = a[1] * m32 - a[5] * a[0] * m6 + a[11] * a[0] * m29 - a[13] * a[0] * m31;
-    let m77 = a[1] * m35 - a[5] * a[0] * m10 + a[9] * a[0] * m29 - a[13] * a[0] * m34;
-    let m78 = a[2] * m37 - a[6] * m72 + a[10] * m76 - a[12] * m77;
-    let m79 = a[1] * m40 - a[5] * a[0] * m17 + a[7] * a[0] * m29 - a[13] * a[0] * m39;
-    let m80 = a[2] * m42 - a[6] * m73 + a[8] * m76 - a[12] * m79;
-    let m81 = a[2] * m44 - a[6] * m74 + a[8] * m77 - a[10] * m79;
-    let m82 = a[3] * m45 - a[7] * m75 + a[9] * m78 - a[11] * m80 + a[13] * m81;
-    let m83 = a[1] * m48 - a[3] * a[0] * m6 + a[11] * a[0] * m46 - a[13] * a[0] * m47;
-    let m84 = a[1] * m50 - a[3] * a[0] * m10 + a[9] * a[0] * m46 - a[13] * a[0] * m49;
-    let m85 = a[2] * m52 - a[4] * m72 + a[10] * m83 - a[12] * m84;
-    let m86 = a[1] * m54 - a[3] * a[0] * m17 + a[7] * a[0] * m46 - a[13] * a[0] * m53;
-    let m87 = a[2] * m56 - a[4] * m73 + a[8] * m83 - a[12] * m86;
-    let m88 = a[2] * m58 - a[4] * m74 + a[8] * m84 - a[10] * m86;
-    let m89 = a[3] * m59 - a[5] * m75 + a[9] * m85 - a[11] * m87 + a[13] * m88;
-    let m90 = a[1] * m61 - a[3] * a[0] * m29 + a[5] * a[0] * m46 - a[13] * a[0] * m60;
-    let m91 = a[2] * m63 - a[4] * m76 + a[6] * m83 - a[12] * m90;
-    let m92 = a[2] * m65 - a[4] * m77 + a[6] * m84 - a[10] * m90;
-    let m93 = a[3] * m66 - a[5] * m78 + a[7] * m85 - a[11] * m91 + a[13] * m92;
-    let m94 = a[2] * m68 - a[4] * m79 + a[6] * m86 - a[8] * m90;
-    let m95 = a[3] * m69 - a[5] * m80 + a[7] * m87 - a[9] * m91 + a[13] * m94;
-    let m96 = a[4] * m71 - a[6] * m82 + a[8] * m89 - a[10] * m93 + a[12] * m95;
-    let m97 = a[1] * m45 - a[7] * a[0] * m25 + a[9] * a[0] * m37 - a[11] * a[0] * m42
-        + a[13] * a[0] * m44;
-    let m98 = a[1] * m59 - a[5] * a[0] * m25 + a[9] * a[0] * m52 - a[11] * a[0] * m56
-        + a[13] * a[0] * m58;
-    let m99 = a[1] * m66 - a[5] * a[0] * m37 + a[7] * a[0] * m52 - a[11] * a[0] * m63
-        + a[13] * a[0] * m65;
-    let m100 = a[1] * m69 - a[5] * a[0] * m42 + a[7] * a[0] * m56 - a[9] * a[0] * m63
-        + a[13] * a[0] * m68;
-    let m101 = a[2] * m71 - a[6] * m97 + a[8] * m98 - a[10] * m99 + a[12] * m100;
-    let m102 = a[1] * m75 - a[3] * a[0] * m25 + a[9] * a[0] * m72 - a[11] * a[0] * m73
-        + a[13] * a[0] * m74;
-    let m103 = a[1] * m78 - a[3] * a[0] * m37 + a[7] * a[0] * m72 - a[11] * a[0] * m76
-        + a[13] * a[0] * m77;
-    let m104 = a[1] * m80 - a[3] * a[0] * m42 + a[7] * a[0] * m73 - a[9] * a[0] * m76
-        + a[13] * a[0] * m79;
-    let m105 = a[2] * m82 - a[4] * m97 + a[8] * m102 - a[10] * m103 + a[12] * m104;
-    let m106 = a[1] * m85 - a[3] * a[0] * m52 + a[5] * a[0] * m72 - a[11] * a[0] * m83
-        + a[13] * a[0] * m84;
-    let m107 = a[1] * m87 - a[3] * a[0] * m56 + a[5] * a[0] * m73 - a[9] * a[0] * m83
-        + a[13] * a[0] * m86;
-    let m108 = a[2] * m89 - a[4] * m98 + a[6] * m102 - a[10] * m106 + a[12] * m107;
-    let m109 = a[1] * m91 - a[3] * a[0] * m63 + a[5] * a[0] * m76 - a[7] * a[0] * m83
-        + a[13] * a[0] * m90;
-    let m110 = a[2] * m93 - a[4] * m99 + a[6] * m103 - a[8] * m106 + a[12] * m109;
-    let m111 = a[2] * m95 - a[4] * m100 + a[6] * m104 - a[8] * m107 + a[10] * m109;
-    let m112 = a[3] * m96 - a[5] * m101 + a[7] * m105 - a[9] * m108 + a[11] * m110
-        - a[13] * m111;
-    let m113 = a[1] * m96 - a[5] * a[0] * m71 + a[7] * a[0] * m82 - a[9] * a[0] * m89
-        + a[11] * a[0] * m93 - a[13] * a[0] * m95;
-    let m114 = a[1] * m101 - a[3] * a[0] * m71 + a[7] * a[0] * m97 - a[9] * a[0] * m98
-        + a[11] * a[0] * m99 - a[13] * a[0] * m100;
-    let m115 = a[1] * m105 - a[3] * a[0] * m82 + a[5] * a[0] * m97 - a[9] * a[0] * m102
-        + a[11] * a[0] * m103 - a[13] * a[0] * m104;
-    let m116 = a[1] * m108 - a[3] * a[0] * m89 + a[5] * a[0] * m98 - a[7] * a[0] * m102
-        + a[11] * a[0] * m106 - a[13] * a[0] * m107;
-    let m117 = a[1] * m110 - a[3] * a[0] * m93 + a[5] * a[0] * m99 - a[7] * a[0] * m103
-        + a[9] * a[0] * m106 - a[13] * a[0] * m109;
-    let m118 = a[2] * m112 - a[4] * m113 + a[6] * m114 - a[8] * m115 + a[10] * m116
-        - a[12] * m117;
-    let m119 = a[1] * m111 - a[3] * a[0] * m95 + a[5] * a[0] * m100 - a[7] * a[0] * m104
-        + a[9] * a[0] * m107 - a[11] * a[0] * m109;
-    let m120 = a[3] * m70 - a[5] * m81 + a[7] * m88 - a[9] * m92 + a[11] * m94;
-    let m121 = a[1] * m70 - a[5] * a[0] * m44 + a[7] * a[0] * m58 - a[9] * a[0] * m65
-        + a[11] * a[0] * m68;
-    let m122 = a[1] * m81 - a[3] * a[0] * m44 + a[7] * a[0] * m74 - a[9] * a[0] * m77
-        + a[11] * a[0] * m79;
-    let m123 = a[1] * m88 - a[3] * a[0] * m58 + a[5] * a[0] * m74 - a[9] * a[0] * m84
-        + a[11] * a[0] * m86;
-    let m124 = a[1] * m92 - a[3] * a[0] * m65 + a[5] * a[0] * m77 - a[7] * a[0] * m84
-        + a[11] * a[0] * m90;
-    let m125 = a[1] * m94 - a[3] * a[0] * m68 + a[5] * a[0] * m79 - a[7] * a[0] * m86
-        + a[9] * a[0] * m90;
-    let m126 = a[2] * m120 - a[4] * m121 + a[6] * m122 - a[8] * m123 + a[10] * m124
-        - a[12] * m125;
-    let m127 = a[1] * m126 - a[3] * a[0] * m120 + a[5] * a[0] * m121 - a[7] * a[0] * m122
-        + a[9] * a[0] * m123 - a[11] * a[0] * m124 + a[13] * a[0] * m125;
-    let m128 = a[5] * m24 - a[7] * m36 + a[9] * m41 - a[11] * m43;
-    let m129 = a[3] * m24 - a[7] * m51 + a[9] * m55 - a[11] * m57;
-    let m130 = a[3] * m36 - a[5] * m51 + a[9] * m62 - a[11] * m64;
-    let m131 = a[3] * m41 - a[5] * m55 + a[7] * m62 - a[11] * m67;
-    let m132 = a[3] * m43 - a[5] * m57 + a[7] * m64 - a[9] * m67;
-    let m133 = a[4] * m128 - a[6] * m129 + a[8] * m130 - a[10] * m131 + a[12] * m132;
-    let m134 = a[1] * m24 - a[7] * a[0] * m12 + a[9] * a[0] * m19 - a[11] * a[0] * m22;
-    let m135 = a[1] * m36 - a[5] * a[0] * m12 + a[9] * a[0] * m31 - a[11] * a[0] * m34;
-    let m136 = a[1] * m41 - a[5] * a[0] * m19 + a[7] * a[0] * m31 - a[11] * a[0] * m39;
-    let m137 = a[1] * m43 - a[5] * a[0] * m22 + a[7] * a[0] * m34 - a[9] * a[0] * m39;
-    let m138 = a[2] * m128 - a[6] * m134 + a[8] * m135 - a[10] * m136 + a[12] * m137;
-    let m139 = a[1] * m51 - a[3] * a[0] * m12 + a[9] * a[0] * m47 - a[11] * a[0] * m49;
-    let m140 = a[1] * m55 - a[3] * a[0] * m19 + a[7] * a[0] * m47 - a[11] * a[0] * m53;
-    let m141 = a[1] * m57 - a[3] * a[0] * m22 + a[7] * a[0] * m49 - a[9] * a[0] * m53;
-    let m142 = a[2] * m129 - a[4] * m134 + a[8] * m139 - a[10] * m140 + a[12] * m141;
-    let m143 = a[1] * m62 - a[3] * a[0] * m31 + a[5] * a[0] * m47 - a[11] * a[0] * m60;
-    let m144 = a[1] * m64 - a[3] * a[0] * m34 + a[5] * a[0] * m49 - a[9] * a[0] * m60;
-    let m145 = a[2] * m130 - a[4] * m135 + a[6] * m139 - a[10] * m143 + a[12] * m144;
-    let m146 = a[1] * m67 - a[3] * a[0] * m39 + a[5] * a[0] * m53 - a[7] * a[0] * m60;
-    let m147 = a[2] * m131 - a[4] * m136 + a[6] * m140 - a[8] * m143 + a[12] * m146;
-    let m148 = a[2] * m132 - a[4] * m137 + a[6] * m141 - a[8] * m144 + a[10] * m146;
-    let m149 = a[3] * m133 - a[5] * m138 + a[7] * m142 - a[9] * m145 + a[11] * m147
-        - a[13] * m148;
-    let m150 = a[1] * m133 - a[5] * a[0] * m128 + a[7] * a[0] * m129 - a[9] * a[0] * m130
-        + a[11] * a[0] * m131 - a[13] * a[0] * m132;
-    let m151 = a[1] * m138 - a[3] * a[0] * m128 + a[7] * a[0] * m134 - a[9] * a[0] * m135
-        + a[11] * a[0] * m136 - a[13] * a[0] * m137;
-    let m152 = a[1] * m142 - a[3] * a[0] * m129 + a[5] * a[0] * m134 - a[9] * a[0] * m139
-        + a[11] * a[0] * m140 - a[13] * a[0] * m141;
-    let m153 = a[1] * m145 - a[3] * a[0] * m130 + a[5] * a[0] * m135 - a[7] * a[0] * m139
-        + a[11] * a[0] * m143 - a[13] * a[0] * m144;
-    let m154 = a[1] * m147 - a[3] * a[0] * m131 + a[5] * a[0] * m136 - a[7] * a[0] * m140
-        + a[9] * a[0] * m143 - a[13] * a[0] * m146;
-    let m155 = a[2] * m149 - a[4] * m150 + a[6] * m151 - a[8] * m152 + a[10] * m153
-        - a[12] * m154;
-    let m156 = a[1] * m155 - a[3] * a[0] * m149 + a[5] * a[0] * m150 - a[7] * a[0] * m151
-        + a[9] * a[0] * m152 - a[11] * a[0] * m153 + a[13] * a[0] * m154;
-    let m157 = a[7] * m5 - a[9] * m9 + a[11] * m11;
-    let m158 = a[5] * m5 - a[9] * m16 + a[11] * m18;
-    let m159 = a[5] * m9 - a[7] * m16 + a[11] * m21;
-    let m160 = a[5] * m11 - a[7] * m18 + a[9] * m21;
-    let m161 = a[6] * m157 - a[8] * m158 + a[10] * m159 - a[12] * m160;
-    let m162 = a[3] * m5 - a[9] * m28 + a[11] * m30;
-    let m163 = a[3] * m9 - a[7] * m28 + a[11] * m33;
-    let m164 = a[3] * m11 - a[7] * m30 + a[9] * m33;
-    let m165 = a[4] * m157 - a[8] * m162 + a[10] * m163 - a[12] * m164;
-    let m166 = a[3] * m16 - a[5] * m28 + a[11] * m38;
-    let m167 = a[3] * m18 - a[5] * m30 + a[9] * m38;
-    let m168 = a[4] * m158 - a[6] * m162 + a[10] * m166 - a[12] * m167;
-    let m169 = a[3] * m21 - a[5] * m33 + a[7] * m38;
-    let m170 = a[4] * m159 - a[6] * m163 + a[8] * m166 - a[12] * m169;
-    let m171 = a[4] * m160 - a[6] * m164 + a[8] * m167 - a[10] * m169;
-    let m172 = a[5] * m161 - a[7] * m165 + a[9] * m168 - a[11] * m170 + a[13] * m171;
-    let m173 = a[1] * m5 - a[9] * a[0] * m1 + a[11] * a[0] * m3;
-    let m174 = a[1] * m9 - a[7] * a[0] * m1 + a[11] * a[0] * m7;
-    let m175 = a[1] * m11 - a[7] * a[0] * m3 + a[9] * a[0] * m7;
-    let m176 = a[2] * m157 - a[8] * m173 + a[10] * m174 - a[12] * m175;
-    let m177 = a[1] * m16 - a[5] * a[0] * m1 + a[11] * a[0] * m14;
-    let m178 = a[1] * m18 - a[5] * a[0] * m3 + a[9] * a[0] * m14;
-    let m179 = a[2] * m158 - a[6] * m173 + a[10] * m177 - a[12] * m178;
-    let m180 = a[1] * m21 - a[5] * a[0] * m7 + a[7] * a[0] * m14;
-    let m181 = a[2] * m159 - a[6] * m174 + a[8] * m177 - a[12] * m180;
-    let m182 = a[2] * m160 - a[6] * m175 + a[8] * m178 - a[10] * m180;
-    let m183 = a[3] * m161 - a[7] * m176 + a[9] * m179 - a[11] * m181 + a[13] * m182;
-    let m184 = a[1] * m28 - a[3] * a[0] * m1 + a[11] * a[0] * m26;
-    let m185 = a[1] * m30 - a[3] * a[0] * m3 + a[9] * a[0] * m26;
-    let m186 = a[2] * m162 - a[4] * m173 + a[10] * m184 - a[12] * m185;
-    let m187 = a[1] * m33 - a[3] * a[0] * m7 + a[7] * a[0] * m26;
-    let m188 = a[2] * m163 - a[4] * m174 + a[8] * m184 - a[12] * m187;
-    let m189 = a[2] * m164 - a[4] * m175 + a[8] * m185 - a[10] * m187;
-    let m190 = a[3] * m165 - a[5] * m176 + a[9] * m186 - a[11] * m188 + a[13] * m189;
-    let m191 = a[1] * m38 - a[3] * a[0] * m14 + a[5] * a[0] * m26;
-    let m192 = a[2] * m166 - a[4] * m177 + a[6] * m184 - a[12] * m191;
-    let m193 = a[2] * m167 - a[4] * m178 + a[6] * m185 - a[10] * m191;
-    let m194 = a[3] * m168 - a[5] * m179 + a[7] * m186 - a[11] * m192 + a[13] * m193;
-    let m195 = a[2] * m169 - a[4] * m180 + a[6] * m187 - a[8] * m191;
-    let m196 = a[3] * m170 - a[5] * m181 + a[7] * m188 - a[9] * m192 + a[13] * m195;
-    let m197 = a[4] * m172 - a[6] * m183 + a[8] * m190 - a[10] * m194 + a[12] * m196;
-    let m198 = a[1] * m161 - a[7] * a[0] * m157 + a[9] * a[0] * m158 - a[11] * a[0] * m159
-        + a[13] * a[0] * m160;
-    let m199 = a[1] * m165 - a[5] * a[0] * m157 + a[9] * a[0] * m162 - a[11] * a[0] * m163
-        + a[13] * a[0] * m164;
-    let m200 = a[1] * m168 - a[5] * a[0] * m158 + a[7] * a[0] * m162 - a[11] * a[0] * m166
-        + a[13] * a[0] * m167;
-    let m201 = a[1] * m170 - a[5] * a[0] * m159 + a[7] * a[0] * m163 - a[9] * a[0] * m166
-        + a[13] * a[0] * m169;
-    let m202 = a[2] * m172 - a[6] * m198 + a[8] * m199 - a[10] * m200 + a[12] * m201;
-    let m203 = a[1] * m176 - a[3] * a[0] * m157 + a[9] * a[0] * m173 - a[11] * a[0] * m174
-        + a[13] * a[0] * m175;
-    let m204 = a[1] * m179 - a[3] * a[0] * m158 + a[7] * a[0] * m173 - a[11] * a[0] * m177
-        + a[13] * a[0] * m178;
-    let m205 = a[1] * m181 - a[3] * a[0] * m159 + a[7] * a[0] * m174 - a[9] * a[0] * m177
-        + a[13] * a[0] * m180;
-    let m206 = a[2] * m183 - a[4] * m198 + a[8] * m203 - a[10] * m204 + a[12] * m205;
-    let m207 = a[1] * m186 - a[3] * a[0] * m162 + a[5] * a[0] * m173 - a[11] * a[0] * m184
-        + a[13] * a[0] * m185;
-    let m208 = a[1] * m188 - a[3] * a[0] * m163 + a[5] * a[0] * m174 - a[9] * a[0] * m184
-        + a[13] * a[0] * m187;
-    let m209 = a[2] * m190 - a[4] * m199 + a[6] * m203 - a[10] * m207 + a[12] * m208;
-    let m210 = a[1] * m192 - a[3] * a[0] * m166 + a[5] * a[0] * m177 - a[7] * a[0] * m184
-        + a[13] * a[0] * m191;
-    let m211 = a[2] * m194 - a[4] * m200 + a[6] * m204 - a[8] * m207 + a[12] * m210;
-    let m212 = a[2] * m196 - a[4] * m201 + a[6] * m205 - a[8] * m208 + a[10] * m210;
-    let m213 = a[3] * m197 - a[5] * m202 + a[7] * m206 - a[9] * m209 + a[11] * m211
-        - a[13] * m212;
-    let m214 = a[1] * m197 - a[5] * a[0] * m172 + a[7] * a[0] * m183 - a[9] * a[0] * m190
-        + a[11] * a[0] * m194 - a[13] * a[0] * m196;
-    let m215 = a[1] * m202 - a[3] * a[0] * m172 + a[7] * a[0] * m198 - a[9] * a[0] * m199
-        + a[11] * a[0] * m200 - a[13] * a[0] * m201;
-    let m216 = a[1] * m206 - a[3] * a[0] * m183 + a[5] * a[0] * m198 - a[9] * a[0] * m203
-        + a[11] * a[0] * m204 - a[13] * a[0] * m205;
-    let m217 = a[1] * m209 - a[3] * a[0] * m190 + a[5] * a[0] * m199 - a[7] * a[0] * m203
-        + a[11] * a[0] * m207 - a[13] * a[0] * m208;
-    let m218 = a[1] * m211 - a[3] * a[0] * m194 + a[5] * a[0] * m200 - a[7] * a[0] * m204
-        + a[9] * a[0] * m207 - a[13] * a[0] * m210;
-    let m219 = a[2] * m213 - a[4] * m214 + a[6] * m215 - a[8] * m216 + a[10] * m217
-        - a[12] * m218;
-    let m220 = a[1] * m219 - a[3] * a[0] * m213 + a[5] * a[0] * m214 - a[7] * a[0] * m215
-        + a[9] * a[0] * m216 - a[11] * a[0] * m217 + a[13] * a[0] * m218;
-    let m221 = a[9] * a[10] * a[13] - a[11] * a[8] * a[13];
-    let m222 = a[7] * a[10] * a[13] - a[11] * a[6] * a[13];
-    let m223 = a[7] * a[8] * a[13] - a[9] * a[6] * a[13];
-    let m224 = a[8] * m221 - a[10] * m222 + a[12] * m223;
-    let m225 = a[5] * a[10] * a[13] - a[11] * a[4] * a[13];
-    let m226 = a[5] * a[8] * a[13] - a[9] * a[4] * a[13];
-    let m227 = a[6] * m221 - a[10] * m225 + a[12] * m226;
-    let m228 = a[5] * a[6] * a[13] - a[7] * a[4] * a[13];
-    let m229 = a[6] * m222 - a[8] * m225 + a[12] * m228;
-    let m230 = a[6] * m223 - a[8] * m226 + a[10] * m228;
-    let m231 = a[7] * m224 - a[9] * m227 + a[11] * m229 - a[13] * m230;
-    let m232 = a[3] * a[10] * a[13] - a[11] * a[2] * a[13];
-    let m233 = a[3] * a[8] * a[13] - a[9] * a[2] * a[13];
-    let m234 = a[4] * m221 - a[10] * m232 + a[12] * m233;
-    let m235 = a[3] * a[6] * a[13] - a[7] * a[2] * a[13];
-    let m236 = a[4] * m222 - a[8] * m232 + a[12] * m235;
-    let m237 = a[4] * m223 - a[8] * m233 + a[10] * m235;
-    let m238 = a[5] * m224 - a[9] * m234 + a[11] * m236 - a[13] * m237;
-    let m239 = a[3] * a[4] * a[13] - a[5] * a[2] * a[13];
-    let m240 = a[4] * m225 - a[6] * m232 + a[12] * m239;
-    let m241 = a[4] * m226 - a[6] * m233 + a[10] * m239;
-    let m242 = a[5] * m227 - a[7] * m234 + a[11] * m240 - a[13] * m241;
-    let m243 = a[4] * m228 - a[6] * m235 + a[8] * m239;
-    let m244 = a[5] * m229 - a[7] * m236 + a[9] * m240 - a[13] * m243;
-    let m245 = a[6] * m231 - a[8] * m238 + a[10] * m242 - a[12] * m244;
-    let m246 = a[1] * a[10] * a[13] - a[11] * a[0] * a[13];
-    let m247 = a[1] * a[8] * a[13] - a[9] * a[0] * a[13];
-    let m248 = a[2] * m221 - a[10] * m246 + a[12] * m247;
-    let m249 = a[1] * a[6] * a[13] - a[7] * a[0] * a[13];
-    let m250 = a[2] * m222 - a[8] * m246 + a[12] * m249;
-    let m251 = a[2] * m223 - a[8] * m247 + a[10] * m249;
-    let m252 = a[3] * m224 - a[9] * m248 + a[11] * m250 - a[13] * m251;
-    let m253 = a[1] * a[4] * a[13] - a[5] * a[0] * a[13];
-    let m254 = a[2] * m225 - a[6] * m246 + a[12] * m253;
-    let m255 = a[2] * m226 - a[6] * m247 + a[10] * m253;
-    let m256 = a[3] * m227 - a[7] * m248 + a[11] * m254 - a[13] * m255;
-    let m257 = a[2] * m228 - a[6] * m249 + a[8] * m253;
-    let m258 = a[3] * m229 - a[7] * m250 + a[9] * m254 - a[13] * m257;
-    let m259 = a[4] * m231 - a[8] * m252 + a[10] * m256 - a[12] * m258;
-    let m260 = a[1] * a[2] * a[13] - a[3] * a[0] * a[13];
-    let m261 = a[2] * m232 - a[4] * m246 + a[12] * m260;
-    let m262 = a[2] * m233 - a[4] * m247 + a[10] * m260;
-    let m263 = a[3] * m234 - a[5] * m248 + a[11] * m261 - a[13] * m262;
-    let m264 = a[2] * m235 - a[4] * m249 + a[8] * m260;
-    let m265 = a[3] * m236 - a[5] * m250 + a[9] * m261 - a[13] * m264;
-    let m266 = a[4] * m238 - a[6] * m252 + a[10] * m263 - a[12] * m265;
-    let m267 = a[2] * m239 - a[4] * m253 + a[6] * m260;
-    let m268 = a[3] * m240 - a[5] * m254 + a[7] * m261 - a[13] * m267;
-    let m269 = a[4] * m242 - a[6] * m256 + a[8] * m263 - a[12] * m268;
-    let m270 = a[4] * m244 - a[6] * m258 + a[8] * m265 - a[10] * m268;
-    let m271 = a[5] * m245 - a[7] * m259 + a[9] * m266 - a[11] * m269 + a[13] * m270;
-    let m272 = a[1] * m224 - a[9] * a[0] * m221 + a[11] * a[0] * m222 - a[13] * a[0] * m223;
-    let m273 = a[1] * m227 - a[7] * a[0] * m221 + a[11] * a[0] * m225 - a[13] * a[0] * m226;
-    let m274 = a[1] * m229 - a[7] * a[0] * m222 + a[9] * a[0] * m225 - a[13] * a[0] * m228;
-    let m275 = a[2] * m231 - a[8] * m272 + a[10] * m273 - a[12] * m274;
-    let m276 = a[1] * m234 - a[5] * a[0] * m221 + a[11] * a[0] * m232 - a[13] * a[0] * m233;
-    let m277 = a[1] * m236 - a[5] * a[0] * m222 + a[9] * a[0] * m232 - a[13] * a[0] * m235;
-    let m278 = a[2] * m238 - a[6] * m272 + a[10] * m276 - a[12] * m277;
-    let m279 = a[1] * m240 - a[5] * a[0] * m225 + a[7] * a[0] * m232 - a[13] * a[0] * m239;
-    let m280 = a[2] * m242 - a[6] * m273 + a[8] * m276 - a[12] * m279;
-    let m281 = a[2] * m244 - a[6] * m274 + a[8] * m277 - a[10] * m279;
-    let m282 = a[3] * m245 - a[7] * m275 + a[9] * m278 - a[11] * m280 + a[13] * m281;
-    let m283 = a[1] * m248 - a[3] * a[0] * m221 + a[11] * a[0] * m246 - a[13] * a[0] * m247;
-    let m284 = a[1] * m250 - a[3] * a[0] * m222 + a[9] * a[0] * m246 - a[13] * a[0] * m249;
-    let m285 = a[2] * m252 - a[4] * m272 + a[10] * m283 - a[12] * m284;
-    let m286 = a[1] * m254 - a[3] * a[0] * m225 + a[7] * a[0] * m246 - a[13] * a[0] * m253;
-    let m287 = a[2] * m256 - a[4] * m273 + a[8] * m283 - a[12] * m286;
-    let m288 = a[2] * m258 - a[4] * m274 + a[8] * m284 - a[10] * m286;
-    let m289 = a[3] * m259 - a[5] * m275 + a[9] * m285 - a[11] * m287 + a[13] * m288;
-    let m290 = a[1] * m261 - a[3] * a[0] * m232 + a[5] * a[0] * m246 - a[13] * a[0] * m260;
-    let m291 = a[2] * m263 - a[4] * m276 + a[6] * m283 - a[12] * m290;
-    let m292 = a[2] * m265 - a[4] * m277 + a[6] * m284 - a[10] * m290;
-    let m293 = a[3] * m266 - a[5] * m278 + a[7] * m285 - a[11] * m291 + a[13] * m292;
-    let m294 = a[2] * m268 - a[4] * m279 + a[6] * m286 - a[8] * m290;
-    let m295 = a[3] * m269 - a[5] * m280 + a[7] * m287 - a[9] * m291 + a[13] * m294;
-    let m296 = a[4] * m271 - a[6] * m282 + a[8] * m289 - a[10] * m293 + a[12] * m295;
-    let m297 = a[1] * m245 - a[7] * a[0] * m231 + a[9] * a[0] * m238 - a[11] * a[0] * m242
-        + a[13] * a[0] * m244;
-    let m298 = a[1] * m259 - a[5] * a[0] * m231 + a[9] * a[0] * m252 - a[11] * a[0] * m256
-        + a[13] * a[0] * m258;
-    let m299 = a[1] * m266 - a[5] * a[0] * m238 + a[7] * a[0] * m252 - a[11] * a[0] * m263
-        + a[13] * a[0] * m265;
-    let m300 = a[1] * m269 - a[5] * a[0] * m242 + a[7] * a[0] * m256 - a[9] * a[0] * m263
-        + a[13] * a[0] * m268;
-    let m301 = a[2] * m271 - a[6] * m297 + a[8] * m298 - a[10] * m299 + a[12] * m300;
-    let m302 = a[1] * m275 - a[3] * a[0] * m231 + a[9] * a[0] * m272 - a[11] * a[0] * m273
-        + a[13] * a[0] * m274;
-    let m303 = a[1] * m278 - a[3] * a[0] * m238 + a[7] * a[0] * m272 - a[11] * a[0] * m276
-        + a[13] * a[0] * m277;
-    let m304 = a[1] * m280 - a[3] * a[0] * m242 + a[7] * a[0] * m273 - a[9] * a[0] * m276
-        + a[13] * a[0] * m279;
-    let m305 = a[2] * m282 - a[4] * m297 + a[8] * m302 - a[10] * m303 + a[12] * m304;
-    let m306 = a[1] * m285 - a[3] * a[0] * m252 + a[5] * a[0] * m272 - a[11] * a[0] * m283
-        + a[13] * a[0] * m284;
-    let m307 = a[1] * m287 - a[3] * a[0] * m256 + a[5] * a[0] * m273 - a[9] * a[0] * m283
-        + a[13] * a[0] * m286;
-    let m308 = a[2] * m289 - a[4] * m298 + a[6] * m302 - a[10] * m306 + a[12] * m307;
-    let m309 = a[1] * m291 - a[3] * a[0] * m263 + a[5] * a[0] * m276 - a[7] * a[0] * m283
-        + a[13] * a[0] * m290;
-    let m310 = a[2] * m293 - a[4] * m299 + a[6] * m303 - a[8] * m306 + a[12] * m309;
-    let m311 = a[2] * m295 - a[4] * m300 + a[6] * m304 - a[8] * m307 + a[10] * m309;
-    let m312 = a[3] * m296 - a[5] * m301 + a[7] * m305 - a[9] * m308 + a[11] * m310
-        - a[13] * m311;
-    let m313 = a[1] * m296 - a[5] * a[0] * m271 + a[7] * a[0] * m282 - a[9] * a[0] * m289
-        + a[11] * a[0] * m293 - a[13] * a[0] * m295;
-    let m314 = a[1] * m301 - a[3] * a[0] * m271 + a[7] * a[0] * m297 - a[9] * a[0] * m298
-        + a[11] * a[0] * m299 - a[13] * a[0] * m300;
-    let m315 = a[1] * m305 - a[3] * a[0] * m282 + a[5] * a[0] * m297 - a[9] * a[0] * m302
-        + a[11] * a[0] * m303 - a[13] * a[0] * m304;
-    let m316 = a[1] * m308 - a[3] * a[0] * m289 + a[5] * a[0] * m298 - a[7] * a[0] * m302
-        + a[11] * a[0] * m306 - a[13] * a[0] * m307;
-    let m317 = a[1] * m310 - a[3] * a[0] * m293 + a[5] * a[0] * m299 - a[7] * a[0] * m303
-        + a[9] * a[0] * m306 - a[13] * a[0] * m309;
-    let m318 = a[2] * m312 - a[4] * m313 + a[6] * m314 - a[8] * m315 + a[10] * m316
-        - a[12] * m317;
-    let m319 = a[1] * m318 - a[3] * a[0] * m312 + a[5] * a[0] * m313 - a[7] * a[0] * m314
-        + a[9] * a[0] * m315 - a[11] * a[0] * m316 + a[13] * a[0] * m317;
-    let m320 = a[10] * a[11] - a[12] * a[9];
-    let m321 = a[8] * a[11] - a[12] * a[7];
-    let m322 = a[8] * a[9] - a[10] * a[7];
-    let m323 = a[9] * m320 - a[11] * m321 + a[13] * m322;
-    let m324 = a[6] * a[11] - a[12] * a[5];
-    let m325 = a[6] * a[9] - a[10] * a[5];
-    let m326 = a[7] * m320 - a[11] * m324 + a[13] * m325;
-    let m327 = a[6] * a[7] - a[8] * a[5];
-    let m328 = a[7] * m321 - a[9] * m324 + a[13] * m327;
-    let m329 = a[8] * m323 - a[10] * m326 + a[12] * m328;
-    let m330 = a[4] * a[11] - a[12] * a[3];
-    let m331 = a[4] * a[9] - a[10] * a[3];
-    let m332 = a[5] * m320 - a[11] * m330 + a[13] * m331;
-    let m333 = a[4] * a[7] - a[8] * a[3];
-    let m334 = a[5] * m321 - a[9] * m330 + a[13] * m333;
-    let m335 = a[6] * m323 - a[10] * m332 + a[12] * m334;
-    let m336 = a[4] * a[5] - a[6] * a[3];
-    let m337 = a[5] * m324 - a[7] * m330 + a[13] * m336;
-    let m338 = a[6] * m326 - a[8] * m332 + a[12] * m337;
-    let m339 = a[6] * m328 - a[8] * m334 + a[10] * m337;
-    let m340 = a[7] * m329 - a[9] * m335 + a[11] * m338 - a[13] * m339;
-    let m341 = a[2] * a[11] - a[12] * a[1];
-    let m342 = a[2] * a[9] - a[10] * a[1];
-    let m343 = a[3] * m320 - a[11] * m341 + a[13] * m342;
-    let m344 = a[2] * a[7] - a[8] * a[1];
-    let m345 = a[3] * m321 - a[9] * m341 + a[13] * m344;
-    let m346 = a[4] * m323 - a[10] * m343 + a[12] * m345;
-    let m347 = a[2] * a[5] - a[6] * a[1];
-    let m348 = a[3] * m324 - a[7] * m341 + a[13] * m347;
-    let m349 = a[4] * m326 - a[8] * m343 + a[12] * m348;
-    let m350 = a[4] * m328 - a[8] * m345 + a[10] * m348;
-    let m351 = a[5] * m329 - a[9] * m346 + a[11] * m349 - a[13] * m350;
-    let m352 = a[2] * a[3] - a[4] * a[1];
-    let m353 = a[3] * m330 - a[5] * m341 + a[13] * m352;
-    let m354 = a[4] * m332 - a[6] * m343 + a[12] * m353;
-    let m355 = a[4] * m334 - a[6] * m345 + a[10] * m353;
-    let m356 = a[5] * m335 - a[7] * m346 + a[11] * m354 - a[13] * m355;
-    let m357 = a[4] * m337 - a[6] * m348 + a[8] * m353;
-    let m358 = a[5] * m338 - a[7] * m349 + a[9] * m354 - a[13] * m357;
-    let m359 = a[6] * m340 - a[8] * m351 + a[10] * m356 - a[12] * m358;
-    let m360 = a[1] * m320 - a[11] * a[0] * a[11] + a[13] * a[0] * a[9];
-    let m361 = a[1] * m321 - a[9] * a[0] * a[11] + a[13] * a[0] * a[7];
-    let m362 = a[2] * m323 - a[10] * m360 + a[12] * m361;
-    let m363 = a[1] * m324 - a[7] * a[0] * a[11] + a[13] * a[0] * a[5];
-    let m364 = a[2] * m326 - a[8] * m360 + a[12] * m363;
-    let m365 = a[2] * m328 - a[8] * m361 + a[10] * m363;
-    let m366 = a[3] * m329 - a[9] * m362 + a[11] * m364 - a[13] * m365;
-    let m367 = a[1] * m330 - a[5] * a[0] * a[11] + a[13] * a[0] * a[3];
-    let m368 = a[2] * m332 - a[6] * m360 + a[12] * m367;
-    let m369 = a[2] * m334 - a[6] * m361 + a[10] * m367;
-    let m370 = a[3] * m335 - a[7] * m362 + a[11] * m368 - a[13] * m369;
-    let m371 = a[2] * m337 - a[6] * m363 + a[8] * m367;
-    let m372 = a[3] * m338 - a[7] * m364 + a[9] * m368 - a[13] * m371;
-    let m373 = a[4] * m340 - a[8] * m366 + a[10] * m370 - a[12] * m372;
-    let m374 = a[1] * m341 - a[3] * a[0] * a[11] + a[13] * a[0] * a[1];
-    let m375 = a[2] * m343 - a[4] * m360 + a[12] * m374;
-    let m376 = a[2] * m345 - a[4] * m361 + a[10] * m374;
-    let m377 = a[3] * m346 - a[5] * m362 + a[11] * m375 - a[13] * m376;
-    let m378 = a[2] * m348 - a[4] * m363 + a[8] * m374;
-    let m379 = a[3] * m349 - a[5] * m364 + a[9] * m375 - a[13] * m378;
-    let m380 = a[4] * m351 - a[6] * m366 + a[10] * m377 - a[12] * m379;
-    let m381 = a[2] * m353 - a[4] * m367 + a[6] * m374;
-    let m382 = a[3] * m354 - a[5] * m368 + a[7] * m375 - a[13] * m381;
-    let m383 = a[4] * m356 - a[6] * m370 + a[8] * m377 - a[12] * m382;
-    let m384 = a[4] * m358 - a[6] * m372 + a[8] * m379 - a[10] * m382;
-    let m385 = a[5] * m359 - a[7] * m373 + a[9] * m380 - a[11] * m383 + a[13] * m384;
-    let m386 = a[1] * m329 - a[9] * a[0] * m323 + a[11] * a[0] * m326 - a[13] * a[0] * m328;
-    let m387 = a[1] * m335 - a[7] * a[0] * m323 + a[11] * a[0] * m332 - a[13] * a[0] * m334;
-    let m388 = a[1] * m338 - a[7] * a[0] * m326 + a[9] * a[0] * m332 - a[13] * a[0] * m337;
-    let m389 = a[2] * m340 - a[8] * m386 + a[10] * m387 - a[12] * m388;
-    let m390 = a[1] * m346 - a[5] * a[0] * m323 + a[11] * a[0] * m343 - a[13] * a[0] * m345;
-    let m391 = a[1] * m349 - a[5] * a[0] * m326 + a[9] * a[0] * m343 - a[13] * a[0] * m348;
-    let m392 = a[2] * m351 - a[6] * m386 + a[10] * m390 - a[12] * m391;
-    let m393 = a[1] * m354 - a[5] * a[0] * m332 + a[7] * a[0] * m343 - a[13] * a[0] * m353;
-    let m394 = a[2] * m356 - a[6] * m387 + a[8] * m390 - a[12] * m393;
-    let m395 = a[2] * m358 - a[6] * m388 + a[8] * m391 - a[10] * m393;
-    let m396 = a[3] * m359 - a[7] * m389 + a[9] * m392 - a[11] * m394 + a[13] * m395;
-    let m397 = a[1] * m362 - a[3] * a[0] * m323 + a[11] * a[0] * m360 - a[13] * a[0] * m361;
-    let m398 = a[1] * m364 - a[3] * a[0] * m326 + a[9] * a[0] * m360 - a[13] * a[0] * m363;
-    let m399 = a[2] * m366 - a[4] * m386 + a[10] * m397 - a[12] * m398;
-    let m400 = a[1] * m368 - a[3] * a[0] * m332 + a[7] * a[0] * m360 - a[13] * a[0] * m367;
-    let m401 = a[2] * m370 - a[4] * m387 + a[8] * m397 - a[12] * m400;
-    let m402 = a[2] * m372 - a[4] * m388 + a[8] * m398 - a[10] * m400;
-    let m403 = a[3] * m373 - a[5] * m389 + a[9] * m399 - a[11] * m401 + a[13] * m402;
-    let m404 = a[1] * m375 - a[3] * a[0] * m343 + a[5] * a[0] * m360 - a[13] * a[0] * m374;
-    let m405 = a[2] * m377 - a[4] * m390 + a[6] * m397 - a[12] * m404;
-    let m406 = a[2] * m379 - a[4] * m391 + a[6] * m398 - a[10] * m404;
-    let m407 = a[3] * m380 - a[5] * m392 + a[7] * m399 - a[11] * m405 + a[13] * m406;
-    let m408 = a[2] * m382 - a[4] * m393 + a[6] * m400 - a[8] * m404;
-    let m409 = a[3] * m383 - a[5] * m394 + a[7] * m401 - a[9] * m405 + a[13] * m408;
-    let m410 = a[4] * m385 - a[6] * m396 + a[8] * m403 - a[10] * m407 + a[12] * m409;
-    let m411 = a[1] * m359 - a[7] * a[0] * m340 + a[9] * a[0] * m351 - a[11] * a[0] * m356
-        + a[13] * a[0] * m358;
-    let m412 = a[1] * m373 - a[5] * a[0] * m340 + a[9] * a[0] * m366 - a[11] * a[0] * m370
-        + a[13] * a[0] * m372;
-    let m413 = a[1] * m380 - a[5] * a[0] * m351 + a[7] * a[0] * m366 - a[11] * a[0] * m377
-        + a[13] * a[0] * m379;
-    let m414 = a[1] * m383 - a[5] * a[0] * m356 + a[7] * a[0] * m370 - a[9] * a[0] * m377
-        + a[13] * a[0] * m382;
-    let m415 = a[2] * m385 - a[6] * m411 + a[8] * m412 - a[10] * m413 + a[12] * m414;
-    let m416 = a[1] * m389 - a[3] * a[0] * m340 + a[9] * a[0] * m386 - a[11] * a[0] * m387
-        + a[13] * a[0] * m388;
-    let m417 = a[1] * m392 - a[3] * a[0] * m351 + a[7] * a[0] * m386 - a[11] * a[0] * m390
-        + a[13] * a[0] * m391;
-    let m418 = a[1] * m394 - a[3] * a[0] * m356 + a[7] * a[0] * m387 - a[9] * a[0] * m390
-        + a[13] * a[0] * m393;
-    let m419 = a[2] * m396 - a[4] * m411 + a[8] * m416 - a[10] * m417 + a[12] * m418;
-    let m420 = a[1] * m399 - a[3] * a[0] * m366 + a[5] * a[0] * m386 - a[11] * a[0] * m397
-        + a[13] * a[0] * m398;
-    let m421 = a[1] * m401 - a[3] * a[0] * m370 + a[5] * a[0] * m387 - a[9] * a[0] * m397
-        + a[13] * a[0] * m400;
-    let m422 = a[2] * m403 - a[4] * m412 + a[6] * m416 - a[10] * m420 + a[12] * m421;
-    let m423 = a[1] * m405 - a[3] * a[0] * m377 + a[5] * a[0] * m390 - a[7] * a[0] * m397
-        + a[13] * a[0] * m404;
-    let m424 = a[2] * m407 - a[4] * m413 + a[6] * m417 - a[8] * m420 + a[12] * m423;
-    let m425 = a[2] * m409 - a[4] * m414 + a[6] * m418 - a[8] * m421 + a[10] * m423;
-    let m426 = a[3] * m410 - a[5] * m415 + a[7] * m419 - a[9] * m422 + a[11] * m424
-        - a[13] * m425;
-    let m427 = a[1] * m410 - a[5] * a[0] * m385 + a[7] * a[0] * m396 - a[9] * a[0] * m403
-        + a[11] * a[0] * m407 - a[13] * a[0] * m409;
-    let m428 = a[1] * m415 - a[3] * a[0] * m385 + a[7] * a[0] * m411 - a[9] * a[0] * m412
-        + a[11] * a[0] * m413 - a[13] * a[0] * m414;
-    let m429 = a[1] * m419 - a[3] * a[0] * m396 + a[5] * a[0] * m411 - a[9] * a[0] * m416
-        + a[11] * a[0] * m417 - a[13] * a[0] * m418;
-    let m430 = a[1] * m422 - a[3] * a[0] * m403 + a[5] * a[0] * m412 - a[7] * a[0] * m416
-        + a[11] * a[0] * m420 - a[13] * a[0] * m421;
-    let m431 = a[1] * m424 - a[3] * a[0] * m407 + a[5] * a[0] * m413 - a[7] * a[0] * m417
-        + a[9] * a[0] * m420 - a[13] * a[0] * m423;
-    let m432 = a[2] * m426 - a[4] * m427 + a[6] * m428 - a[8] * m429 + a[10] * m430
-        - a[12] * m431;
-    let m433 = a[1] * m432 - a[3] * a[0] * m426 + a[5] * a[0] * m427 - a[7] * a[0] * m428
-        + a[9] * a[0] * m429 - a[11] * a[0] * m430 + a[13] * a[0] * m431;
-    let determinant = a[1] * m118 - a[3] * a[0] * m112 + a[5] * a[0] * m113 - a[7] * a[0] * m114
-        + a[9] * a[0] * m115 - a[11] * a[0] * m116 + a[13] * a[0] * m117;
-    let numerator = b[0] * m118 - b[1] * a[0] * m112 + b[2] * a[0] * m113 - b[3] * a[0] * m114
-        + b[4] * a[0] * m115 - b[5] * a[0] * m116 + b[6] * a[0] * m117 - b[7] * a[0] * m119
-        + b[8] * a[0] * m127 - b[9] * a[0] * m156 + b[10] * a[0] * m220
-        - b[11] * a[0] * m319 + b[12] * a[0] * m433;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let r2_2 = a[6] - q1 * a[7];
+    let r2_3 = a[8] - q1 * a[9];
+    let r2_4 = a[10] - q1 * a[11];
+    let r2_5 = a[12] - q1 * a[13];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * r2_2;
+    let r3_2 = a[7] - q2 * r2_3;
+    let r3_3 = a[9] - q2 * r2_4;
+    let r3_4 = a[11] - q2 * r2_5;
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let r4_1 = r2_2 - q3 * r3_2;
+    let r4_2 = r2_3 - q3 * r3_3;
+    let r4_3 = r2_4 - q3 * r3_4;
+    let r4_4 = r2_5 - q3 * a[13];
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * r4_1;
+    let r5_1 = r3_2 - q4 * r4_2;
+    let r5_2 = r3_3 - q4 * r4_3;
+    let r5_3 = r3_4 - q4 * r4_4;
+    let q5 = r4_0 / r5_0;
+    let r6_0 = r4_1 - q5 * r5_1;
+    let r6_1 = r4_2 - q5 * r5_2;
+    let r6_2 = r4_3 - q5 * r5_3;
+    let r6_3 = r4_4 - q5 * a[13];
+    let q6 = r5_0 / r6_0;
+    let r7_0 = r5_1 - q6 * r6_1;
+    let r7_1 = r5_2 - q6 * r6_2;
+    let r7_2 = r5_3 - q6 * r6_3;
+    let q7 = r6_0 / r7_0;
+    let r8_0 = r6_1 - q7 * r7_1;
+    let r8_1 = r6_2 - q7 * r7_2;
+    let r8_2 = r6_3 - q7 * a[13];
+    let q8 = r7_0 / r8_0;
+    let r9_0 = r7_1 - q8 * r8_1;
+    let r9_1 = r7_2 - q8 * r8_2;
+    let q9 = r8_0 / r9_0;
+    let r10_0 = r8_1 - q9 * r9_1;
+    let r10_1 = r8_2 - q9 * a[13];
+    let q10 = r9_0 / r10_0;
+    let r11_0 = r9_1 - q10 * r10_1;
+    let q11 = r10_0 / r11_0;
+    let r12_0 = r10_1 - q11 * a[13];
+    let q12 = r11_0 / r12_0;
+    let q13 = r12_0 / a[13];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[7] * y0 - r2_2 * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[9] * y0 - r2_3 * y1 - r3_2 * y2 - r4_1 * y3) / r5_0;
+    let y5 = (b[5] - a[11] * y0 - r2_4 * y1 - r3_3 * y2 - r4_2 * y3 - r5_1 * y4) / r6_0;
+    let y6 = (b[6] - a[13] * y0 - r2_5 * y1 - r3_4 * y2 - r4_3 * y3 - r5_2 * y4 - r6_1 * y5) / r7_0;
+    let y7 = (b[7] - a[13] * y2 - r4_4 * y3 - r5_3 * y4 - r6_2 * y5 - r7_1 * y6) / r8_0;
+    let y8 = (b[8] - a[13] * y4 - r6_3 * y5 - r7_2 * y6 - r8_1 * y7) / r9_0;
+    let y9 = (b[9] - a[13] * y6 - r8_2 * y7 - r9_1 * y8) / r10_0;
+    let y10 = (b[10] - a[13] * y8 - r10_1 * y9) / r11_0;
+    let y11 = (b[11] - a[13] * y10) / r12_0;
+    let y12 = b[12] / a[13];
+    let z11 = y11 - q12 * y12;
+    let z10 = y10 - q11 * z11;
+    let z9 = y9 - q10 * z10;
+    let z8 = y8 - q9 * z9;
+    let z7 = y7 - q8 * z8;
+    let z6 = y6 - q7 * z7;
+    let z5 = y5 - q6 * z6;
+    let z4 = y4 - q5 * z5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0 && q7 > 0.0
+        && q8 > 0.0 && q9 > 0.0 && q10 > 0.0 && q11 > 0.0 && q12 > 0.0 && q13 > 0.0;
+    if stable { (y0 - q1 * z1) / (2.0 * a[0]) } else { f64::NAN }
 }
 
 /// I_14 from a0 ... a14 and b0 ... b13.
 pub fn i14(a: &[f64; 15], b: &[f64; 14]) -> f64 {
-    let m0 = a[12] * a[13] * a[14] - a[14] * a[11] * a[14];
-    let m1 = a[10] * a[13] * a[14] - a[14] * a[9] * a[14];
-    let m2 = a[11] * m0 - a[13] * m1;
-    let m3 = a[8] * a[13] * a[14] - a[14] * a[7] * a[14];
-    let m4 = a[9] * m0 - a[13] * m3;
-    let m5 = a[9] * m1 - a[11] * m3;
-    let m6 = a[10] * m2 - a[12] * m4 + a[14] * m5;
-    let m7 = a[6] * a[13] * a[14] - a[14] * a[5] * a[14];
-    let m8 = a[7] * m0 - a[13] * m7;
-    let m9 = a[7] * m1 - a[11] * m7;
-    let m10 = a[8] * m2 - a[12] * m8 + a[14] * m9;
-    let m11 = a[7] * m3 - a[9] * m7;
-    let m12 = a[8] * m4 - a[10] * m8 + a[14] * m11;
-    let m13 = a[9] * m6 - a[11] * m10 + a[13] * m12;
-    let m14 = a[4] * a[13] * a[14] - a[14] * a[3] * a[14];
-    let m15 = a[5] * m0 - a[13] * m14;
-    let m16 = a[5] * m1 - a[11] * m14;
-    let m17 = a[6] * m2 - a[12] * m15 + a[14] * m16;
-    let m18 = a[5] * m3 - a[9] * m14;
-    let m19 = a[6] * m4 - a[10] * m15 + a[14] * m18;
-    let m20 = a[7] * m6 - a[11] * m17 + a[13] * m19;
-    let m21 = a[5] * m7 - a[7] * m14;
-    let m22 = a[6] * m8 - a[8] * m15 + a[14] * m21;
-    let m23 = a[7] * m10 - a[9] * m17 + a[13] * m22;
-    let m24 = a[7] * m12 - a[9] * m19 + a[11] * m22;
-    let m25 = a[8] * m13 - a[10] * m20 + a[12] * m23 - a[14] * m24;
-    let m26 = a[2] * a[13] * a[14] - a[14] * a[1] * a[14];
-    let m27 = a[3] * m0 - a[13] * m26;
-    let m28 = a[3] * m1 - a[11] * m26;
-    let m29 = a[4] * m2 - a[12] * m27 + a[14] * m28;
-    let m30 = a[3] * m3 - a[9] * m26;
-    let m31 = a[4] * m4 - a[10] * m27 + a[14] * m30;
-    let m32 = a[5] * m6 - a[11] * m29 + a[13] * m31;
-    let m33 = a[3] * m7 - a[7] * m26;
-    let m34 = a[4] * m8 - a[8] * m27 + a[14] * m33;
-    let m35 = a[5] * m10 - a[9] * m29 + a[13] * m34;
-    let m36 = a[5] * m12 - a[9] * m31 + a[11] * m34;
-    let m37 = a[6] * m13 - a[10] * m32 + a[12] * m35 - a[14] * m36;
-    let m38 = a[3] * m14 - a[5] * m26;
-    let m39 = a[4] * m15 - a[6] * m27 + a[14] * m38;
-    let m40 = a[5] * m17 - a[7] * m29 + a[13] * m39;
-    let m41 = a[5] * m19 - a[7] * m31 + a[11] * m39;
-    let m42 = a[6] * m20 - a[8] * m32 + a[12] * m40 - a[14] * m41;
-    let m43 = a[5] * m22 - a[7] * m34 + a[9] * m39;
-    let m44 = a[6] * m23 - a[8] * m35 + a[10] * m40 - a[14] * m43;
-    let m45 = a[7] * m25 - a[9] * m37 + a[11] * m42 - a[13] * m44;
-    let m46 = a[1] * m0 - a[13] * a[0] * a[13] * a[14];
-    let m47 = a[1] * m1 - a[11] * a[0] * a[13] * a[14];
-    let m48 = a[2] * m2 - a[12] * m46 + a[14] * m47;
-    let m49 = a[1] * m3 - a[9] * a[0] * a[13] * a[14];
-    let m50 = a[2] * m4 - a[10] * m46 + a[14] * m49;
-    let m51 = a[3] * m6 - a[11] * m48 + a[13] * m50;
-    let m52 = a[1] * m7 - a[7] * a[0] * a[13] * a[14];
-    let m53 = a[2] * m8 - a[8] * m46 + a[14] * m52;
-    let m54 = a[3] * m10 - a[9] * m48 + a[13] * m53;
-    let m55 = a[3] * m12 - a[9] * m50 + a[11] * m53;
-    let m56 = a[4] * m13 - a[10] * m51 + a[12] * m54 - a[14] * m55;
-    let m57 = a[1] * m14 - a[5] * a[0] * a[13] * a[14];
-    let m58 = a[2] * m15 - a[6] * m46 + a[14] * m57;
-    let m59 = a[3] * m17 - a[7] * m48 + a[13] * m58;
-    let m60 = a[3] * m19 - a[7] * m50 + a[11] * m58;
-    let m61 = a[4] * m20 - a[8] * m51 + a[12] * m59 - a[14] * m60;
-    let m62 = a[3] * m22 - a[7] * m53 + a[9] * m58;
-    let m63 = a[4] * m23 - a[8] * m54 + a[10] * m59 - a[14] * m62;
-    let m64 = a[5] * m25 - a[9] * m56 + a[11] * m61 - a[13] * m63;
-    let m65 = a[1] * m26 - a[3] * a[0] * a[13] * a[14];
-    let m66 = a[2] * m27 - a[4] * m46 + a[14] * m65;
-    let m67 = a[3] * m29 - a[5] * m48 + a[13] * m66;
-    let m68 = a[3] * m31 - a[5] * m50 + a[11] * m66;
-    let m69 = a[4] * m32 - a[6] * m51 + a[12] * m67 - a[14] * m68;
-    let m70 = a[3] * m34 - a[5] * m53 + a[9] * m66;
-    let m71 = a[4] * m35 - a[6] * m54 + a[10] * m67 - a[14] * m70;
-    let m72 = a[5] * m37 - a[7] * m56 + a[11] * m69 - a[13] * m71;
-    let m73 = a[3] * m39 - a[5] * m58 + a[7] * m66;
-    let m74 = a[4] * m40 - a[6] * m59 + a[8] * m67 - a[14] * m73;
-    let m75 = a[5] * m42 - a[7] * m61 + a[9] * m69 - a[13] * m74;
-    let m76 = a[5] * m44 - a[7] * m63 + a[9] * m71 - a[11] * m74;
-    let m77 = a[6] * m45 - a[8] * m64 + a[10] * m72 - a[12] * m75 + a[14] * m76;
-    let m78 = a[1] * m6 - a[11] * a[0] * m2 + a[13] * a[0] * m4;
-    let m79 = a[1] * m10 - a[9] * a[0] * m2 + a[13] * a[0] * m8;
-    let m80 = a[1] * m12 - a[9] * a[0] * m4 + a[11] * a[0] * m8;
-    let m81 = a[2] * m13 - a[10] * m78 + a[12] * m79 - a[14] * m80;
-    let m82 = a[1] * m17 - a[7] * a[0] * m2 + a[13] * a[0] * m15;
-    let m83 = a[1] * m19 - a[7] * a[0] * m4 + a[11] * a[0] * m15;
-    let m84 = a[2] * m20 - a[8] * m78 + a[12] * m82 - a[14] * m83;
-    let m85 = a[1] * m22 - a[7] * a[0] * m8 + a[9] * a[0] * m15;
-    let m86 = a[2] * m23 - a[8] * m79 + a[10] * m82 - a[14] * m85;
-    let m87 = a[3] * m25 - a[9] * m81 + a[11] * m84 - a[13] * m86;
-    let m88 = a[1] * m29 - a[5] * a[0] * m2 + a[13] * a[0] * m27;
-    let m89 = a[1] * m31 - a[5] * a[0] * m4 + a[11] * a[0] * m27;
-    let m90 = a[2] * m32 - a[6] * m78 + a[12] * m88 - a[14] * m89;
-    let m91 = a[1] * m34 - a[5] * a[0] * m8 + a[9] * a[0] * m27;
-    let m92 = a[2] * m35 - a[6] * m79 + a[10] * m88 - a[14] * m91;
-    let m93 = a[3] * m37 - a[7] * m81 + a[11] * m90 - a[13] * m92;
-    let m94 = a[1] * m39 - a[5] * a[0] * m15 + a[7] * a[0] * m27;
-    let m95 = a[2] * m40 - a[6] * m82 + a[8] * m88 - a[14] * m94;
-    let m96 = a[3] * m42 - a[7] * m84 + a[9] * m90 - a[13] * m95;
-    let m97 = a[3] * m44 - a[7] * m86 + a[9] * m92 - a[11] * m95;
-    let m98 = a[4] * m45 - a[8] * m87 + a[10] * m93 - a[12] * m96 + a[14] * m97;
-    let m99 = a[1] * m48 - a[3] * a[0] * m2 + a[13] * a[0] * m46;
-    let m100 = a[1] * m50 - a[3] * a[0] * m4 + a[11] * a[0] * m46;
-    let m101 = a[2] * m51 - a[4] * m78 + a[12] * m99 - a[14] * m100;
-    let m102 = a[1] * m53 - a[3] * a[0] * m8 + a[9] * a[0] * m46;
-    let m103 = a[2] * m54 - a[4] * m79 + a[10] * m99 - a[14] * m102;
-    let m104 = a[3] * m56 - a[5] * m81 + a[11] * m101 - a[13] * m103;
-    let m105 = a[1] * m58 - a[3] * a[0] * m15 + a[7] * a[0] * m46;
-    let m106 = a[2] * m59 - a[4] * m82 + a[8] * m99 - a[14] * m105;
-    let m107 = a[3] * m61 - a[5] * m84 + a[9] * m101 - a[13] * m106;
-    let m108 = a[3] * m63 - a[5] * m86 + a[9] * m103 - a[11] * m106;
-    let m109 = a[4] * m64 - a[6] * m87 + a[10] * m104 - a[12] * m107 + a[14] * m108;
-    let m110 = a[1] * m66 - a[3] * a[0] * m27 + a[5] * a[0] * m46;
-    let m111 = a[2] * m67 - a[4] * m88 + a[6] * m99 - a[14] * m110;
-    let m112 = a[3] * m69 - a[5] * m90 + a[7] * m101 - a[13] * m111;
-    let m113 = a[3] * m71 - a[5] * m92 + a[7] * m103 - a[11] * m111;
-    let m114 = a[4] * m72 - a[6] * m93 + a[8] * m104 - a[12] * m112 + a[14] * m113;
-    let m115 = a[3] * m74 - a[5] * m95 + a[7] * m106 - a[9] * m111;
-    let m116 = a[4] * m75 - a[6] * m96 + a[8] * m107 - a[10] * m112 + a[14] * m115;
-    let m117 = a[5] * m77 - a[7] * m98 + a[9] * m109 - a[11] * m114 + a[13] * m116;
-    let m118 = a[1] * m25 - a[9] * a[0] * m13 + a[11] * a[0] * m20 - a[13] * a[0] * m23;
-    let m119 = a[1] * m37 - a[7] * a[0] * m13 + a[11] * a[0] * m32 - a[13] * a[0] * m35;
-    let m120 = a[1] * m42 - a[7] * a[0] * m20 + a[9] * a[0] * m32 - a[13] * a[0] * m40;
-    let m121 = a[1] * m44 - a[7] * a[0] * m23 + a[9] * a[0] * m35 - a[11] * a[0] * m40;
-    let m122 = a[2] * m45 - a[8] * m118 + a[10] * m119 - a[12] * m120 + a[14] * m121;
-    let m123 = a[1] * m56 - a[5] * a[0] * m13 + a[11] * a[0] * m51 - a[13] * a[0] * m54;
-    let m124 = a[1] * m61 - a[5] * a[0] * m20 + a[9] * a[0] * m51 - a[13] * a[0] * m59;
-    let m125 = a[1] * m63 - a[5] * a[0] * m23 + a[9] * a[0] * m54 - a[11] * a[0] * m59;
-    let m126 = a[2] * m64 - a[6] * m118 + a[10] * m123 - a[12] * m124 + a[14] * m125;
-    let m127 = a[1] * m69 - a[5] * a[0] * m32 + a[7] * a[0] * m51 - a[13] * a[0] * m67;
-    let m128 = a[1] * m71 - a[5] * a[0] * m35 + a[7] * a[0] * m54 - a[11] * a[0] * m67;
-    let m129 = a[2] * m72 - a[6] * m119 + a[8] * m123 - a[12] * m127 + a[14] * m128;
-    let m130 = a[1] * m74 - a[5] * a[0] * m40 + a[7] * a[0] * m59 - a[9] * a[0] * m67;
-    let m131 = a[2] * m75 - a[6] * m120 + a[8] * m124 - a[10] * m127 + a[14] * m130;
-    let m132 = a[3] * m77 - a[7] * m122 + a[9] * m126 - a[11] * m129 + a[13] * m131;
-    let m133 = a[1] * m81 - a[3] * a[0] * m13 + a[11] * a[0] * m78 - a[13] * a[0] * m79;
-    let m134 = a[1] * m84 - a[3] * a[0] * m20 + a[9] * a[0] * m78 - a[13] * a[0] * m82;
-    let m135 = a[1] * m86 - a[3] * a[0] * m23 + a[9] * a[0] * m79 - a[11] * a[0] * m82;
-    let m136 = a[2] * m87 - a[4] * m118 + a[10] * m133 - a[12] * m134 + a[14] * m135;
-    let m137 = a[1] * m90 - a[3] * a[0] * m32 + a[7] * a[0] * m78 - a[13] * a[0] * m88;
-    let m138 = a[1] * m92 - a[3] * a[0] * m35 + a[7] * a[0] * m79 - a[11] * a[0] * m88;
-    let m139 = a[2] * m93 - a[4] * m119 + a[8] * m133 - a[12] * m137 + a[14] * m138;
-    let m140 = a[1] * m95 - a[3] * a[0] * m40 + a[7] * a[0] * m82 - a[9] * a[0] * m88;
-    let m141 = a[2] * m96 - a[4] * m120 + a[8] * m134 - a[10] * m137 + a[14] * m140;
-    let m142 = a[3] * m98 - a[5] * m122 + a[9] * m136 - a[11] * m139 + a[13] * m141;
-    let m143 = a[1] * m101 - a[3] * a[0] * m51 + a[5] * a[0] * m78 - a[13] * a[0] * m99;
-    let m144 = a[1] * m103 - a[3] * a[0] * m54 + a[5] * a[0] * m79 - a[11] * a[0] * m99;
-    let m145 = a[2] * m104 - a[4] * m123 + a[6] * m133 - a[12] * m143 + a[14] * m144;
-    let m146 = a[1] * m106 - a[3] * a[0] * m59 + a[5] * a[0] * m82 - a[9] * a[0] * m99;
-    let m147 = a[2] * m107 - a[4] * m124 + a[6] * m134 - a[10] * m143 + a[14] * m146;
-    let m148 = a[3] * m109 - a[5] * m126 + a[7] * m136 - a[11] * m145 + a[13] * m147;
-    let m149 = a[1] * m111 - a[3] * a[0] * m67 + a[5] * a[0] * m88 - a[7] * a[0] * m99;
-    let m150 = a[2] * m112 - a[4] * m127 + a[6] * m137 - a[8] * m143 + a[14] * m149;
-    let m151 = a[3] * m114 - a[5] * m129 + a[7] * m139 - a[9] * m145 + a[13] * m150;
-    let m152 = a[3] * m116 - a[5] * m131 + a[7] * m141 - a[9] * m147 + a[11] * m150;
-    let m153 = a[4] * m117 - a[6] * m132 + a[8] * m142 - a[10] * m148 + a[12] * m151
-        - a[14] * m152;
-    let m154 = a[1] * m77 - a[7] * a[0] * m45 + a[9] * a[0] * m64 - a[11] * a[0] * m72
-        + a[13] * a[0] * m75;
-    let m155 = a[1] * m98 - a[5] * a[0] * m45 + a[9] * a[0] * m87 - a[11] * a[0] * m93
-        + a[13] * a[0] * m96;
-    let m156 = a[1] * m109 - a[5] * a[0] * m64 + a[7] * a[0] * m87 - a[11] * a[0] * m104
-        + a[13] * a[0] * m107;
-    let m157 = a[1] * m114 - a[5] * a[0] * m72 + a[7] * a[0] * m93 - a[9] * a[0] * m104
-        + a[13] * a[0] * m112;
-    let m158 = a[1] * m116 - a[5] * a[0] * m75 + a[7] * a[0] * m96 - a[9] * a[0] * m107
-        + a[11] * a[0] * m112;
-    let m159 = a[2] * m117 - a[6] * m154 + a[8] * m155 - a[10] * m156 + a[12] * m157
-        - a[14] * m158;
-    let m160 = a[1] * m122 - a[3] * a[0] * m45 + a[9] * a[0] * m118 - a[11] * a[0] * m119
-        + a[13] * a[0] * m120;
-    let m161 = a[1] * m126 - a[3] * a[0] * m64 + a[7] * a[0] * m118 - a[11] * a[0] * m123
-        + a[13] * a[0] * m124;
-    let m162 = a[1] * m129 - a[3] * a[0] * m72 + a[7] * a[0] * m119 - a[9] * a[0] * m123
-        + a[13] * a[0] * m127;
-    let m163 = a[1] * m131 - a[3] * a[0] * m75 + a[7] * a[0] * m120 - a[9] * a[0] * m124
-        + a[11] * a[0] * m127;
-    let m164 = a[2] * m132 - a[4] * m154 + a[8] * m160 - a[10] * m161 + a[12] * m162
-        - a[14] * m163;
-    let m165 = a[1] * m136 - a[3] * a[0] * m87 + a[5] * a[0] * m118 - a[11] * a[0] * m133
-        + a[13] * a[0] * m134;
-    let m166 = a[1] * m139 - a[3] * a[0] * m93 + a[5] * a[0] * m119 - a[9] * a[0] * m133
-        + a[13] * a[0] * m137;
-    let m167 = a[1] * m141 - a[3] * a[0] * m96 + a[5] * a[0] * m120 - a[9] * a[0] * m134
-        + a[11] * a[0] * m137;
-    let m168 = a[2] * m142 - a[4] * m155 + a[6] * m160 - a[10] * m165 + a[12] * m166
-        - a[14] * m167;
-    let m169 = a[1] * m145 - a[3] * a[0] * m104 + a[5] * a[0] * m123 - a[7] * a[0] * m133
-        + a[13] * a[0] * m143;
-    let m170 = a[1] * m147 - a[3] * a[0] * m107 + a[5] * a[0] * m124 - a[7] * a[0] * m134
-        + a[11] * a[0] * m143;
-    let m171 = a[2] * m148 - a[4] * m156 + a[6] * m161 - a[8] * m165 + a[12] * m169
-        - a[14] * m170;
-    let m172 = a[1] * m150 - a[3] * a[0] * m112 + a[5] * a[0] * m127 - a[7] * a[0] * m137
-        + a[9] * a[0] * m143;
-    let m173 = a[2] * m151 - a[4] * m157 + a[6] * m162 - a[8] * m166 + a[10] * m169
-        - a[14] * m172;
-    let m174 = a[3] * m153 - a[5] * m159 + a[7] * m164 - a[9] * m168 + a[11] * m171
-        - a[13] * m173;
-    let m175 = a[1] * m153 - a[5] * a[0] * m117 + a[7] * a[0] * m132 - a[9] * a[0] * m142
-        + a[11] * a[0] * m148 - a[13] * a[0] * m151;
-    let m176 = a[1] * m159 - a[3] * a[0] * m117 + a[7] * a[0] * m154 - a[9] * a[0] * m155
-        + a[11] * a[0] * m156 - a[13] * a[0] * m157;
-    let m177 = a[1] * m164 - a[3] * a[0] * m132 + a[5] * a[0] * m154 - a[9] * a[0] * m160
-        + a[11] * a[0] * m161 - a[13] * a[0] * m162;
-    let m178 = a[1] * m168 - a[3] * a[0] * m142 + a[5] * a[0] * m155 - a[7] * a[0] * m160
-        + a[11] * a[0] * m165 - a[13] * a[0] * m166;
-    let m179 = a[1] * m171 - a[3] * a[0] * m148 + a[5] * a[0] * m156 - a[7] * a[0] * m161
-        + a[9] * a[0] * m165 - a[13] * a[0] * m169;
-    let m180 = a[1] * m173 - a[3] * a[0] * m151 + a[5] * a[0] * m157 - a[7] * a[0] * m162
-        + a[9] * a[0] * m166 - a[11] * a[0] * m169;
-    let m181 = a[2] * m174 - a[4] * m175 + a[6] * m176 - a[8] * m177 + a[10] * m178
-        - a[12] * m179 + a[14] * m180;
-    let m182 = a[2] * m152 - a[4] * m158 + a[6] * m163 - a[8] * m167 + a[10] * m170
-        - a[12] * m172;
-    let m183 = a[1] * m182 - a[3] * a[0] * m152 + a[5] * a[0] * m158 - a[7] * a[0] * m163
-        + a[9] * a[0] * m167 - a[11] * a[0] * m170 + a[13] * a[0] * m172;
-    let m184 = a[4] * m76 - a[6] * m97 + a[8] * m108 - a[10] * m113 + a[12] * m115;
-    let m185 = a[2] * m76 - a[6] * m121 + a[8] * m125 - a[10] * m128 + a[12] * m130;
-    let m186 = a[2] * m97 - a[4] * m121 + a[8] * m135 - a[10] * m138 + a[12] * m140;
-    let m187 = a[2] * m108 - a[4] * m125 + a[6] * m135 - a[10] * m144 + a[12] * m146;
-    let m188 = a[2] * m113 - a[4] * m128 + a[6] * m138 - a[8] * m144 + a[12] * m149;
-    let m189 = a[2] * m115 - a[4] * m130 + a[6] * m140 - a[8] * m146 + a[10] * m149;
-    let m190 = a[3] * m184 - a[5] * m185 + a[7] * m186 - a[9] * m187 + a[11] * m188
-        - a[13] * m189;
-    let m191 = a[1] * m184 - a[5] * a[0] * m76 + a[7] * a[0] * m97 - a[9] * a[0] * m108
-        + a[11] * a[0] * m113 - a[13] * a[0] * m115;
-    let m192 = a[1] * m185 - a[3] * a[0] * m76 + a[7] * a[0] * m121 - a[9] * a[0] * m125
-        + a[11] * a[0] * m128 - a[13] * a[0] * m130;
-    let m193 = a[1] * m186 - a[3] * a[0] * m97 + a[5] * a[0] * m121 - a[9] * a[0] * m135
-        + a[11] * a[0] * m138 - a[13] * a[0] * m140;
-    let m194 = a[1] * m187 - a[3] * a[0] * m108 + a[5] * a[0] * m125 - a[7] * a[0] * m135
-        + a[11] * a[0] * m144 - a[13] * a[0] * m146;
-    let m195 = a[1] * m188 - a[3] * a[0] * m113 + a[5] * a[0] * m128 - a[7] * a[0] * m138
-        + a[9] * a[0] * m144 - a[13] * a[0] * m149;
-    let m196 = a[1] * m189 - a[3] * a[0] * m115 + a[5] * a[0] * m130 - a[7] * a[0] * m140
-        + a[9] * a[0] * m146 - a[11] * a[0] * m149;
-    let m197 = a[2] * m190 - a[4] * m191 + a[6] * m192 - a[8] * m193 + a[10] * m194
-        - a[12] * m195 + a[14] * m196;
-    let m198 = a[1] * m197 - a[3] * a[0] * m190 + a[5] * a[0] * m191 - a[7] * a[0] * m192
-        + a[9] * a[0] * m193 - a[11] * a[0] * m194 + a[13] * a[0] * m195;
-    let m199 = a[6] * m24 - a[8] * m36 + a[10] * m41 - a[12] * m43;
-    let m200 = a[4] * m24 - a[8] * m55 + a[10] * m60 - a[12] * m62;
-    let m201 = a[4] * m36 - a[6] * m55 + a[10] * m68 - a[12] * m70;
-    let m202 = a[4] * m41 - a[6] * m60 + a[8] * m68 - a[12] * m73;
-    let m203 = a[4] * m43 - a[6] * m62 + a[8] * m70 - a[10] * m73;
-    let m204 = a[5] * m199 - a[7] * m200 + a[9] * m201 - a[11] * m202 + a[13] * m203;
-    let m205 = a[2] * m24 - a[8] * m80 + a[10] * m83 - a[12] * m85;
-    let m206 = a[2] * m36 - a[6] * m80 + a[10] * m89 - a[12] * m91;
-    let m207 = a[2] * m41 - a[6] * m83 + a[8] * m89 - a[12] * m94;
-    let m208 = a[2] * m43 - a[6] * m85 + a[8] * m91 - a[10] * m94;
-    let m209 = a[3] * m199 - a[7] * m205 + a[9] * m206 - a[11] * m207 + a[13] * m208;
-    let m210 = a[2] * m55 - a[4] * m80 + a[10] * m100 - a[12] * m102;
-    let m211 = a[2] * m60 - a[4] * m83 + a[8] * m100 - a[12] * m105;
-    let m212 = a[2] * m62 - a[4] * m85 + a[8] * m102 - a[10] * m105;
-    let m213 = a[3] * m200 - a[5] * m205 + a[9] * m210 - a[11] * m211 + a[13] * m212;
-    let m214 = a[2] * m68 - a[4] * m89 + a[6] * m100 - a[12] * m110;
-    let m215 = a[2] * m70 - a[4] * m91 + a[6] * m102 - a[10] * m110;
-    let m216 = a[3] * m201 - a[5] * m206 + a[7] * m210 - a[11] * m214 + a[13] * m215;
-    let m217 = a[2] * m73 - a[4] * m94 + a[6] * m105 - a[8] * m110;
-    let m218 = a[3] * m202 - a[5] * m207 + a[7] * m211 - a[9] * m214 + a[13] * m217;
-    let m219 = a[3] * m203 - a[5] * m208 + a[7] * m212 - a[9] * m215 + a[11] * m217;
-    let m220 = a[4] * m204 - a[6] * m209 + a[8] * m213 - a[10] * m216 + a[12] * m218
-        - a[14] * m219;
-    let m221 = a[1] * m199 - a[7] * a[0] * m24 + a[9] * a[0] * m36 - a[11] * a[0] * m41
-        + a[13] * a[0] * m43;
-    let m222 = a[1] * m200 - a[5] * a[0] * m24 + a[9] * a[0] * m55 - a[11] * a[0] * m60
-        + a[13] * a[0] * m62;
-    let m223 = a[1] * m201 - a[5] * a[0] * m36 + a[7] * a[0] * m55 - a[11] * a[0] * m68
-        + a[13] * a[0] * m70;
-    let m224 = a[1] * m202 - a[5] * a[0] * m41 + a[7] * a[0] * m60 - a[9] * a[0] * m68
-        + a[13] * a[0] * m73;
-    let m225 = a[1] * m203 - a[5] * a[0] * m43 + a[7] * a[0] * m62 - a[9] * a[0] * m70
-        + a[11] * a[0] * m73;
-    let m226 = a[2] * m204 - a[6] * m221 + a[8] * m222 - a[10] * m223 + a[12] * m224
-        - a[14] * m225;
-    let m227 = a[1] * m205 - a[3] * a[0] * m24 + a[9] * a[0] * m80 - a[11] * a[0] * m83
-        + a[13] * a[0] * m85;
-    let m228 = a[1] * m206 - a[3] * a[0] * m36 + a[7] * a[0] * m80 - a[11] * a[0] * m89
-        + a[13] * a[0] * m91;
-    let m229 = a[1] * m207 - a[3] * a[0] * m41 + a[7] * a[0] * m83 - a[9] * a[0] * m89
-        + a[13] * a[0] * m94;
-    let m230 = a[1] * m208 - a[3] * a[0] * m43 + a[7] * a[0] * m85 - a[9] * a[0] * m91
-        + a[11] * a[0] * m94;
-    let m231 = a[2] * m209 - a[4] * m221 + a[8] * m227 - a[10] * m228 + a[12] * m229
-        - a[14] * m230;
-    let m232 = a[1] * m210 - a[3] * a[0] * m55 + a[5] * a[0] * m80 - a[11] * a[0] * m100
-        + a[13] * a[0] * m102;
-    let m233 = a[1] * m211 - a[3] * a[0] * m60 + a[5] * a[0] * m83 - a[9] * a[0] * m100
-        + a[13] * a[0] * m105;
-    let m234 = a[1] * m212 - a[3] * a[0] * m62 + a[5] * a[0] * m85 - a[9] * a[0] * m102
-        + a[11] * a[0] * m105;
-    let m235 = a[2] * m213 - a[4] * m222 + a[6] * m227 - a[10] * m232 + a[12] * m233
-        - a[14] * m234;
-    let m236 = a[1] * m214 - a[3] * a[0] * m68 + a[5] * a[0] * m89 - a[7] * a[0] * m100
-        + a[13] * a[0] * m110;
-    let m237 = a[1] * m215 - a[3] * a[0] * m70 + a[5] * a[0] * m91 - a[7] * a[0] * m102
-        + a[11] * a[0] * m110;
-    let m238 = a[2] * m216 - a[4] * m223 + a[6] * m228 - a[8] * m232 + a[12] * m236
-        - a[14] * m237;
-    let m239 = a[1] * m217 - a[3] * a[0] * m73 + a[5] * a[0] * m94 - a[7] * a[0] * m105
-        + a[9] * a[0] * m110;
-    let m240 = a[2] * m218 - a[4] * m224 + a[6] * m229 - a[8] * m233 + a[10] * m236
-        - a[14] * m239;
-    let m241 = a[3] * m220 - a[5] * m226 + a[7] * m231 - a[9] * m235 + a[11] * m238
-        - a[13] * m240;
-    let m242 = a[1] * m220 - a[5] * a[0] * m204 + a[7] * a[0] * m209 - a[9] * a[0] * m213
-        + a[11] * a[0] * m216 - a[13] * a[0] * m218;
-    let m243 = a[1] * m226 - a[3] * a[0] * m204 + a[7] * a[0] * m221 - a[9] * a[0] * m222
-        + a[11] * a[0] * m223 - a[13] * a[0] * m224;
-    let m244 = a[1] * m231 - a[3] * a[0] * m209 + a[5] * a[0] * m221 - a[9] * a[0] * m227
-        + a[11] * a[0] * m228 - a[13] * a[0] * m229;
-    let m245 = a[1] * m235 - a[3] * a[0] * m213 + a[5] * a[0] * m222 - a[7] * a[0] * m227
-        + a[11] * a[0] * m232 - a[13] * a[0] * m233;
-    let m246 = a[1] * m238 - a[3] * a[0] * m216 + a[5] * a[0] * m223 - a[7] * a[0] * m228
-        + a[9] * a[0] * m232 - a[13] * a[0] * m236;
-    let m247 = a[1] * m240 - a[3] * a[0] * m218 + a[5] * a[0] * m224 - a[7] * a[0] * m229
-        + a[9] * a[0] * m233 - a[11] * a[0] * m236;
-    let m248 = a[2] * m241 - a[4] * m242 + a[6] * m243 - a[8] * m244 + a[10] * m245
-        - a[12] * m246 + a[14] * m247;
-    let m249 = a[1] * m248 - a[3] * a[0] * m241 + a[5] * a[0] * m242 - a[7] * a[0] * m243
-        + a[9] * a[0] * m244 - a[11] * a[0] * m245 + a[13] * a[0] * m246;
-    let m250 = a[8] * m5 - a[10] * m9 + a[12] * m11;
-    let m251 = a[6] * m5 - a[10] * m16 + a[12] * m18;
-    let m252 = a[6] * m9 - a[8] * m16 + a[12] * m21;
-    let m253 = a[6] * m11 - a[8] * m18 + a[10] * m21;
-    let m254 = a[7] * m250 - a[9] * m251 + a[11] * m252 - a[13] * m253;
-    let m255 = a[4] * m5 - a[10] * m28 + a[12] * m30;
-    let m256 = a[4] * m9 - a[8] * m28 + a[12] * m33;
-    let m257 = a[4] * m11 - a[8] * m30 + a[10] * m33;
-    let m258 = a[5] * m250 - a[9] * m255 + a[11] * m256 - a[13] * m257;
-    let m259 = a[4] * m16 - a[6] * m28 + a[12] * m38;
-    let m260 = a[4] * m18 - a[6] * m30 + a[10] * m38;
-    let m261 = a[5] * m251 - a[7] * m255 + a[11] * m259 - a[13] * m260;
-    let m262 = a[4] * m21 - a[6] * m33 + a[8] * m38;
-    let m263 = a[5] * m252 - a[7] * m256 + a[9] * m259 - a[13] * m262;
-    let m264 = a[5] * m253 - a[7] * m257 + a[9] * m260 - a[11] * m262;
-    let m265 = a[6] * m254 - a[8] * m258 + a[10] * m261 - a[12] * m263 + a[14] * m264;
-    let m266 = a[2] * m5 - a[10] * m47 + a[12] * m49;
-    let m267 = a[2] * m9 - a[8] * m47 + a[12] * m52;
-    let m268 = a[2] * m11 - a[8] * m49 + a[10] * m52;
-    let m269 = a[3] * m250 - a[9] * m266 + a[11] * m267 - a[13] * m268;
-    let m270 = a[2] * m16 - a[6] * m47 + a[12] * m57;
-    let m271 = a[2] * m18 - a[6] * m49 + a[10] * m57;
-    let m272 = a[3] * m251 - a[7] * m266 + a[11] * m270 - a[13] * m271;
-    let m273 = a[2] * m21 - a[6] * m52 + a[8] * m57;
-    let m274 = a[3] * m252 - a[7] * m267 + a[9] * m270 - a[13] * m273;
-    let m275 = a[3] * m253 - a[7] * m268 + a[9] * m271 - a[11] * m273;
-    let m276 = a[4] * m254 - a[8] * m269 + a[10] * m272 - a[12] * m274 + a[14] * m275;
-    let m277 = a[2] * m28 - a[4] * m47 + a[12] * m65;
-    let m278 = a[2] * m30 - a[4] * m49 + a[10] * m65;
-    let m279 = a[3] * m255 - a[5] * m266 + a[11] * m277 - a[13] * m278;
-    let m280 = a[2] * m33 - a[4] * m52 + a[8] * m65;
-    let m281 = a[3] * m256 - a[5] * m267 + a[9] * m277 - a[13] * m280;
-    let m282 = a[3] * m257 - a[5] * m268 + a[9] * m278 - a[11] * m280;
-    let m283 = a[4] * m258 - a[6] * m269 + a[10] * m279 - a[12] * m281 + a[14] * m282;
-    let m284 = a[2] * m38 - a[4] * m57 + a[6] * m65;
-    let m285 = a[3] * m259 - a[5] * m270 + a[7] * m277 - a[13] * m284;
-    let m286 = a[3] * m260 - a[5] * m271 + a[7] * m278 - a[11] * m284;
-    let m287 = a[4] * m261 - a[6] * m272 + a[8] * m279 - a[12] * m285 + a[14] * m286;
-    let m288 = a[3] * m262 - a[5] * m273 + a[7] * m280 - a[9] * m284;
-    let m289 = a[4] * m263 - a[6] * m274 + a[8] * m281 - a[10] * m285 + a[14] * m288;
-    let m290 = a[5] * m265 - a[7] * m276 + a[9] * m283 - a[11] * m287 + a[13] * m289;
-    let m291 = a[1] * m250 - a[9] * a[0] * m5 + a[11] * a[0] * m9 - a[13] * a[0] * m11;
-    let m292 = a[1] * m251 - a[7] * a[0] * m5 + a[11] * a[0] * m16 - a[13] * a[0] * m18;
-    let m293 = a[1] * m252 - a[7] * a[0] * m9 + a[9] * a[0] * m16 - a[13] * a[0] * m21;
-    let m294 = a[1] * m253 - a[7] * a[0] * m11 + a[9] * a[0] * m18 - a[11] * a[0] * m21;
-    let m295 = a[2] * m254 - a[8] * m291 + a[10] * m292 - a[12] * m293 + a[14] * m294;
-    let m296 = a[1] * m255 - a[5] * a[0] * m5 + a[11] * a[0] * m28 - a[13] * a[0] * m30;
-    let m297 = a[1] * m256 - a[5] * a[0] * m9 + a[9] * a[0] * m28 - a[13] * a[0] * m33;
-    let m298 = a[1] * m257 - a[5] * a[0] * m11 + a[9] * a[0] * m30 - a[11] * a[0] * m33;
-    let m299 = a[2] * m258 - a[6] * m291 + a[10] * m296 - a[12] * m297 + a[14] * m298;
-    let m300 = a[1] * m259 - a[5] * a[0] * m16 + a[7] * a[0] * m28 - a[13] * a[0] * m38;
-    let m301 = a[1] * m260 - a[5] * a[0] * m18 + a[7] * a[0] * m30 - a[11] * a[0] * m38;
-    let m302 = a[2] * m261 - a[6] * m292 + a[8] * m296 - a[12] * m300 + a[14] * m301;
-    let m303 = a[1] * m262 - a[5] * a[0] * m21 + a[7] * a[0] * m33 - a[9] * a[0] * m38;
-    let m304 = a[2] * m263 - a[6] * m293 + a[8] * m297 - a[10] * m300 + a[14] * m303;
-    let m305 = a[3] * m265 - a[7] * m295 + a[9] * m299 - a[11] * m302 + a[13] * m304;
-    let m306 = a[1] * m266 - a[3] * a[0] * m5 + a[11] * a[0] * m47 - a[13] * a[0] * m49;
-    let m307 = a[1] * m267 - a[3] * a[0] * m9 + a[9] * a[0] * m47 - a[13] * a[0] * m52;
-    let m308 = a[1] * m268 - a[3] * a[0] * m11 + a[9] * a[0] * m49 - a[11] * a[0] * m52;
-    let m309 = a[2] * m269 - a[4] * m291 + a[10] * m306 - a[12] * m307 + a[14] * m308;
-    let m310 = a[1] * m270 - a[3] * a[0] * m16 + a[7] * a[0] * m47 - a[13] * a[0] * m57;
-    let m311 = a[1] * m271 - a[3] * a[0] * m18 + a[7] * a[0] * m49 - a[11] * a[0] * m57;
-    let m312 = a[2] * m272 - a[4] * m292 + a[8] * m306 - a[12] * m310 + a[14] * m311;
-    let m313 = a[1] * m273 - a[3] * a[0] * m21 + a[7] * a[0] * m52 - a[9] * a[0] * m57;
-    let m314 = a[2] * m274 - a[4] * m293 + a[8] * m307 - a[10] * m310 + a[14] * m313;
-    let m315 = a[3] * m276 - a[5] * m295 + a[9] * m309 - a[11] * m312 + a[13] * m314;
-    let m316 = a[1] * m277 - a[3] * a[0] * m28 + a[5] * a[0] * m47 - a[13] * a[0] * m65;
-    let m317 = a[1] * m278 - a[3] * a[0] * m30 + a[5] * a[0] * m49 - a[11] * a[0] * m65;
-    let m318 = a[2] * m279 - a[4] * m296 + a[6] * m306 - a[12] * m316 + a[14] * m317;
-    let m319 = a[1] * m280 - a[3] * a[0] * m33 + a[5] * a[0] * m52 - a[9] * a[0] * m65;
-    let m320 = a[2] * m281 - a[4] * m297 + a[6] * m307 - a[10] * m316 + a[14] * m319;
-    let m321 = a[3] * m283 - a[5] * m299 + a[7] * m309 - a[11] * m318 + a[13] * m320;
-    let m322 = a[1] * m284 - a[3] * a[0] * m38 + a[5] * a[0] * m57 - a[7] * a[0] * m65;
-    let m323 = a[2] * m285 - a[4] * m300 + a[6] * m310 - a[8] * m316 + a[14] * m322;
-    let m324 = a[3] * m287 - a[5] * m302 + a[7] * m312 - a[9] * m318 + a[13] * m323;
-    let m325 = a[3] * m289 - a[5] * m304 + a[7] * m314 - a[9] * m320 + a[11] * m323;
-    let m326 = a[4] * m290 - a[6] * m305 + a[8] * m315 - a[10] * m321 + a[12] * m324
-        - a[14] * m325;
-    let m327 = a[1] * m265 - a[7] * a[0] * m254 + a[9] * a[0] * m258 - a[11] * a[0] * m261
-        + a[13] * a[0] * m263;
-    let m328 = a[1] * m276 - a[5] * a[0] * m254 + a[9] * a[0] * m269 - a[11] * a[0] * m272
-        + a[13] * a[0] * m274;
-    let m329 = a[1] * m283 - a[5] * a[0] * m258 + a[7] * a[0] * m269 - a[11] * a[0] * m279
-        + a[13] * a[0] * m281;
-    let m330 = a[1] * m287 - a[5] * a[0] * m261 + a[7] * a[0] * m272 - a[9] * a[0] * m279
-        + a[13] * a[0] * m285;
-    let m331 = a[1] * m289 - a[5] * a[0] * m263 + a[7] * a[0] * m274 - a[9] * a[0] * m281
-        + a[11] * a[0] * m285;
-    let m332 = a[2] * m290 - a[6] * m327 + a[8] * m328 - a[10] * m329 + a[12] * m330
-        - a[14] * m331;
-    let m333 = a[1] * m295 - a[3] * a[0] * m254 + a[9] * a[0] * m291 - a[11] * a[0] * m292
-        + a[13] * a[0] * m293;
-    let m334 = a[1] * m299 - a[3] * a[0] * m258 + a[7] * a[0] * m291 - a[11] * a[0] * m296
-        + a[13] * a[0] * m297;
-    let m335 = a[1] * m302 - a[3] * a[0] * m261 + a[7] * a[0] * m292 - a[9] * a[0] * m296
-        + a[13] * a[0] * m300;
-    let m336 = a[1] * m304 - a[3] * a[0] * m263 + a[7] * a[0] * m293 - a[9] * a[0] * m297
-        + a[11] * a[0] * m300;
-    let m337 = a[2] * m305 - a[4] * m327 + a[8] * m333 - a[10] * m334 + a[12] * m335
-        - a[14] * m336;
-    let m338 = a[1] * m309 - a[3] * a[0] * m269 + a[5] * a[0] * m291 - a[11] * a[0] * m306
-        + a[13] * a[0] * m307;
-    let m339 = a[1] * m312 - a[3] * a[0] * m272 + a[5] * a[0] * m292 - a[9] * a[0] * m306
-        + a[13] * a[0] * m310;
-    let m340 = a[1] * m314 - a[3] * a[0] * m274 + a[5] * a[0] * m293 - a[9] * a[0] * m307
-        + a[11] * a[0] * m310;
-    let m341 = a[2] * m315 - a[4] * m328 + a[6] * m333 - a[10] * m338 + a[12] * m339
-        - a[14] * m340;
-    let m342 = a[1] * m318 - a[3] * a[0] * m279 + a[5] * a[0] * m296 - a[7] * a[0] * m306
-        + a[13] * a[0] * m316;
-    let m343 = a[1] * m320 - a[3] * a[0] * m281 + a[5] * a[0] * m297 - a[7] * a[0] * m307
-        + a[11] * a[0] * m316;
-    let m344 = a[2] * m321 - a[4] * m329 + a[6] * m334 - a[8] * m338 + a[12] * m342
-        - a[14] * m343;
-    let m345 = a[1] * m323 - a[3] * a[0] * m285 + a[5] * a[0] * m300 - a[7] * a[0] * m310
-        + a[9] * a[0] * m316;
-    let m346 = a[2] * m324 - a[4] * m330 + a[6] * m335 - a[8] * m339 + a[10] * m342
-        - a[14] * m345;
-    let m347 = a[3] * m326 - a[5] * m332 + a[7] * m337 - a[9] * m341 + a[11] * m344
-        - a[13] * m346;
-    let m348 = a[1] * m326 - a[5] * a[0] * m290 + a[7] * a[0] * m305 - a[9] * a[0] * m315
-        + a[11] * a[0] * m321 - a[13] * a[0] * m324;
-    let m349 = a[1] * m332 - a[3] * a[0] * m290 + a[7] * a[0] * m327 - a[9] * a[0] * m328
-        + a[11] * a[0] * m329 - a[13] * a[0] * m330;
-    let m350 = a[1] * m337 - a[3] * a[0] * m305 + a[5] * a[0] * m327 - a[9] * a[0] * m333
-        + a[11] * a[0] * m334 - a[13] * a[0] * m335;
-    let m351 = a[1] * m341 - a[3] * a[0] * m315 + a[5] * a[0] * m328 - a[7] * a[0] * m333
-        + a[11] * a[0] * m338 - a[13] * a[0] * m339;
-    let m352 = a[1] * m344 - a[3] * a[0] * m321 + a[5] * a[0] * m329 - a[7] * a[0] * m334
-        + a[9] * a[0] * m338 - a[13] * a[0] * m342;
-    let m353 = a[1] * m346 - a[3] * a[0] * m324 + a[5] * a[0] * m330 - a[7] * a[0] * m335
-        + a[9] * a[0] * m339 - a[11] * a[0] * m342;
-    let m354 = a[2] * m347 - a[4] * m348 + a[6] * m349 - a[8] * m350 + a[10] * m351
-        - a[12] * m352 + a[14] * m353;
-    let m355 = a[1] * m354 - a[3] * a[0] * m347 + a[5] * a[0] * m348 - a[7] * a[0] * m349
-        + a[9] * a[0] * m350 - a[11] * a[0] * m351 + a[13] * a[0] * m352;
-    let m356 = a[10] * a[11] * a[14] - a[12] * a[9] * a[14];
-    let m357 = a[8] * a[11] * a[14] - a[12] * a[7] * a[14];
-    let m358 = a[8] * a[9] * a[14] - a[10] * a[7] * a[14];
-    let m359 = a[9] * m356 - a[11] * m357 + a[13] * m358;
-    let m360 = a[6] * a[11] * a[14] - a[12] * a[5] * a[14];
-    let m361 = a[6] * a[9] * a[14] - a[10] * a[5] * a[14];
-    let m362 = a[7] * m356 - a[11] * m360 + a[13] * m361;
-    let m363 = a[6] * a[7] * a[14] - a[8] * a[5] * a[14];
-    let m364 = a[7] * m357 - a[9] * m360 + a[13] * m363;
-    let m365 = a[7] * m358 - a[9] * m361 + a[11] * m363;
-    let m366 = a[8] * m359 - a[10] * m362 + a[12] * m364 - a[14] * m365;
-    let m367 = a[4] * a[11] * a[14] - a[12] * a[3] * a[14];
-    let m368 = a[4] * a[9] * a[14] - a[10] * a[3] * a[14];
-    let m369 = a[5] * m356 - a[11] * m367 + a[13] * m368;
-    let m370 = a[4] * a[7] * a[14] - a[8] * a[3] * a[14];
-    let m371 = a[5] * m357 - a[9] * m367 + a[13] * m370;
-    let m372 = a[5] * m358 - a[9] * m368 + a[11] * m370;
-    let m373 = a[6] * m359 - a[10] * m369 + a[12] * m371 - a[14] * m372;
-    let m374 = a[4] * a[5] * a[14] - a[6] * a[3] * a[14];
-    let m375 = a[5] * m360 - a[7] * m367 + a[13] * m374;
-    let m376 = a[5] * m361 - a[7] * m368 + a[11] * m374;
-    let m377 = a[6] * m362 - a[8] * m369 + a[12] * m375 - a[14] * m376;
-    let m378 = a[5] * m363 - a[7] * m370 + a[9] * m374;
-    let m379 = a[6] * m364 - a[8] * m371 + a[10] * m375 - a[14] * m378;
-    let m380 = a[7] * m366 - a[9] * m373 + a[11] * m377 - a[13] * m379;
-    let m381 = a[2] * a[11] * a[14] - a[12] * a[1] * a[14];
-    let m382 = a[2] * a[9] * a[14] - a[10] * a[1] * a[14];
-    let m383 = a[3] * m356 - a[11] * m381 + a[13] * m382;
-    let m384 = a[2] * a[7] * a[14] - a[8] * a[1] * a[14];
-    let m385 = a[3] * m357 - a[9] * m381 + a[13] * m384;
-    let m386 = a[3] * m358 - a[9] * m382 + a[11] * m384;
-    let m387 = a[4] * m359 - a[10] * m383 + a[12] * m385 - a[14] * m386;
-    let m388 = a[2] * a[5] * a[14] - a[6] * a[1] * a[14];
-    let m389 = a[3] * m360 - a[7] * m381 + a[13] * m388;
-    let m390 = a[3] * m361 - a[7] * m382 + a[11] * m388;
-    let m391 = a[4] * m362 - a[8] * m383 + a[12] * m389 - a[14] * m390;
-    let m392 = a[3] * m363 - a[7] * m384 + a[9] * m388;
-    let m393 = a[4] * m364 - a[8] * m385 + a[10] * m389 - a[14] * m392;
-    let m394 = a[5] * m366 - a[9] * m387 + a[11] * m391 - a[13] * m393;
-    let m395 = a[2] * a[3] * a[14] - a[4] * a[1] * a[14];
-    let m396 = a[3] * m367 - a[5] * m381 + a[13] * m395;
-    let m397 = a[3] * m368 - a[5] * m382 + a[11] * m395;
-    let m398 = a[4] * m369 - a[6] * m383 + a[12] * m396 - a[14] * m397;
-    let m399 = a[3] * m370 - a[5] * m384 + a[9] * m395;
-    let m400 = a[4] * m371 - a[6] * m385 + a[10] * m396 - a[14] * m399;
-    let m401 = a[5] * m373 - a[7] * m387 + a[11] * m398 - a[13] * m400;
-    let m402 = a[3] * m374 - a[5] * m388 + a[7] * m395;
-    let m403 = a[4] * m375 - a[6] * m389 + a[8] * m396 - a[14] * m402;
-    let m404 = a[5] * m377 - a[7] * m391 + a[9] * m398 - a[13] * m403;
-    let m405 = a[5] * m379 - a[7] * m393 + a[9] * m400 - a[11] * m403;
-    let m406 = a[6] * m380 - a[8] * m394 + a[10] * m401 - a[12] * m404 + a[14] * m405;
-    let m407 = a[1] * m356 - a[11] * a[0] * a[11] * a[14] + a[13] * a[0] * a[9] * a[14];
-    let m408 = a[1] * m357 - a[9] * a[0] * a[11] * a[14] + a[13] * a[0] * a[7] * a[14];
-    let m409 = a[1] * m358 - a[9] * a[0] * a[9] * a[14] + a[11] * a[0] * a[7] * a[14];
-    let m410 = a[2] * m359 - a[10] * m407 + a[12] * m408 - a[14] * m409;
-    let m411 = a[1] * m360 - a[7] * a[0] * a[11] * a[14] + a[13] * a[0] * a[5] * a[14];
-    let m412 = a[1] * m361 - a[7] * a[0] * a[9] * a[14] + a[11] * a[0] * a[5] * a[14];
-    let m413 = a[2] * m362 - a[8] * m407 + a[12] * m411 - a[14] * m412;
-    let m414 = a[1] * m363 - a[7] * a[0] * a[7] * a[14] + a[9] * a[0] * a[5] * a[14];
-    let m415 = a[2] * m364 - a[8] * m408 + a[10] * m411 - a[14] * m414;
-    let m416 = a[3] * m366 - a[9] * m410 + a[11] * m413 - a[13] * m415;
-    let m417 = a[1] * m367 - a[5] * a[0] * a[11] * a[14] + a[13] * a[0] * a[3] * a[14];
-    let m418 = a[1] * m368 - a[5] * a[0] * a[9] * a[14] + a[11] * a[0] * a[3] * a[14];
-    let m419 = a[2] * m369 - a[6] * m407 + a[12] * m417 - a[14] * m418;
-    let m420 = a[1] * m370 - a[5] * a[0] * a[7] * a[14] + a[9] * a[0] * a[3] * a[14];
-    let m421 = a[2] * m371 - a[6] * m408 + a[10] * m417 - a[14] * m420;
-    let m422 = a[3] * m373 - a[7] * m410 + a[11] * m419 - a[13] * m421;
-    let m423 = a[1] * m374 - a[5] * a[0] * a[5] * a[14] + a[7] * a[0] * a[3] * a[14];
-    let m424 = a[2] * m375 - a[6] * m411 + a[8] * m417 - a[14] * m423;
-    let m425 = a[3] * m377 - a[7] * m413 + a[9] * m419 - a[13] * m424;
-    let m426 = a[3] * m379 - a[7] * m415 + a[9] * m421 - a[11] * m424;
-    let m427 = a[4] * m380 - a[8] * m416 + a[10] * m422 - a[12] * m425 + a[14] * m426;
-    let m428 = a[1] * m381 - a[3] * a[0] * a[11] * a[14] + a[13] * a[0] * a[1] * a[14];
-    let m429 = a[1] * m382 - a[3] * a[0] * a[9] * a[14] + a[11] * a[0] * a[1] * a[14];
-    let m430 = a[2] * m383 - a[4] * m407 + a[12] * m428 - a[14] * m429;
-    let m431 = a[1] * m384 - a[3] * a[0] * a[7] * a[14] + a[9] * a[0] * a[1] * a[14];
-    let m432 = a[2] * m385 - a[4] * m408 + a[10] * m428 - a[14] * m431;
-    let m433 = a[3] * m387 - a[5] * m410 + a[11] * m430 - a[13] * m432;
-    let m434 = a[1] * m388 - a[3] * a[0] * a[5] * a[14] + a[7] * a[0] * a[1] * a[14];
-    let m435 = a[2] * m389 - a[4] * m411 + a[8] * m428 - a[14] * m434;
-    let m436 = a[3] * m391 - a[5] * m413 + a[9] * m430 - a[13] * m435;
-    let m437 = a[3] * m393 - a[5] * m415 + a[9] * m432 - a[11] * m435;
-    let m438 = a[4] * m394 - a[6] * m416 + a[10] * m433 - a[12] * m436 + a[14] * m437;
-    let m439 = a[1] * m395 - a[3] * a[0] * a[3] * a[14] + a[5] * a[0] * a[1] * a[14];
-    let m440 = a[2] * m396 - a[4] * m417 + a[6] * m428 - a[14] * m439;
-    let m441 = a[3] * m398 - a[5] * m419 + a[7] * m430 - a[13] * m440;
-    let m442 = a[3] * m400 - a[5] * m421 + a[7] * m432 - a[11] * m440;
-    let m443 = a[4] * m401 - a[6] * m422 + a[8] * m433 - a[12] * m441 + a[14] * m442;
-    let m444 = a[3] * m403 - a[5] * m424 + a[7] * m435 - a[9] * m440;
-    let m445 = a[4] * m404 - a[6] * m425 + a[8] * m436 - a[10] * m441 + a[14] * m444;
-    let m446 = a[5] * m406 - a[7] * m427 + a[9] * m438 - a[11] * m443 + a[13] * m445;
-    let m447 = a[1] * m366 - a[9] * a[0] * m359 + a[11] * a[0] * m362 - a[13] * a[0] * m364;
-    let m448 = a[1] * m373 - a[7] * a[0] * m359 + a[11] * a[0] * m369 - a[13] * a[0] * m371;
-    let m449 = a[1] * m377 - a[7] * a[0] * m362 + a[9] * a[0] * m369 - a[13] * a[0] * m375;
-    let m450 = a[1] * m379 - a[7] * a[0] * m364 + a[9] * a[0] * m371 - a[11] * a[0] * m375;
-    let m451 = a[2] * m380 - a[8] * m447 + a[10] * m448 - a[12] * m449 + a[14] * m450;
-    let m452 = a[1] * m387 - a[5] * a[0] * m359 + a[11] * a[0] * m383 - a[13] * a[0] * m385;
-    let m453 = a[1] * m391 - a[5] * a[0] * m362 + a[9] * a[0] * m383 - a[13] * a[0] * m389;
-    let m454 = a[1] * m393 - a[5] * a[0] * m364 + a[9] * a[0] * m385 - a[11] * a[0] * m389;
-    let m455 = a[2] * m394 - a[6] * m447 + a[10] * m452 - a[12] * m453 + a[14] * m454;
-    let m456 = a[1] * m398 - a[5] * a[0] * m369 + a[7] * a[0] * m383 - a[13] * a[0] * m396;
-    let m457 = a[1] * m400 - a[5] * a[0] * m371 + a[7] * a[0] * m385 - a[11] * a[0] * m396;
-    let m458 = a[2] * m401 - a[6] * m448 + a[8] * m452 - a[12] * m456 + a[14] * m457;
-    let m459 = a[1] * m403 - a[5] * a[0] * m375 + a[7] * a[0] * m389 - a[9] * a[0] * m396;
-    let m460 = a[2] * m404 - a[6] * m449 + a[8] * m453 - a[10] * m456 + a[14] * m459;
-    let m461 = a[3] * m406 - a[7] * m451 + a[9] * m455 - a[11] * m458 + a[13] * m460;
-    let m462 = a[1] * m410 - a[3] * a[0] * m359 + a[11] * a[0] * m407 - a[13] * a[0] * m408;
-    let m463 = a[1] * m413 - a[3] * a[0] * m362 + a[9] * a[0] * m407 - a[13] * a[0] * m411;
-    let m464 = a[1] * m415 - a[3] * a[0] * m364 + a[9] * a[0] * m408 - a[11] * a[0] * m411;
-    let m465 = a[2] * m416 - a[4] * m447 + a[10] * m462 - a[12] * m463 + a[14] * m464;
-    let m466 = a[1] * m419 - a[3] * a[0] * m369 + a[7] * a[0] * m407 - a[13] * a[0] * m417;
-    let m467 = a[1] * m421 - a[3] * a[0] * m371 + a[7] * a[0] * m408 - a[11] * a[0] * m417;
-    let m468 = a[2] * m422 - a[4] * m448 + a[8] * m462 - a[12] * m466 + a[14] * m467;
-    let m469 = a[1] * m424 - a[3] * a[0] * m375 + a[7] * a[0] * m411 - a[9] * a[0] * m417;
-    let m470 = a[2] * m425 - a[4] * m449 + a[8] * m463 - a[10] * m466 + a[14] * m469;
-    let m471 = a[3] * m427 - a[5] * m451 + a[9] * m465 - a[11] * m468 + a[13] * m470;
-    let m472 = a[1] * m430 - a[3] * a[0] * m383 + a[5] * a[0] * m407 - a[13] * a[0] * m428;
-    let m473 = a[1] * m432 - a[3] * a[0] * m385 + a[5] * a[0] * m408 - a[11] * a[0] * m428;
-    let m474 = a[2] * m433 - a[4] * m452 + a[6] * m462 - a[12] * m472 + a[14] * m473;
-    let m475 = a[1] * m435 - a[3] * a[0] * m389 + a[5] * a[0] * m411 - a[9] * a[0] * m428;
-    let m476 = a[2] * m436 - a[4] * m453 + a[6] * m463 - a[10] * m472 + a[14] * m475;
-    let m477 = a[3] * m438 - a[5] * m455 + a[7] * m465 - a[11] * m474 + a[13] * m476;
-    let m478 = a[1] * m440 - a[3] * a[0] * m396 + a[5] * a[0] * m417 - a[7] * a[0] * m428;
-    let m479 = a[2] * m441 - a[4] * m456 + a[6] * m466 - a[8] * m472 + a[14] * m478;
-    let m480 = a[3] * m443 - a[5] * m458 + a[7] * m468 - a[9] * m474 + a[13] * m479;
-    let m481 = a[3] * m445 - a[5] * m460 + a[7] * m470 - a[9] * m476 + a[11] * m479;
-    let m482 = a[4] * m446 - a[6] * m461 + a[8] * m471 - a[10] * m477 + a[12] * m480
-        - a[14] * m481;
-    let m483 = a[1] * m406 - a[7] * a[0] * m380 + a[9] * a[0] * m394 - a[11] * a[0] * m401
-        + a[13] * a[0] * m404;
-    let m484 = a[1] * m427 - a[5] * a[0] * m380 + a[9] * a[0] * m416 - a[11] * a[0] * m422
-        + a[13] * a[0] * m425;
-    let m485 = a[1] * m438 - a[5] * a[0] * m394 + a[7] * a[0] * m416 - a[11] * a[0] * m433
-        + a[13] * a[0] * m436;
-    let m486 = a[1] * m443 - a[5] * a[0] * m401 + a[7] * a[0] * m422 - a[9] * a[0] * m433
-        + a[13] * a[0] * m441;
-    let m487 = a[1] * m445 - a[5] * a[0] * m404 + a[7] * a[0] * m425 - a[9] * a[0] * m436
-        + a[11] * a[0] * m441;
-    let m488 = a[2] * m446 - a[6] * m483 + a[8] * m484 - a[10] * m485 + a[12] * m486
-        - a[14] * m487;
-    let m489 = a[1] * m451 - a[3] * a[0] * m380 + a[9] * a[0] * m447 - a[11] * a[0] * m448
-        + a[13] * a[0] * m449;
-    let m490 = a[1] * m455 - a[3] * a[0] * m394 + a[7] * a[0] * m447 - a[11] * a[0] * m452
-        + a[13] * a[0] * m453;
-    let m491 = a[1] * m458 - a[3] * a[0] * m401 + a[7] * a[0] * m448 - a[9] * a[0] * m452
-        + a[13] * a[0] * m456;
-    let m492 = a[1] * m460 - a[3] * a[0] * m404 + a[7] * a[0] * m449 - a[9] * a[0] * m453
-        + a[11] * a[0] * m456;
-    let m493 = a[2] * m461 - a[4] * m483 + a[8] * m489 - a[10] * m490 + a[12] * m491
-        - a[14] * m492;
-    let m494 = a[1] * m465 - a[3] * a[0] * m416 + a[5] * a[0] * m447 - a[11] * a[0] * m462
-        + a[13] * a[0] * m463;
-    let m495 = a[1] * m468 - a[3] * a[0] * m422 + a[5] * a[0] * m448 - a[9] * a[0] * m462
-        + a[13] * a[0] * m466;
-    let m496 = a[1] * m470 - a[3] * a[0] * m425 + a[5] * a[0] * m449 - a[9] * a[0] * m463
-        + a[11] * a[0] * m466;
-    let m497 = a[2] * m471 - a[4] * m484 + a[6] * m489 - a[10] * m494 + a[12] * m495
-        - a[14] * m496;
-    let m498 = a[1] * m474 - a[3] * a[0] * m433 + a[5] * a[0] * m452 - a[7] * a[0] * m462
-        + a[13] * a[0] * m472;
-    let m499 = a[1] * m476 - a[3] * a[0] * m436 + a[5] * a[0] * m453 - a[7] * a[0] * m463
-        + a[11] * a[0] * m472;
-    let m500 = a[2] * m477 - a[4] * m485 + a[6] * m490 - a[8] * m494 + a[12] * m498
-        - a[14] * m499;
-    let m501 = a[1] * m479 - a[3] * a[0] * m441 + a[5] * a[0] * m456 - a[7] * a[0] * m466
-        + a[9] * a[0] * m472;
-    let m502 = a[2] * m480 - a[4] * m486 + a[6] * m491 - a[8] * m495 + a[10] * m498
-        - a[14] * m501;
-    let m503 = a[3] * m482 - a[5] * m488 + a[7] * m493 - a[9] * m497 + a[11] * m500
-        - a[13] * m502;
-    let m504 = a[1] * m482 - a[5] * a[0] * m446 + a[7] * a[0] * m461 - a[9] * a[0] * m471
-        + a[11] * a[0] * m477 - a[13] * a[0] * m480;
-    let m505 = a[1] * m488 - a[3] * a[0] * m446 + a[7] * a[0] * m483 - a[9] * a[0] * m484
-        + a[11] * a[0] * m485 - a[13] * a[0] * m486;
-    let m506 = a[1] * m493 - a[3] * a[0] * m461 + a[5] * a[0] * m483 - a[9] * a[0] * m489
-        + a[11] * a[0] * m490 - a[13] * a[0] * m491;
-    let m507 = a[1] * m497 - a[3] * a[0] * m471 + a[5] * a[0] * m484 - a[7] * a[0] * m489
-        + a[11] * a[0] * m494 - a[13] * a[0] * m495;
-    let m508 = a[1] * m500 - a[3] * a[0] * m477 + a[5] * a[0] * m485 - a[7] * a[0] * m490
-        + a[9] * a[0] * m494 - a[13] * a[0] * m498;
-    let m509 = a[1] * m502 - a[3] * a[0] * m480 + a[5] * a[0] * m486 - a[7] * a[0] * m491
-        + a[9] * a[0] * m495 - a[11] * a[0] * m498;
-    let m510 = a[2] * m503 - a[4] * m504 + a[6] * m505 - a[8] * m506 + a[10] * m507
-        - a[12] * m508 + a[14] * m509;
-    let m511 = a[1] * m510 - a[3] * a[0] * m503 + a[5] * a[0] * m504 - a[7] * a[0] * m505
-        + a[9] * a[0] * m506 - a[11] * a[0] * m507 + a[13] * a[0] * m508;
-    let m512 = a[11] * a[12] - a[13] * a[10];
-    let m513 = a[9] * a[12] - a[13] * a[8];
-    let m514 = a[9] * a[10] - a[11] * a[8];
-    let m515 = a[10] * m512 - a[12] * m513 + a[14] * m514;
-    let m516 = a[7] * a[12] - a[13] * a[6];
-    let m517 = a[7] * a[10] - a[11] * a[6];
-    let m518 = a[8] * m512 - a[12] * m516 + a[14] * m517;
-    let m519 = a[7] * a[8] - a[9] * a[6];
-    let m520 = a[8] * m513 - a[10] * m516 + a[14] * m519;
-    let m521 = a[9] * m515 - a[11] * m518 + a[13] * m520;
-    let m522 = a[5] * a[12] - a[13] * a[4];
-    let m523 = a[5] * a[10] - a[11] * a[4];
-    let m524 = a[6] * m512 - a[12] * m522 + a[14] * m523;
-    let m525 = a[5] * a[8] - a[9] * a[4];
-    let m526 = a[6] * m513 - a[10] * m522 + a[14] * m525;
-    let m527 = a[7] * m515 - a[11] * m524 + a[13] * m526;
-    let m528 = a[5] * a[6] - a[7] * a[4];
-    let m529 = a[6] * m516 - a[8] * m522 + a[14] * m528;
-    let m530 = a[7] * m518 - a[9] * m524 + a[13] * m529;
-    let m531 = a[7] * m520 - a[9] * m526 + a[11] * m529;
-    let m532 = a[8] * m521 - a[10] * m527 + a[12] * m530 - a[14] * m531;
-    let m533 = a[3] * a[12] - a[13] * a[2];
-    let m534 = a[3] * a[10] - a[11] * a[2];
-    let m535 = a[4] * m512 - a[12] * m533 + a[14] * m534;
-    let m536 = a[3] * a[8] - a[9] * a[2];
-    let m537 = a[4] * m513 - a[10] * m533 + a[14] * m536;
-    let m538 = a[5] * m515 - a[11] * m535 + a[13] * m537;
-    let m539 = a[3] * a[6] - a[7] * a[2];
-    let m540 = a[4] * m516 - a[8] * m533 + a[14] * m539;
-    let m541 = a[5] * m518 - a[9] * m535 + a[13] * m540;
-    let m542 = a[5] * m520 - a[9] * m537 + a[11] * m540;
-    let m543 = a[6] * m521 - a[10] * m538 + a[12] * m541 - a[14] * m542;
-    let m544 = a[3] * a[4] - a[5] * a[2];
-    let m545 = a[4] * m522 - a[6] * m533 + a[14] * m544;
-    let m546 = a[5] * m524 - a[7] * m535 + a[13] * m545;
-    let m547 = a[5] * m526 - a[7] * m537 + a[11] * m545;
-    let m548 = a[6] * m527 - a[8] * m538 + a[12] * m546 - a[14] * m547;
-    let m549 = a[5] * m529 - a[7] * m540 + a[9] * m545;
-    let m550 = a[6] * m530 - a[8] * m541 + a[10] * m546 - a[14] * m549;
-    let m551 = a[7] * m532 - a[9] * m543 + a[11] * m548 - a[13] * m550;
-    let m552 = a[1] * a[12] - a[13] * a[0];
-    let m553 = a[1] * a[10] - a[11] * a[0];
-    let m554 = a[2] * m512 - a[12] * m552 + a[14] * m553;
-    let m555 = a[1] * a[8] - a[9] * a[0];
-    let m556 = a[2] * m513 - a[10] * m552 + a[14] * m555;
-    let m557 = a[3] * m515 - a[11] * m554 + a[13] * m556;
-    let m558 = a[1] * a[6] - a[7] * a[0];
-    let m559 = a[2] * m516 - a[8] * m552 + a[14] * m558;
-    let m560 = a[3] * m518 - a[9] * m554 + a[13] * m559;
-    let m561 = a[3] * m520 - a[9] * m556 + a[11] * m559;
-    let m562 = a[4] * m521 - a[10] * m557 + a[12] * m560 - a[14] * m561;
-    let m563 = a[1] * a[4] - a[5] * a[0];
-    let m564 = a[2] * m522 - a[6] * m552 + a[14] * m563;
-    let m565 = a[3] * m524 - a[7] * m554 + a[13] * m564;
-    let m566 = a[3] * m526 - a[7] * m556 + a[11] * m564;
-    let m567 = a[4] * m527 - a[8] * m557 + a[12] * m565 - a[14] * m566;
-    let m568 = a[3] * m529 - a[7] * m559 + a[9] * m564;
-    let m569 = a[4] * m530 - a[8] * m560 + a[10] * m565 - a[14] * m568;
-    let m570 = a[5] * m532 - a[9] * m562 + a[11] * m567 - a[13] * m569;
-    let m571 = a[1] * a[2] - a[3] * a[0];
-    let m572 = a[2] * m533 - a[4] * m552 + a[14] * m571;
-    let m573 = a[3] * m535 - a[5] * m554 + a[13] * m572;
-    let m574 = a[3] * m537 - a[5] * m556 + a[11] * m572;
-    let m575 = a[4] * m538 - a[6] * m557 + a[12] * m573 - a[14] * m574;
-    let m576 = a[3] * m540 - a[5] * m559 + a[9] * m572;
-    let m577 = a[4] * m541 - a[6] * m560 + a[10] * m573 - a[14] * m576;
-    let m578 = a[5] * m543 - a[7] * m562 + a[11] * m575 - a[13] * m577;
-    let m579 = a[3] * m545 - a[5] * m564 + a[7] * m572;
-    let m580 = a[4] * m546 - a[6] * m565 + a[8] * m573 - a[14] * m579;
-    let m581 = a[5] * m548 - a[7] * m567 + a[9] * m575 - a[13] * m580;
-    let m582 = a[5] * m550 - a[7] * m569 + a[9] * m577 - a[11] * m580;
-    let m583 = a[6] * m551 - a[8] * m570 + a[10] * m578 - a[12] * m581 + a[14] * m582;
-    let m584 = a[1] * m515 - a[11] * a[0] * m512 + a[13] * a[0] * m513;
-    let m585 = a[1] * m518 - a[9] * a[0] * m512 + a[13] * a[0] * m516;
-    let m586 = a[1] * m520 - a[9] * a[0] * m513 + a[11] * a[0] * m516;
-    let m587 = a[2] * m521 - a[10] * m584 + a[12] * m585 - a[14] * m586;
-    let m588 = a[1] * m524 - a[7] * a[0] * m512 + a[13] * a[0] * m522;
-    let m589 = a[1] * m526 - a[7] * a[0] * m513 + a[11] * a[0] * m522;
-    let m590 = a[2] * m527 - a[8] * m584 + a[12] * m588 - a[14] * m589;
-    let m591 = a[1] * m529 - a[7] * a[0] * m516 + a[9] * a[0] * m522;
-    let m592 = a[2] * m530 - a[8] * m585 + a[10] * m588 - a[14] * m591;
-    let m593 = a[3] * m532 - a[9] * m587 + a[11] * m590 - a[13] * m592;
-    let m594 = a[1] * m535 - a[5] * a[0] * m512 + a[13] * a[0] * m533;
-    let m595 = a[1] * m537 - a[5] * a[0] * m513 + a[11] * a[0] * m533;
-    let m596 = a[2] * m538 - a[6] * m584 + a[12] * m594 - a[14] * m595;
-    let m597 = a[1] * m540 - a[5] * a[0] * m516 + a[9] * a[0] * m533;
-    let m598 = a[2] * m541 - a[6] * m585 + a[10] * m594 - a[14] * m597;
-    let m599 = a[3] * m543 - a[7] * m587 + a[11] * m596 - a[13] * m598;
-    let m600 = a[1] * m545 - a[5] * a[0] * m522 + a[7] * a[0] * m533;
-    let m601 = a[2] * m546 - a[6] * m588 + a[8] * m594 - a[14] * m600;
-    let m602 = a[3] * m548 - a[7] * m590 + a[9] * m596 - a[13] * m601;
-    let m603 = a[3] * m550 - a[7] * m592 + a[9] * m598 - a[11] * m601;
-    let m604 = a[4] * m551 - a[8] * m593 + a[10] * m599 - a[12] * m602 + a[14] * m603;
-    let m605 = a[1] * m554 - a[3] * a[0] * m512 + a[13] * a[0] * m552;
-    let m606 = a[1] * m556 - a[3] * a[0] * m513 + a[11] * a[0] * m552;
-    let m607 = a[2] * m557 - a[4] * m584 + a[12] * m605 - a[14] * m606;
-    let m608 = a[1] * m559 - a[3] * a[0] * m516 + a[9] * a[0] * m552;
-    let m609 = a[2] * m560 - a[4] * m585 + a[10] * m605 - a[14] * m608;
-    let m610 = a[3] * m562 - a[5] * m587 + a[11] * m607 - a[13] * m609;
-    let m611 = a[1] * m564 - a[3] * a[0] * m522 + a[7] * a[0] * m552;
-    let m612 = a[2] * m565 - a[4] * m588 + a[8] * m605 - a[14] * m611;
-    let m613 = a[3] * m567 - a[5] * m590 + a[9] * m607 - a[13] * m612;
-    let m614 = a[3] * m569 - a[5] * m592 + a[9] * m609 - a[11] * m612;
-    let m615 = a[4] * m570 - a[6] * m593 + a[10] * m610 - a[12] * m613 + a[14] * m614;
-    let m616 = a[1] * m572 - a[3] * a[0] * m533 + a[5] * a[0] * m552;
-    let m617 = a[2] * m573 - a[4] * m594 + a[6] * m605 - a[14] * m616;
-    let m618 = a[3] * m575 - a[5] * m596 + a[7] * m607 - a[13] * m617;
-    let m619 = a[3] * m577 - a[5] * m598 + a[7] * m609 - a[11] * m617;
-    let m620 = a[4] * m578 - a[6] * m599 + a[8] * m610 - a[12] * m618 + a[14] * m619;
-    let m621 = a[3] * m580 - a[5] * m601 + a[7] * m612 - a[9] * m617;
-    let m622 = a[4] * m581 - a[6] * m602 + a[8] * m613 - a[10] * m618 + a[14] * m621;
-    let m623 = a[5] * m583 - a[7] * m604 + a[9] * m615 - a[11] * m620 + a[13] * m622;
-    let m624 = a[1] * m532 - a[9] * a[0] * m521 + a[11] * a[0] * m527 - a[13] * a[0] * m530;
-    let m625 = a[1] * m543 - a[7] * a[0] * m521 + a[11] * a[0] * m538 - a[13] * a[0] * m541;
-    let m626 = a[1] * m548 - a[7] * a[0] * m527 + a[9] * a[0] * m538 - a[13] * a[0] * m546;
-    let m627 = a[1] * m550 - a[7] * a[0] * m530 + a[9] * a[0] * m541 - a[11] * a[0] * m546;
-    let m628 = a[2] * m551 - a[8] * m624 + a[10] * m625 - a[12] * m626 + a[14] * m627;
-    let m629 = a[1] * m562 - a[5] * a[0] * m521 + a[11] * a[0] * m557 - a[13] * a[0] * m560;
-    let m630 = a[1] * m567 - a[5] * a[0] * m527 + a[9] * a[0] * m557 - a[13] * a[0] * m565;
-    let m631 = a[1] * m569 - a[5] * a[0] * m530 + a[9] * a[0] * m560 - a[11] * a[0] * m565;
-    let m632 = a[2] * m570 - a[6] * m624 + a[10] * m629 - a[12] * m630 + a[14] * m631;
-    let m633 = a[1] * m575 - a[5] * a[0] * m538 + a[7] * a[0] * m557 - a[13] * a[0] * m573;
-    let m634 = a[1] * m577 - a[5] * a[0] * m541 + a[7] * a[0] * m560 - a[11] * a[0] * m573;
-    let m635 = a[2] * m578 - a[6] * m625 + a[8] * m629 - a[12] * m633 + a[14] * m634;
-    let m636 = a[1] * m580 - a[5] * a[0] * m546 + a[7] * a[0] * m565 - a[9] * a[0] * m573;
-    let m637 = a[2] * m581 - a[6] * m626 + a[8] * m630 - a[10] * m633 + a[14] * m636;
-    let m638 = a[3] * m583 - a[7] * m628 + a[9] * m632 - a[11] * m635 + a[13] * m637;
-    let m639 = a[1] * m587 - a[3] * a[0] * m521 + a[11] * a[0] * m584 - a[13] * a[0] * m585;
-    let m640 = a[1] * m590 - a[3] * a[0] * m527 + a[9] * a[0] * m584 - a[13] * a[0] * m588;
-    let m641 = a[1] * m592 - a[3] * a[0] * m530 + a[9] * a[0] * m585 - a[11] * a[0] * m588;
-    let m642 = a[2] * m593 - a[4] * m624 + a[10] * m639 - a[12] * m640 + a[14] * m641;
-    let m643 = a[1] * m596 - a[3] * a[0] * m538 + a[7] * a[0] * m584 - a[13] * a[0] * m594;
-    let m644 = a[1] * m598 - a[3] * a[0] * m541 + a[7] * a[0] * m585 - a[11] * a[0] * m594;
-    let m645 = a[2] * m599 - a[4] * m625 + a[8] * m639 - a[12] * m643 + a[14] * m644;
-    let m646 = a[1] * m601 - a[3] * a[0] * m546 + a[7] * a[0] * m588 - a[9] * a[0] * m594;
-    let m647 = a[2] * m602 - a[4] * m626 + a[8] * m640 - a[10] * m643 + a[14] * m646;
-    let m648 = a[3] * m604 - a[5] * m628 + a[9] * m642 - a[11] * m645 + a[13] * m647;
-    let m649 = a[1] * m607 - a[3] * a[0] * m557 + a[5] * a[0] * m584 - a[13] * a[0] * m605;
-    let m650 = a[1] * m609 - a[3] * a[0] * m560 + a[5] * a[0] * m585 - a[11] * a[0] * m605;
-    let m651 = a[2] * m610 - a[4] * m629 + a[6] * m639 - a[12] * m649 + a[14] * m650;
-    let m652 = a[1] * m612 - a[3] * a[0] * m565 + a[5] * a[0] * m588 - a[9] * a[0] * m605;
-    let m653 = a[2] * m613 - a[4] * m630 + a[6] * m640 - a[10] * m649 + a[14] * m652;
-    let m654 = a[3] * m615 - a[5] * m632 + a[7] * m642 - a[11] * m651 + a[13] * m653;
-    let m655 = a[1] * m617 - a[3] * a[0] * m573 + a[5] * a[0] * m594 - a[7] * a[0] * m605;
-    let m656 = a[2] * m618 - a[4] * m633 + a[6] * m643 - a[8] * m649 + a[14] * m655;
-    let m657 = a[3] * m620 - a[5] * m635 + a[7] * m645 - a[9] * m651 + a[13] * m656;
-    let m658 = a[3] * m622 - a[5] * m637 + a[7] * m647 - a[9] * m653 + a[11] * m656;
-    let m659 = a[4] * m623 - a[6] * m638 + a[8] * m648 - a[10] * m654 + a[12] * m657
-        - a[14] * m658;
-    let m660 = a[1] * m583 - a[7] * a[0] * m551 + a[9] * a[0] * m570 - a[11] * a[0] * m578
-        + a[13] * a[0] * m581;
-    let m661 = a[1] * m604 - a[5] * a[0] * m551 + a[9] * a[0] * m593 - a[11] * a[0] * m599
-        + a[13] * a[0] * m602;
-    let m662 = a[1] * m615 - a[5] * a[0] * m570 + a[7] * a[0] * m593 - a[11] * a[0] * m610
-        + a[13] * a[0] * m613;
-    let m663 = a[1] * m620 - a[5] * a[0] * m578 + a[7] * a[0] * m599 - a[9] * a[0] * m610
-        + a[13] * a[0] * m618;
-    let m664 = a[1] * m622 - a[5] * a[0] * m581 + a[7] * a[0] * m602 - a[9] * a[0] * m613
-        + a[11] * a[0] * m618;
-    let m665 = a[2] * m623 - a[6] * m660 + a[8] * m661 - a[10] * m662 + a[12] * m663
-        - a[14] * m664;
-    let m666 = a[1] * m628 - a[3] * a[0] * m551 + a[9] * a[0] * m624 - a[11] * a[0] * m625
-        + a[13] * a[0] * m626;
-    let m667 = a[1] * m632 - a[3] * a[0] * m570 + a[7] * a[0] * m624 - a[11] * a[0] * m629
-        + a[13] * a[0] * m630;
-    let m668 = a[1] * m635 - a[3] * a[0] * m578 + a[7] * a[0] * m625 - a[9] * a[0] * m629
-        + a[13] * a[0] * m633;
-    let m669 = a[1] * m637 - a[3] * a[0] * m581 + a[7] * a[0] * m626 - a[9] * a[0] * m630
-        + a[11] * a[0] * m633;
-    let m670 = a[2] * m638 - a[4] * m660 + a[8] * m666 - a[10] * m667 + a[12] * m668
-        - a[14] * m669;
-    let m671 = a[1] * m642 - a[3] * a[0] * m593 + a[5] * a[0] * m624 - a[11] * a[0] * m639
-        + a[13] * a[0] * m640;
-    let m672 = a[1] * m645 - a[3] * a[0] * m599 + a[5] * a[0] * m625 - a[9] * a[0] * m639
-        + a[13] * a[0] * m643;
-    let m673 = a[1] * m647 - a[3] * a[0] * m602 + a[5] * a[0] * m626 - a[9] * a[0] * m640
-        + a[11] * a[0] * m643;
-    let m674 = a[2] * m648 - a[4] * m661 + a[6] * m666 - a[10] * m671 + a[12] * m672
-        - a[14] * m673;
-    let m675 = a[1] * m651 - a[3] * a[0] * m610 + a[5] * a[0] * m629 - a[7] * a[0] * m639
-        + a[13] * a[0] * m649;
-    let m676 = a[1] * m653 - a[3] * a[0] * m613 + a[5] * a[0] * m630 - a[7] * a[0] * m640
-        + a[11] * a[0] * m649;
-    let m677 = a[2] * m654 - a[4] * m662 + a[6] * m667 - a[8] * m671 + a[12] * m675
-        - a[14] * m676;
-    let m678 = a[1] * m656 - a[3] * a[0] * m618 + a[5] * a[0] * m633 - a[7] * a[0] * m643
-        + a[9] * a[0] * m649;
-    let m679 = a[2] * m657 - a[4] * m663 + a[6] * m668 - a[8] * m672 + a[10] * m675
-        - a[14] * m678;
-    let m680 = a[3] * m659 - a[5] * m665 + a[7] * m670 - a[9] * m674 + a[11] * m677
-        - a[13] * m679;
-    let m681 = a[1] * m659 - a[5] * a[0] * m623 + a[7] * a[0] * m638 - a[9] * a[0] * m648
-        + a[11] * a[0] * m654 - a[13] * a[0] * m657;
-    let m682 = a[1] * m665 - a[3] * a[0] * m623 + a[7] * a[0] * m660 - a[9] * a[0] * m661
-        + a[11] * a[0] * m662 - a[13] * a[0] * m663;
-    let m683 = a[1] * m670 - a[3] * a[0] * m638 + a[5] * a[0] * m660 - a[9] * a[0] * m666
-        + a[11] * a[0] * m667 - a[13] * a[0] * m668;
-    let m684 = a[1] * m674 - a[3] * a[0] * m648 + a[5] * a[0] * m661 - a[7] * a[0] * m666
-        + a[11] * a[0] * m671 - a[13] * a[0] * m672;
-    let m685 = a[1] * m677 - a[3] * a[0] * m654 + a[5] * a[0] * m662 - a[7] * a[0] * m667
-        + a[9] * a[0] * m671 - a[13] * a[0] * m675;
-    let m686 = a[1] * m679 - a[3] * a[0] * m657 + a[5] * a[0] * m663 - a[7] * a[0] * m668
-        + a[9] * a[0] * m672 - a[11] * a[0] * m675;
-    let m687 = a[2] * m680 - a[4] * m681 + a[6] * m682 - a[8] * m683 + a[10] * m684
-        - a[12] * m685 + a[14] * m686;
-    let m688 = a[1] * m687 - a[3] * a[0] * m680 + a[5] * a[0] * m681 - a[7] * a[0] * m682
-        + a[9] * a[0] * m683 - a[11] * a[0] * m684 + a[13] * a[0] * m685;
-    let determinant = a[1] * m181 - a[3] * a[0] * m174 + a[5] * a[0] * m175 - a[7] * a[0] * m176
-        + a[9] * a[0] * m177 - a[11] * a[0] * m178 + a[13] * a[0] * m179;
-    let numerator = -b[0] * m181 + b[1] * a[0] * m174 - b[2] * a[0] * m175 + b[3] * a[0] * m176
-        - b[4] * a[0] * m177 + b[5] * a[0] * m178 - b[6] * a[0] * m179 + b[7] * a[0] * m180
-        - b[8] * a[0] * m183 + b[9] * a[0] * m198 - b[10] * a[0] * m249
-        + b[11] * a[0] * m355 - b[12] * a[0] * m511 + b[13] * a[0] * m688;
-    numerator / (2.0 * a[0] * determinant)
+    let q1 = a[0] / a[1];
+    let r2_0 = a[2] - q1 * a[3];
+    let r2_1 = a[4] - q1 * a[5];
+    let r2_2 = a[6] - q1 * a[7];
+    let r2_3 = a[8] - q1 * a[9];
+    let r2_4 = a[10] - q1 * a[11];
+    let r2_5 = a[12] - q1 * a[13];
+    let q2 = a[1] / r2_0;
+    let r3_0 = a[3] - q2 * r2_1;
+    let r3_1 = a[5] - q2 * r2_2;
+    let r3_2 = a[7] - q2 * r2_3;
+    let r3_3 = a[9] - q2 * r2_4;
+    let r3_4 = a[11] - q2 * r2_5;
+    let r3_5 = a[13] - q2 * a[14];
+    let q3 = r2_0 / r3_0;
+    let r4_0 = r2_1 - q3 * r3_1;
+    let r4_1 = r2_2 - q3 * r3_2;
+    let r4_2 = r2_3 - q3 * r3_3;
+    let r4_3 = r2_4 - q3 * r3_4;
+    let r4_4 = r2_5 - q3 * r3_5;
+    let q4 = r3_0 / r4_0;
+    let r5_0 = r3_1 - q4 * r4_1;
+    let r5_1 = r3_2 - q4 * r4_2;
+    let r5_2 = r3_3 - q4 * r4_3;
+    let r5_3 = r3_4 - q4 * r4_4;
+    let r5_4 = r3_5 - q4 * a[14];
+    let q5 = r4_0 / r5_0;
+    let r6_0 = r4_1 - q5 * r5_1;
+    let r6_1 = r4_2 - q5 * r5_2;
+    let r6_2 = r4_3 - q5 * r5_3;
+    let r6_3 = r4_4 - q5 * r5_4;
+    let q6 = r5_0 / r6_0;
+    let r7_0 = r5_1 - q6 * r6_1;
+    let r7_1 = r5_2 - q6 * r6_2;
+    let r7_2 = r5_3 - q6 * r6_3;
+    let r7_3 = r5_4 - q6 * a[14];
+    let q7 = r6_0 / r7_0;
+    let r8_0 = r6_1 - q7 * r7_1;
+    let r8_1 = r6_2 - q7 * r7_2;
+    let r8_2 = r6_3 - q7 * r7_3;
+    let q8 = r7_0 / r8_0;
+    let r9_0 = r7_1 - q8 * r8_1;
+    let r9_1 = r7_2 - q8 * r8_2;
+    let r9_2 = r7_3 - q8 * a[14];
+    let q9 = r8_0 / r9_0;
+    let r10_0 = r8_1 - q9 * r9_1;
+    let r10_1 = r8_2 - q9 * r9_2;
+    let q10 = r9_0 / r10_0;
+    let r11_0 = r9_1 - q10 * r10_1;
+    let r11_1 = r9_2 - q10 * a[14];
+    let q11 = r10_0 / r11_0;
+    let r12_0 = r10_1 - q11 * r11_1;
+    let q12 = r11_0 / r12_0;
+    let r13_0 = r11_1 - q12 * a[14];
+    let q13 = r12_0 / r13_0;
+    let q14 = r13_0 / a[14];
+    let y0 = b[0] / a[1];
+    let y1 = (b[1] - a[3] * y0) / r2_0;
+    let y2 = (b[2] - a[5] * y0 - r2_1 * y1) / r3_0;
+    let y3 = (b[3] - a[7] * y0 - r2_2 * y1 - r3_1 * y2) / r4_0;
+    let y4 = (b[4] - a[9] * y0 - r2_3 * y1 - r3_2 * y2 - r4_1 * y3) / r5_0;
+    let y5 = (b[5] - a[11] * y0 - r2_4 * y1 - r3_3 * y2 - r4_2 * y3 - r5_1 * y4) / r6_0;
+    let y6 = (b[6] - a[13] * y0 - r2_5 * y1 - r3_4 * y2 - r4_3 * y3 - r5_2 * y4 - r6_1 * y5) / r7_0;
+    let y7 = (b[7] - a[14] * y1 - r3_5 * y2 - r4_4 * y3 - r5_3 * y4 - r6_2 * y5 - r7_1 * y6) / r8_0;
+    let y8 = (b[8] - a[14] * y3 - r5_4 * y4 - r6_3 * y5 - r7_2 * y6 - r8_1 * y7) / r9_0;
+    let y9 = (b[9] - a[14] * y5 - r7_3 * y6 - r8_2 * y7 - r9_1 * y8) / r10_0;
+    let y10 = (b[10] - a[14] * y7 - r9_2 * y8 - r10_1 * y9) / r11_0;
+    let y11 = (b[11] - a[14] * y9 - r11_1 * y10) / r12_0;
+    let y12 = (b[12] - a[14] * y11) / r13_0;
+    let y13 = b[13] / a[14];
+    let z12 = y12 - q13 * y13;
+    let z11 = y11 - q12 * z12;
+    let z10 = y10 - q11 * z11;
+    let z9 = y9 - q10 * z10;
+    let z8 = y8 - q9 * z9;
+    let z7 = y7 - q8 * z8;
+    let z6 = y6 - q7 * z7;
+    let z5 = y5 - q6 * z6;
+    let z4 = y4 - q5 * z5;
+    let z3 = y3 - q4 * z4;
+    let z2 = y2 - q3 * z3;
+    let z1 = y1 - q2 * z2;
+    let stable = q1 > 0.0 && q2 > 0.0 && q3 > 0.0 && q4 > 0.0 && q5 > 0.0 && q6 > 0.0 && q7 > 0.0
+        && q8 > 0.0 && q9 > 0.0 && q10 > 0.0 && q11 > 0.0 && q12 > 0.0 && q13 > 0.0 && q14 > 0.0;
+    if stable { (q1 * z1 - y0) / (2.0 * a[0]) } else { f64::NAN }
 }

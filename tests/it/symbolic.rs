@@ -169,12 +169,12 @@ fn the_json_form_has_the_fixed_names() {
     assert_eq!(json["orders"][0], expected);
 }
 
-/// Well-conditioned points as doubles: roots −1/2, −1, −3/2 … keep every coefficient a short binary number,
-/// and all terms of G(jω) have one sign.
-fn double_points(orders: impl Iterator<Item = usize>) -> Vec<(Vec<f64>, Vec<f64>, f64)> {
+/// Well-conditioned points as doubles, of every order: roots −1/2, −1, −3/2 … keep every coefficient a short binary
+/// number, and all terms of G(jω) have one sign; then H of random pairs of roots with damping ratios above 0.2.
+fn double_points() -> Vec<(Vec<f64>, Vec<f64>, f64)> {
     let mut random = ChaCha8Rng::seed_from_u64(11);
     let doubles = |exact: &[RBig]| exact.iter().map(|x| x.to_f64().value()).collect::<Vec<_>>();
-    orders
+    let mut points: Vec<_> = (1..=14)
         .map(|n| {
             let roots: Vec<RBig> = (1..=n).map(|k| rational(k as i64, 2)).collect();
             let sign = |k: usize| if (n - 1 - k).is_multiple_of(2) { 1 } else { -1 };
@@ -185,7 +185,22 @@ fn double_points(orders: impl Iterator<Item = usize>) -> Vec<(Vec<f64>, Vec<f64>
             approx::assert_relative_eq!(engine, point.value.to_f64().value(), max_relative = 1e-15);
             (a, b, engine)
         })
-        .collect()
+        .collect();
+    for n in (1..=14).chain(1..=14) {
+        let mut a = vec![1.0];
+        for _ in 0..n / 2 {
+            let w: f64 = random.random_range(0.3..3.0);
+            a = gyrospec::poly::product(&a, &[1.0, 2.0 * random.random_range(0.2..1.2) * w, w * w]);
+        }
+        if n % 2 == 1 {
+            a = gyrospec::poly::product(&a, &[1.0, random.random_range(0.3..3.0)]);
+        }
+        let sign = |k: usize| if (n - 1 - k).is_multiple_of(2) { 1.0 } else { -1.0 };
+        let b: Vec<f64> = (0..n).map(|k| sign(k) * random.random_range(0.1..3.0)).collect();
+        let engine = evaluate(&Integrand::new(&a, &b).unwrap()).unwrap().value;
+        points.push((a, b, engine));
+    }
+    points
 }
 
 fn list(numbers: &[f64]) -> String {
@@ -225,7 +240,7 @@ fn generated_rust_compiles_and_agrees() {
     if !has("rustc", "Rust") {
         return;
     }
-    let (folder, points) = (tempfile::tempdir().unwrap(), double_points(1..=10));
+    let (folder, points) = (tempfile::tempdir().unwrap(), double_points());
     let calls = points.iter().map(|(a, b, _)| {
         format!("    println!(\"{{:?}}\", i{}(&[{}], &[{}]));\n", b.len(), list(a), list(b))
     });
@@ -247,7 +262,7 @@ fn generated_python_runs_and_agrees() {
     if !has("python3", "Python") {
         return;
     }
-    let (folder, points) = (tempfile::tempdir().unwrap(), double_points(1..=10));
+    let (folder, points) = (tempfile::tempdir().unwrap(), double_points());
     let calls =
         points.iter().map(|(a, b, _)| format!("print(repr(i{}([{}], [{}])))\n", b.len(), list(a), list(b)));
     let source = written(folder.path(), "tables.py", TableFormat::Python, &calls.collect::<String>());
@@ -259,7 +274,7 @@ fn generated_c_compiles_and_agrees() {
     if !has("cc", "C") {
         return;
     }
-    let (folder, points) = (tempfile::tempdir().unwrap(), double_points(1..=10));
+    let (folder, points) = (tempfile::tempdir().unwrap(), double_points());
     let calls = points.iter().map(|(a, b, _)| {
         format!(
             "    printf(\"%.17g\\n\", gyrospec_i{}((double[]){{{}}}, (double[]){{{}}}));\n",
@@ -280,6 +295,21 @@ fn generated_c_compiles_and_agrees() {
         .unwrap();
     assert!(cc.status.success(), "{}", String::from_utf8_lossy(&cc.stderr));
     agrees("C", &printed(&mut Command::new(binary)), &points);
+}
+
+/// An unstable H has no value: the generated code says so.
+#[test]
+fn generated_code_refuses_an_unstable_h() {
+    if !has("python3", "Python") {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let calls =
+        "print(i2([1, -1, 2], [0, 1]))\nprint(i3([1, 1, 2, 3], [0, 0, 1]))\nprint(i1([-1, -2], [3]))\n";
+    let source = written(folder.path(), "tables.py", TableFormat::Python, calls);
+    let values = printed(Command::new("python3").arg(source));
+    assert!(values[0].is_nan() && values[1].is_nan());
+    assert_eq!(values[2], 0.75);
 }
 
 /// The program on its command line: output and exit code.

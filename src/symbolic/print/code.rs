@@ -1,7 +1,6 @@
-//! Tables as functions in Rust, Python and C, each with its shared minors.
+//! Tables as functions in Rust, Python and C.
 
-use super::sum::{Item, Measure, lines};
-use crate::symbolic::minors::{Letter, Product, Program};
+use super::recursion::Recursion;
 use std::fmt::Write;
 
 /// A language that the tables are written in.
@@ -12,14 +11,15 @@ pub enum Language {
     C,
 }
 
-const WIDTH: Measure = Measure { sign: 3.0, line: 84.0 };
+/// Conditions in one line of code.
+const CONDITIONS: usize = 7;
 
 /// One function an order.
-pub fn tables(programs: &[Program], language: Language) -> String {
+pub fn tables(orders: impl Iterator<Item = usize>, language: Language) -> String {
     let mut text = language.head();
-    for program in programs {
+    for n in orders {
         text.push('\n');
-        text.push_str(&function(program, language));
+        text.push_str(&function(n, language));
     }
     text
 }
@@ -30,7 +30,15 @@ impl Language {
             "I_n = (1/2 pi) integral of G(jw) / (H(jw) H(-jw)) dw over all w,",
             "H(s) = a0 s^n + a1 s^(n-1) + ... + an with all roots in the left half plane,",
             "G(s) = b0 s^(2n-2) + b1 s^(2n-4) + ... + b(n-1).",
-            "The ratio of the published determinants, in shared minors; written by `gyrospec table`.",
+            "The ratio of the published determinants, by Routh's rows.",
+            match self {
+                Self::Python => "Where H is not stable: not a number, or ZeroDivisionError.",
+                _ => "Where H is not stable: not a number.",
+            },
+            "Relative error measured at 2000 random points an order, damping ratios from 0.2, terms of G of",
+            "one sign: at most 4e-15 up to order 10 and 2e-14 up to order 14. Elsewhere it grows with the",
+            "condition of the integral; `gyrospec integral` gives all digits and a bound for any H and G.",
+            "Written by `gyrospec table`.",
         ];
         let mark = match self {
             Self::Rust => "//",
@@ -42,9 +50,11 @@ impl Language {
             let mark = if self == Self::C && place == 0 { "/*" } else { mark };
             let _ = writeln!(text, "{mark} {line}");
         }
-        if self == Self::C {
-            text.push_str(" */\n");
-        }
+        text.push_str(match self {
+            Self::Rust => "",
+            Self::Python => "import math\n\n",
+            Self::C => " */\n#include <math.h>\n",
+        });
         text
     }
 
@@ -62,47 +72,45 @@ impl Language {
         }
     }
 
-    fn assigned(self, name: &str, sum: &[String]) -> String {
-        let (before, after) = match self {
-            Self::Rust => ("let ", ";"),
-            Self::Python => ("", ""),
-            Self::C => ("const double ", ";"),
-        };
-        let broken = self == Self::Python && sum.len() > 1;
-        let (open, close) = if broken { ("(", ")") } else { ("", "") };
-        format!("    {before}{name} = {open}{}{close}{after}\n", sum.join("\n        "))
+    fn assigned(self, name: &str, value: &str) -> String {
+        match self {
+            Self::Rust => format!("    let {name} = {value};\n"),
+            Self::Python => format!("    {name} = {value}\n"),
+            Self::C => format!("    const double {name} = {value};\n"),
+        }
     }
 
-    fn closing(self) -> &'static str {
+    /// The value, or not a number where a multiplier is not above 0.
+    fn closing(self, recursion: &Recursion) -> String {
+        let Recursion { multipliers, value, .. } = recursion;
+        let (and, indent) = match self {
+            Self::Python => ("and", "            "),
+            _ => ("&&", "        "),
+        };
+        let lines: Vec<String> = multipliers
+            .chunks(CONDITIONS)
+            .map(|some| {
+                some.iter().map(|q| format!("{q} > 0.0")).collect::<Vec<_>>().join(&format!(" {and} "))
+            })
+            .collect();
+        let stable = lines.join(&format!("\n{indent}{and} "));
         match self {
-            Self::Rust => "    numerator / (2.0 * a[0] * determinant)\n}\n",
-            Self::Python => "    return numerator / (2.0 * a[0] * determinant)\n",
-            Self::C => "    return numerator / (2.0 * a[0] * determinant);\n}\n",
+            Self::Rust => {
+                format!("    let stable = {stable};\n    if stable {{ {value} }} else {{ f64::NAN }}\n}}\n")
+            }
+            Self::Python => {
+                format!("    stable = ({stable})\n    return {value} if stable else math.nan\n")
+            }
+            Self::C => format!("    const int stable = {stable};\n    return stable ? {value} : NAN;\n}}\n"),
         }
     }
 }
 
-fn function(program: &Program, language: Language) -> String {
-    let mut text = language.opening(program.order);
-    for (number, sum) in program.minors.iter().enumerate() {
-        text.push_str(&language.assigned(&format!("m{number}"), &broken(sum)));
+fn function(n: usize, language: Language) -> String {
+    let (mut text, recursion) = (language.opening(n), Recursion::new(n));
+    for (name, value) in &recursion.steps {
+        text.push_str(&language.assigned(name, value));
     }
-    text.push_str(&language.assigned("determinant", &broken(&program.determinant)));
-    text.push_str(&language.assigned("numerator", &broken(&program.numerator)));
-    text.push_str(language.closing());
+    text.push_str(&language.closing(&recursion));
     text
-}
-
-fn broken(sum: &[Product]) -> Vec<String> {
-    let items: Vec<Item> =
-        sum.iter().map(|product| Item::plain(product.negative, factors(product))).collect();
-    lines(&items, &WIDTH)
-}
-
-fn factors(product: &Product) -> String {
-    let letters = product.letters.iter().map(|letter| match letter {
-        Letter::A(k) => format!("a[{k}]"),
-        Letter::B(k) => format!("b[{k}]"),
-    });
-    letters.chain(product.minor.map(|k| format!("m{k}"))).collect::<Vec<_>>().join(" * ")
 }

@@ -4,7 +4,8 @@ mod code;
 mod folder;
 mod json;
 mod prose;
-mod sum;
+mod recursion;
+pub(in crate::symbolic) mod sum;
 
 pub use folder::{FolderFile, folder};
 
@@ -44,13 +45,13 @@ pub enum TableFormat {
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn print_tables(orders: RangeInclusive<usize>, format: TableFormat) -> Result<String> {
-    let programs = orders.map(Program::new).collect::<Result<Vec<_>>>()?;
+    let programs = orders.clone().map(Program::new).collect::<Result<Vec<_>>>()?;
     match format {
         TableFormat::Json => json::tables(&programs),
         TableFormat::Markdown => prose::tables(&programs, prose::Style::Markdown),
         TableFormat::Latex => prose::tables(&programs, prose::Style::Latex),
-        TableFormat::Rust => Ok(code::tables(&programs, code::Language::Rust)),
-        TableFormat::Python => Ok(code::tables(&programs, code::Language::Python)),
-        TableFormat::C => Ok(code::tables(&programs, code::Language::C)),
+        TableFormat::Rust => Ok(code::tables(orders, code::Language::Rust)),
+        TableFormat::Python => Ok(code::tables(orders, code::Language::Python)),
+        TableFormat::C => Ok(code::tables(orders, code::Language::C)),
     }
 }
