@@ -1,8 +1,8 @@
 //! `gyrospec audit`: is a printed formula right?
 
 use super::{Outcome, input, output::Sink};
-use crate::Result;
-use crate::symbolic::{AuditRequest, Examined, audit, seed_audit, seed_audit_text};
+use crate::symbolic::{AuditRequest, Examined, TO_GIVE, audit, seed_audit, seed_audit_text};
+use crate::{Error, Result};
 use clap::{Args, ValueEnum};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -61,18 +61,24 @@ pub fn run(call: &Audit) -> Result<Outcome> {
         sink.finish(seed_audit_text().as_bytes())?;
         return Ok(Outcome::Done);
     }
+    let about = |e: Error| call.file.iter().fold(e, |e, path| e.with_file(path));
     let request = match &call.file {
-        Some(path) => AuditRequest::parse(&input::text(path)?).map_err(|e| e.with_file(path))?,
+        Some(path) => AuditRequest::parse(&input::text(path)?).map_err(about)?,
         None => seed_audit()?,
     };
-    let mut examined = audit(&request)?;
+    let mut examined = audit(&request).map_err(about)?;
     let wrong = examined.iter().filter(|one| !one.holds()).count();
+    let unchecked = examined.iter().filter(|one| !one.checked()).count();
     let all = examined.len();
     if call.wrong {
         examined.retain(|one| !one.holds());
     }
+    let mut last = format!("{wrong} of {all} formulas are wrong");
+    if unchecked > 0 {
+        last = format!("{last}; {unchecked} could not be checked: {TO_GIVE}");
+    }
     let text = match call.format {
-        Format::Text => format!("{}{wrong} of {all} formulas are wrong\n", text(&request.title, &examined)),
+        Format::Text => format!("{}{last}\n", text(&request.title, &examined)),
         Format::Json => json(&request.title, &examined),
     };
     sink.finish(text.as_bytes())?;
@@ -80,13 +86,16 @@ pub fn run(call: &Audit) -> Result<Outcome> {
 }
 
 fn text(title: &str, examined: &[Examined]) -> String {
-    let mut text = format!("{title}\n\n");
+    let mut text = if title.is_empty() { String::new() } else { format!("{title}\n\n") };
     for one in examined {
         let says = if one.says.is_empty() { String::new() } else { format!(": {}", one.says) };
         let _ = writeln!(text, "{}{says}", one.name);
         let _ = writeln!(text, "  printed     {}", one.printed);
         if let Some(right) = &one.right {
             let _ = writeln!(text, "  right       {right}");
+        }
+        if !one.checked() {
+            text.push_str("  not checked\n");
         }
         for check in &one.checks {
             let mark = if check.holds { "ok" } else { "WRONG" };
@@ -119,7 +128,7 @@ fn json(title: &str, examined: &[Examined]) -> String {
                 "says": one.says,
                 "printed": one.printed,
                 "right": one.right,
-                "holds": one.holds(),
+                "holds": one.checked().then(|| one.holds()),
                 "checks": checks,
             })
         })

@@ -1,12 +1,13 @@
 //! `gyrospec formula`: a mean value as a formula in the user's own letters.
 
+mod sheet;
+mod values;
+
 use super::{Outcome, input, output::Sink};
-use crate::symbolic::{
-    CodeLanguage, Derived, Formula, FormulaRequest, Simplifier, Values, completed, formula, irregular_roll,
-};
-use crate::{Error, Result};
+use crate::Result;
+use crate::symbolic::{CodeLanguage, FormulaRequest, formula, irregular_roll, known_letter};
 use clap::{Args, ValueEnum};
-use std::fmt::Write;
+use sheet::Sheet;
 use std::path::PathBuf;
 
 /// Derive a mean square or mean product as a formula in your own letters.
@@ -61,6 +62,7 @@ pub struct FormulaCall {
     #[arg(long = "derivative")]
     derivatives: Vec<String>,
     /// Also the value, in consistent units: "T=0.44, mu=0.1, eps=0.8"; symbols on the left of a relation follow.
+    /// H must be stable there.
     #[arg(long)]
     values: Option<String>,
     /// The form of the result.
@@ -77,6 +79,9 @@ Examples:
   gyrospec formula --first \"1/(T*s + 1)\" --shaping \"1/(s^2 + 2*z*w*s + w^2)\" --density S --format latex
   gyrospec formula --seed
   gyrospec formula request.toml --derivative T --values \"T=0.44, mu=0.1, eps=0.8\"
+
+H may have any order up to 14. Where every coefficient is a letter of its own the answer is the table of that order;
+up to order 10 it is short enough to be written as a formula, above that `gyrospec table` has it.
 
 What is not attempted: a factorisation in full (factors that H was given in, their resultants, common divisors and
 repeated factors are found; name others with --keep), relations that are not solved for a product of powers,
@@ -99,20 +104,25 @@ pub fn run(call: &FormulaCall) -> Result<Outcome> {
     let sink = Sink::open(&call.out)?;
     let request = call.request()?;
     let simplifier = request.simplifier()?;
-    let derived = formula(&request.derivation()?, &simplifier)?;
+    let (derivation, printed) = (request.derivation()?, request.printed()?);
+    let known = values::letters(&derivation, &simplifier, printed.as_ref());
+    let given = call.values.as_deref().map(|text| values::read(text, &known)).transpose()?;
+    call.derivatives.iter().try_for_each(|symbol| known_letter(symbol, &known))?;
+    let derived = formula(&derivation, &simplifier)?;
     let mut shown = vec![derived.formula.clone()];
     for symbol in &call.derivatives {
         shown.push(derived.formula.derivative(symbol, &simplifier)?);
     }
-    let sheet = Sheet { derived, shown, printed: request.printed()?, simplifier, values: call.values()? };
+    let values = given.map(|given| values::usable(&given, &derivation, &simplifier)).transpose()?;
+    let sheet = Sheet { derived, shown, printed, simplifier, values };
     let text = match call.format {
         Format::Text => sheet.text()?,
         Format::Json => sheet.json()?,
-        Format::Expression => sheet.each(|f| f.expression.to_string()),
-        Format::Latex => sheet.each(Formula::latex),
-        Format::Rust => sheet.each(|f| f.code(CodeLanguage::Rust)),
-        Format::Python => sheet.each(|f| f.code(CodeLanguage::Python)),
-        Format::C => sheet.each(|f| f.code(CodeLanguage::C)),
+        Format::Expression => sheet.each(|f| Ok(f.expression.to_string()))?,
+        Format::Latex => sheet.each(|f| Ok(f.latex()))?,
+        Format::Rust => sheet.each(|f| f.code(CodeLanguage::Rust))?,
+        Format::Python => sheet.each(|f| f.code(CodeLanguage::Python))?,
+        Format::C => sheet.each(|f| f.code(CodeLanguage::C))?,
     };
     sink.finish(text.as_bytes())?;
     Ok(Outcome::Done)
@@ -147,94 +157,5 @@ impl FormulaCall {
             request.order.clone_from(&self.order);
         }
         Ok(request)
-    }
-
-    fn values(&self) -> Result<Option<Values>> {
-        let Some(text) = &self.values else { return Ok(None) };
-        let pair = |part: &str| {
-            let wrong =
-                || Error::usage(format!("--values: '{part}' is no value")).with_hint("write T=0.44, mu=0.1");
-            let (name, value) = part.split_once('=').ok_or_else(wrong)?;
-            Ok((name.trim().to_owned(), value.trim().parse().map_err(|_| wrong())?))
-        };
-        text.split(',')
-            .map(str::trim)
-            .filter(|part| !part.is_empty())
-            .map(pair)
-            .collect::<Result<_>>()
-            .map(Some)
-    }
-}
-
-/// Everything that is shown about one derivation.
-struct Sheet {
-    derived: Derived,
-    shown: Vec<Formula>,
-    printed: Option<Formula>,
-    simplifier: Simplifier,
-    values: Option<Values>,
-}
-
-impl Sheet {
-    fn each(&self, write: impl Fn(&Formula) -> String) -> String {
-        self.shown.iter().map(|f| write(f).trim_end().to_owned() + "\n").collect::<Vec<_>>().join("\n")
-    }
-
-    fn ratio(&self) -> Result<Option<Formula>> {
-        let printed = self.printed.as_ref();
-        printed.map(|printed| self.derived.formula.ratio_to(printed, &self.simplifier)).transpose()
-    }
-
-    fn value_of(&self, formula: &Formula) -> Result<Option<f64>> {
-        let Some(values) = &self.values else { return Ok(None) };
-        formula.evaluate(&completed(values, &self.simplifier.relations)?).map(Some)
-    }
-
-    fn text(&self) -> Result<String> {
-        let mut text = String::new();
-        for formula in &self.shown {
-            let _ = writeln!(text, "{}", formula.text());
-            if let Some(value) = self.value_of(formula)? {
-                let _ = writeln!(text, "  = {value}");
-            }
-        }
-        let Derived { order, points, .. } = self.derived;
-        let _ = writeln!(
-            text,
-            "\nderived from I_{order}; agrees with the numeric engine at {points} random points"
-        );
-        if let (Some(printed), Some(ratio)) = (&self.printed, self.ratio()?) {
-            let _ = writeln!(text, "\nprinted:\n{}", printed.text());
-            if let Some(value) = self.value_of(printed)? {
-                let _ = writeln!(text, "  = {value}");
-            }
-            let ratio = ratio.text();
-            let _ = writeln!(text, "derived/printed {}", ratio.strip_prefix("ratio ").unwrap_or(&ratio));
-        }
-        Ok(text)
-    }
-
-    fn json(&self) -> Result<String> {
-        let mut formulas = Vec::new();
-        for formula in &self.shown {
-            formulas.push(serde_json::json!({
-                "name": formula.name,
-                "expression": formula.expression.to_string(),
-                "text": formula.text(),
-                "latex": formula.latex(),
-                "value": self.value_of(formula)?,
-            }));
-        }
-        let ratio = self.ratio()?;
-        let json = serde_json::json!({
-            "schema": "gyrospec.formula/1",
-            "formulas": formulas,
-            "order": self.derived.order,
-            "points_checked": self.derived.points,
-            "printed": self.printed.as_ref().map(|f| f.expression.to_string()),
-            "ratio": ratio.as_ref().map(|f| f.expression.to_string()),
-            "ratio_value": ratio.and_then(|f| f.expression.constant()),
-        });
-        Ok(format!("{json:#}\n"))
     }
 }

@@ -9,6 +9,7 @@
 use super::integer::Integer;
 use super::modular::common_degree_bound;
 use super::polynomial::Polynomial;
+use super::ring::Monomial;
 use crate::Result;
 
 /// The greatest common divisor, its first coefficient above 0; that of 0 and 0 is 0.
@@ -25,8 +26,22 @@ pub fn gcd(x: &Polynomial, y: &Polynomial) -> Result<Polynomial> {
         });
     }
     let number = x.content().gcd(&y.content());
-    let (x, y) = (primitive(x)?, primitive(y)?);
-    Ok(primitive_gcd(&x, &y)?.scaled(&number))
+    let common = shared_monomial(x, y)?;
+    let (x, y) = (without_monomial(&primitive(x)?)?, without_monomial(&primitive(y)?)?);
+    primitive_gcd(&x, &y)?.times_term(common, &number)
+}
+
+/// The largest monomial that divides every term of both.
+fn shared_monomial(x: &Polynomial, y: &Polynomial) -> Result<Monomial> {
+    let (ring, p, q) = (x.ring(), x.common_monomial(), y.common_monomial());
+    let powers = |k| ring.power(k, ring.exponent(p, k).min(ring.exponent(q, k)));
+    (0..ring.names().len()).try_fold(Monomial::ONE, |product, k| ring.product(product, powers(k)?))
+}
+
+/// The polynomial without the powers of symbols that all its terms share.
+fn without_monomial(x: &Polynomial) -> Result<Polynomial> {
+    let common = Polynomial::term(x.ring(), x.common_monomial(), Integer::ONE);
+    Ok(x.divided_by(&common)?.unwrap_or_else(|| x.clone()))
 }
 
 /// The polynomial without its numeric content, first coefficient above 0.

@@ -8,7 +8,8 @@
 //! What simplification does not attempt: a factorisation in full (it finds the factors that H was given in, their
 //! Hurwitz determinants and resultants, factors free of some symbol, repeated factors, and those that are named);
 //! relations that are not solved for a product of powers; identities of functions that are not given as a relation;
-//! powers that are neither whole nor half.
+//! powers that are neither whole nor half; formulas with sums of more than 2000 terms (letters for all coefficients
+//! above order 10, where [`print_tables`] has the answer).
 
 mod audit;
 mod formula;
@@ -23,12 +24,12 @@ mod ring;
 mod table;
 
 pub use audit::{
-    AuditRequest, Check, CheckKind, Examined, ExampleEntry, FormulaEntry, IdentityEntry, LimitEntry, audit,
-    seed_audit, seed_audit_text,
+    AuditRequest, Check, CheckKind, Examined, ExampleEntry, FormulaEntry, IdentityEntry, LimitEntry, TO_GIVE,
+    audit, seed_audit, seed_audit_text,
 };
 pub use formula::{
-    CodeLanguage, Derivation, Derived, Formula, FormulaRequest, Mean, Relation, Sampler, Simplifier, Source,
-    Values, completed, derivative, formula, irregular_roll, numeric, value,
+    CodeLanguage, Derivation, Derived, Formula, FormulaRequest, LAPLACE, Mean, Relation, Sampler, Simplifier,
+    Source, Values, completed, derivative, formula, irregular_roll, known_letter, numeric, symbols, value,
 };
 pub use fraction::Fraction;
 pub use integer::Integer;

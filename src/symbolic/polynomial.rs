@@ -7,9 +7,12 @@
 
 use super::integer::Integer;
 use super::ring::{Monomial, Ring};
-use crate::Result;
+use crate::{Error, Result};
 use std::cmp::Ordering;
 use std::sync::Arc;
+
+/// The most products of terms in one multiplication, some hundred megabytes.
+const MOST_PRODUCTS: usize = 4_000_000;
 
 /// A polynomial: its ring and its terms, largest monomial first, no zero coefficient, no monomial twice.
 ///
@@ -130,7 +133,16 @@ impl Polynomial {
 
     /// Product.
     pub fn times(&self, other: &Self) -> Result<Self> {
-        let mut terms = Vec::with_capacity(self.terms.len() * other.terms.len());
+        let products = self.terms.len().saturating_mul(other.terms.len());
+        if products > MOST_PRODUCTS {
+            return Err(Error::not_computed(format!(
+                "the formula grows too large on the way: sums of {} and {} terms are to be multiplied",
+                self.terms.len(),
+                other.terms.len()
+            ))
+            .with_hint("give some letters values, or one name to several of them"));
+        }
+        let mut terms = Vec::with_capacity(products);
         for (m, p) in &self.terms {
             for (k, q) in &other.terms {
                 terms.push((self.ring.product(*m, *k)?, p.times(q)));

@@ -64,12 +64,21 @@ impl Ring {
     /// One symbol to a power.
     pub fn power(&self, symbol: usize, exponent: u32) -> Result<Monomial> {
         if u128::from(exponent) >= 1_u128 << self.bits {
-            return Err(Error::not_computed(format!(
-                "the power {exponent} of {} is larger than a formula can hold here",
-                self.names[symbol]
-            )));
+            return Err(self.too_high());
         }
         Ok(Monomial(u128::from(exponent) << self.shift(symbol)))
+    }
+
+    fn too_high(&self) -> Error {
+        Error::not_computed(format!(
+            "with {} letters and functions a formula holds powers up to {}, and here one is higher",
+            self.names.len(),
+            (1_u64 << self.bits) - 1
+        ))
+        .with_hint(
+            "give some of them values or one name; where every coefficient of H and G is a letter of its own, \
+             `gyrospec table` has the answer",
+        )
     }
 
     /// The product of two monomials.
@@ -77,11 +86,7 @@ impl Ring {
         let sum = x.0.wrapping_add(y.0);
         // carries out of each field: both top bits set, or one set and lost in the sum
         let carries = ((x.0 & y.0) | ((x.0 | y.0) & !sum)) & self.tops;
-        if carries == 0 {
-            Ok(Monomial(sum))
-        } else {
-            Err(Error::not_computed(format!("a power above {} in a formula", (1_u64 << self.bits) - 1)))
-        }
+        if carries == 0 { Ok(Monomial(sum)) } else { Err(self.too_high()) }
     }
 
     /// The quotient, if every exponent stays at 0 or above.

@@ -95,9 +95,47 @@ fn a_request_that_cannot_be_read_says_where() {
     assert!(audit(&request).unwrap_err().to_string().contains("formula x"));
 }
 
+#[test]
+fn an_audit_without_anything_to_check_is_refused() {
+    for text in [
+        "[[formulas]]\nname = 'x'\nprinted = 'a + b'\n",
+        "[[formulas]]\nname = 'x'\nprinted = 'a = b'\n[[formulas]]\nname = 'y'\nprinted = 'c'\n",
+        "formulas = []\n",
+    ] {
+        let error = audit(&AuditRequest::parse(text).unwrap()).unwrap_err();
+        assert_eq!(error.kind(), gyrospec::ErrorKind::BadInput);
+        assert!(error.hint().unwrap().contains("right, derive, limits"), "{error}");
+    }
+    let text =
+        "[[formulas]]\nname = 'x'\nprinted = 'a'\n[[formulas]]\nname = 'y'\nprinted = 'c'\nright = 'c'\n";
+    let examined = audit(&AuditRequest::parse(text).unwrap()).unwrap();
+    assert_eq!(examined.iter().map(Examined::checked).collect::<Vec<_>>(), [false, true]);
+}
+
 fn first(formula: &str) -> Check {
     let request = format!("[[formulas]]\nname = 'x'\n{formula}");
     audit(&AuditRequest::parse(&request).unwrap()).unwrap()[0].checks[0].clone()
+}
+
+/// Names that stand nowhere, and numbers that are none, are slips of the file and not of the book.
+#[test]
+fn slips_of_the_audit_file_are_refused() {
+    for (part, says) in [
+        ("[[formulas.limits]]\nsymbol = 'mv'\nto = 0.0\nbecomes = '0'\n", "it has mu"),
+        ("[[formulas.limits]]\nsymbol = 'mu'\nto = nan\nbecomes = '0'\n", "no number"),
+        (
+            "[[formulas.examples]]\nvalues = { mu = 1, zeta = 2 }\nresult = '2'\nunit = '1'\n",
+            "'zeta' is no letter",
+        ),
+        ("[[formulas.examples]]\nvalues = { mu = nan }\nresult = '2'\nunit = '1'\n", "not finite"),
+        ("[[formulas.examples]]\nvalues = { mu = 1 }\nresult = 'nan'\nunit = '1'\n", "no number"),
+        ("[[formulas.examples]]\nvalues = { }\nresult = '2'\nunit = '1'\n", "mu has no value"),
+    ] {
+        let text = format!("[[formulas]]\nname = 'x'\nprinted = '2*mu'\n{part}");
+        let error = audit(&AuditRequest::parse(&text).unwrap()).unwrap_err();
+        assert_eq!(error.kind(), gyrospec::ErrorKind::BadInput);
+        assert!(error.to_string().contains(says), "{part}: {error}");
+    }
 }
 
 /// Limits known from any table, also those that are 0, and what is said where they are not met.

@@ -1,8 +1,8 @@
 //! Where two expressions differ, and by which number.
 
-use super::bounded::bounded;
 use crate::Result;
 use crate::expression::{BinaryOp, Expr};
+use crate::symbolic::formula::{bounded, terms};
 use crate::symbolic::{Relation, Sampler, Simplifier, Values, value};
 use std::collections::BTreeSet;
 
@@ -217,16 +217,6 @@ fn joined(parts: &[Part]) -> Option<Expr> {
     match (side(false), side(true)) {
         (above, Some(below)) => Some(above.unwrap_or(Expr::Number(1.0)) / below),
         (above, None) => above,
-    }
-}
-
-/// The terms of a sum with their signs.
-fn terms(expression: &Expr, minus: bool) -> Vec<Part> {
-    match expression {
-        Expr::Neg(inner) => terms(inner, !minus),
-        Expr::Binary(BinaryOp::Add, x, y) => [terms(x, minus), terms(y, minus)].concat(),
-        Expr::Binary(BinaryOp::Sub, x, y) => [terms(x, minus), terms(y, !minus)].concat(),
-        _ => vec![(expression.clone(), minus)],
     }
 }
 

@@ -6,10 +6,12 @@ use super::request::{AuditRequest, ExampleEntry, FormulaEntry, IdentityEntry, Li
 use super::{Check, CheckKind, Examined};
 use crate::expression::{Expr, Scope};
 use crate::symbolic::formula::leading_minus;
-use crate::symbolic::{Formula, Relation, Simplifier, Values, completed, formula, value};
+use crate::symbolic::{
+    Formula, Relation, Simplifier, Values, completed, formula, known_letter, symbols, value,
+};
 use crate::units::Unit;
 use crate::{Error, Result};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
 /// A printed formula: an expression, or both sides of an equation.
@@ -117,6 +119,14 @@ impl<'a> Bench<'a> {
         Ok(Self { printed: Printed::read(&entry.printed)?, right, simplifier, units })
     }
 
+    /// The letters of the formulas and of the relations between them, and those that have a unit.
+    fn letters<'b>(&'b self, more: impl IntoIterator<Item = &'b Expr>) -> BTreeSet<String> {
+        let sides = self.simplifier.relations.iter().flat_map(|relation| [&relation.left, &relation.right]);
+        let printed = self.right.iter().chain([&self.printed]).flat_map(|p| p.left.iter().chain([&p.right]));
+        let units = self.units.keys().copied();
+        sides.chain(printed).chain(more).flat_map(symbols).chain(units).map(String::from).collect()
+    }
+
     fn dimensions(&self, entry: &FormulaEntry) -> Result<Check> {
         let scope: Scope =
             self.units.iter().map(|(name, unit)| ((*name).to_owned(), unit.dimension())).collect();
@@ -170,6 +180,7 @@ impl<'a> Bench<'a> {
 
     fn limit(&self, limit: &LimitEntry) -> Result<Check> {
         let (printed, becomes) = (self.printed.whole(), Expr::parse(&limit.becomes)?);
+        known_letter(&limit.symbol, &self.letters([&becomes]))?;
         let mut relations = self.simplifier.relations.clone();
         for text in &limit.given {
             relations.push(Relation::parse(text)?);
@@ -185,7 +196,9 @@ impl<'a> Bench<'a> {
         let rest = self.simplifier.simplify(&zero)?;
         let holds = rest == Expr::Number(0.0);
         let says = match (holds, identity.says.as_str()) {
+            (true, "") => "holds".into(),
             (true, about) => format!("holds: {about}"),
+            (false, "") => format!("broken: {} is left where 0 must be", shown(&rest)),
             (false, about) => format!("broken ({about}): {} is left where 0 must be", shown(&rest)),
         };
         Ok(Check { kind: CheckKind::Identity, holds, says, ratio: None })
@@ -193,11 +206,16 @@ impl<'a> Bench<'a> {
 
     fn example(&self, example: &ExampleEntry) -> Result<Check> {
         let unit = Unit::parse(&example.unit)?;
-        let printed: f64 = example.result.parse().map_err(|_| {
+        let printed = example.result.parse().ok().filter(|x: &f64| x.is_finite()).ok_or_else(|| {
             Error::bad_input(format!("the result '{}' of an example is no number", example.result))
         })?;
         let mut values = Values::new();
+        let letters = self.letters([]);
         for (name, number) in &example.values {
+            known_letter(name, &letters)?;
+            if !number.is_finite() {
+                return Err(Error::bad_input(format!("the value of {name} in an example is not finite")));
+            }
             let si = self.units.get(name.as_str()).map_or(*number, |unit| unit.to_si(*number));
             values.insert(name.clone(), si);
         }
@@ -206,9 +224,9 @@ impl<'a> Bench<'a> {
         let own = unit.from_si(value(&self.printed.right, &of)?);
         let tolerance = half_last_digit(&example.result);
         let holds = (own - printed).abs() <= tolerance;
+        let about = if example.says.is_empty() { String::new() } else { format!("{}: ", example.says) };
         let mut says = format!(
-            "{}: the printed formula gives {own:.4e} {}, {} is printed",
-            example.says,
+            "{about}the printed formula gives {own:.4e} {}, {} is printed",
             unit.text(),
             example.result
         );

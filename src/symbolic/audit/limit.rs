@@ -8,10 +8,10 @@
 //! Numerical aspects: the approach ends where rounding errors reach 1e-6 of that size; approaches slower than a power
 //! of the distance are not recognised.
 
-use super::bounded::{Bounded, bounded};
 use super::compare::{constant, in_words};
 use super::{Check, CheckKind};
 use crate::expression::Expr;
+use crate::symbolic::formula::{Bounded, bounded};
 use crate::symbolic::{Relation, Sampler, Values};
 use crate::{Error, Result};
 

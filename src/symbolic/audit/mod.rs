@@ -43,7 +43,6 @@
 //! unit = "rad"
 //! ```
 
-mod bounded;
 mod compare;
 mod examine;
 mod limit;
@@ -53,7 +52,11 @@ pub use request::{
     AuditRequest, ExampleEntry, FormulaEntry, IdentityEntry, LimitEntry, seed_audit, seed_audit_text,
 };
 
-use crate::Result;
+use crate::{Error, Result};
+
+/// What a formula can be held against.
+pub const TO_GIVE: &str =
+    "give [units] of the symbols, or for a formula: right, derive, limits, identities or examples";
 
 /// What a check looks at.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -112,6 +115,11 @@ pub struct Examined {
 }
 
 impl Examined {
+    /// Whether there was anything to check.
+    pub fn checked(&self) -> bool {
+        !self.checks.is_empty()
+    }
+
     /// Whether every check holds.
     pub fn holds(&self) -> bool {
         self.checks.iter().all(|check| check.holds)
@@ -121,7 +129,7 @@ impl Examined {
 /// Examines every formula of an audit.
 ///
 /// # Errors
-/// Bad input, where the request itself cannot be read or does not fit together.
+/// Bad input, where the request itself cannot be read, does not fit together, or gives nothing to check.
 ///
 /// ```
 /// use gyrospec::symbolic::{AuditRequest, audit};
@@ -140,5 +148,14 @@ impl Examined {
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn audit(request: &AuditRequest) -> Result<Vec<Examined>> {
-    request.formulas.iter().map(|formula| examine::examine(request, formula)).collect()
+    let examined: Vec<Examined> =
+        request.formulas.iter().map(|formula| examine::examine(request, formula)).collect::<Result<_>>()?;
+    if examined.iter().any(Examined::checked) {
+        return Ok(examined);
+    }
+    let what = if examined.is_empty() { "there is no formula" } else { "nothing was checked" };
+    Err(Error::bad_input(format!(
+        "{what}: the file gives no printed formula with something to hold it against"
+    ))
+    .with_hint(TO_GIVE))
 }

@@ -19,6 +19,9 @@ use std::sync::Arc;
 /// The highest whole power that is multiplied out.
 const HIGHEST_POWER: f64 = 200.0;
 
+/// The longest sum that is written.
+const MOST_TERMS: usize = 2000;
+
 /// The symbols of a formula: names and calls, in the order in which they are printed.
 #[derive(Debug)]
 pub struct Alphabet {
@@ -75,9 +78,14 @@ impl Alphabet {
             Expr::Neg(inner) => Ok(self.of_normal(inner)?.negated()),
             Expr::Binary(BinaryOp::Pow, base, exponent) => {
                 let exponent = exponent.constant().unwrap_or(f64::NAN);
-                if exponent.fract() != 0.0 || exponent.abs() > HIGHEST_POWER || exponent.is_nan() {
-                    return Err(Error::not_computed(format!("the power in {expression}"))
-                        .with_hint("whole and half powers are worked out"));
+                if exponent.fract() != 0.0 || exponent.is_nan() {
+                    return Err(Error::not_computed(format!("the power in {expression} is not worked out"))
+                        .with_hint("powers are whole or half numbers"));
+                }
+                if exponent.abs() > HIGHEST_POWER {
+                    return Err(Error::not_computed(format!(
+                        "the power in {expression} is above {HIGHEST_POWER}"
+                    )));
                 }
                 self.of_normal(base)?.to_power(exponent as i32)
             }
@@ -120,6 +128,16 @@ impl Alphabet {
 
     /// A polynomial as a sum, low total degrees first.
     pub fn sum(&self, polynomial: &Polynomial) -> Result<Expr> {
+        let count = polynomial.terms().len();
+        if count > MOST_TERMS {
+            return Err(Error::not_computed(format!(
+                "the formula has a sum of {count} terms; {MOST_TERMS} are printed"
+            ))
+            .with_hint(
+                "give several letters one name or a value; where every coefficient is a letter of its own, \
+                    `gyrospec table` prints the whole of I_n",
+            ));
+        }
         let degree = |m: Monomial| self.ring.powers(m).map(|(_, e)| e).sum::<u32>();
         let mut terms: Vec<_> = polynomial.terms().iter().collect();
         terms.sort_by_key(|(m, c)| (degree(*m), c.is_negative(), std::cmp::Reverse(*m)));
@@ -153,9 +171,13 @@ pub fn whole(value: &Integer) -> Result<Expr> {
     if number.abs() < 9.0e15 {
         return Ok(Expr::number(number));
     }
+    let digits = value.magnitude().to_string();
     Err(Error::not_computed(format!(
-        "the formula holds the whole number {value}, which is too long to print"
-    )))
+        "the formula holds a whole number of {} digits, {}…, which is too long to print exactly",
+        digits.len(),
+        &digits[..6]
+    ))
+    .with_hint("write a letter in place of very large or very small numbers"))
 }
 
 /// A symbol to a whole power.
@@ -205,6 +227,9 @@ fn normal(expression: &Expr) -> Result<Expr> {
         }
         Expr::Binary(op, left, right) => {
             Ok(Expr::Binary(*op, Box::new(normal(left)?), Box::new(normal(right)?)))
+        }
+        Expr::Call(function, _) if function.has_memory() => {
+            Err(Error::bad_input(format!("{expression} has a memory and is no function of numbers")))
         }
         Expr::Call(function, arguments) => {
             let arguments = arguments.iter().map(canonical).collect::<Result<Vec<_>>>()?;

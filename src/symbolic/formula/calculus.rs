@@ -5,6 +5,7 @@
 //! References: none needed.
 //! Numerical aspects: values are as good as the formula is conditioned; steps and corners are differentiated piecewise.
 
+use crate::error::nearest;
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::{Error, Result};
 use std::collections::BTreeSet;
@@ -47,6 +48,23 @@ pub fn symbols(expression: &Expr) -> BTreeSet<&str> {
         symbols.insert("t");
     }
     symbols
+}
+
+/// Refuses a name that is no letter of a formula.
+///
+/// # Errors
+/// Bad input, with the nearest letter that there is.
+pub fn known_letter(name: &str, known: &BTreeSet<String>) -> Result<()> {
+    if known.contains(name) {
+        return Ok(());
+    }
+    let letters = || known.iter().map(String::as_str);
+    let hint = match nearest(name, letters()) {
+        Some(near) => format!("the nearest is {near}"),
+        None if known.is_empty() => "it has none".into(),
+        None => format!("it has {}", letters().collect::<Vec<_>>().join(", ")),
+    };
+    Err(Error::bad_input(format!("'{name}' is no letter of this formula")).with_hint(hint))
 }
 
 /// The derivative of an expression in one name, lightly simplified.

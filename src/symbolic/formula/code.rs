@@ -2,7 +2,9 @@
 
 use super::Formula;
 use super::calculus::symbols;
+use super::identifier::{arguments, identifier};
 use crate::expression::{BinaryOp, Expr, Function};
+use crate::{Error, Result};
 use std::fmt::Write;
 
 /// A language that a formula is written in.
@@ -16,23 +18,15 @@ pub enum CodeLanguage {
     C,
 }
 
-/// Words that are no names in at least one of the languages.
-const RESERVED: [&str; 45] = [
-    "as", "and", "assert", "auto", "break", "case", "char", "const", "continue", "def", "default", "del",
-    "do", "double", "else", "enum", "except", "extern", "float", "fn", "for", "from", "global", "if", "impl",
-    "import", "in", "int", "is", "lambda", "let", "long", "loop", "match", "mod", "not", "or", "pass", "ref",
-    "return", "self", "short", "type", "where", "yield",
-];
-
 /// A function of the symbols in alphabetical order.
-pub fn function(formula: &Formula, language: CodeLanguage) -> String {
+pub fn function(formula: &Formula, language: CodeLanguage) -> Result<String> {
     let left = formula.by.iter().fold(formula.name.clone(), |name, by| format!("{name}_by_{by}"));
-    let name = identifier(&left);
-    let names: Vec<String> = symbols(&formula.expression).into_iter().map(identifier).collect();
+    let name = identifier(&left, language)?;
+    let names = arguments(symbols(&formula.expression), language)?;
     let typed = |before: &str, after: &str| {
         names.iter().map(|n| format!("{before}{n}{after}")).collect::<Vec<_>>().join(", ")
     };
-    let value = operand(&formula.expression, language, 0);
+    let value = operand(&formula.expression, language, 0)?;
     let mut text = String::new();
     let _ = match language {
         CodeLanguage::Rust => writeln!(
@@ -49,21 +43,17 @@ pub fn function(formula: &Formula, language: CodeLanguage) -> String {
             if names.is_empty() { "void".into() } else { typed("double ", "") }
         ),
     };
-    text
-}
-
-fn identifier(name: &str) -> String {
-    if RESERVED.contains(&name) { format!("{name}_") } else { name.into() }
+    Ok(text)
 }
 
 /// How tightly the place binds into which an operand is put: 0 sum, 1 product, 2 right of a product, 3 sign.
-fn operand(expression: &Expr, language: CodeLanguage, place: u8) -> String {
+fn operand(expression: &Expr, language: CodeLanguage, place: u8) -> Result<String> {
     let (text, own) = match expression {
         Expr::Number(value) => (format!("{value:?}"), 4),
         Expr::Name(name) if name == "pi" => (pi(language).into(), 4),
-        Expr::Name(name) => (identifier(name), 4),
-        Expr::Neg(inner) => (format!("-{}", operand(inner, language, 3)), 1),
-        Expr::Binary(BinaryOp::Pow, base, exponent) => (power(base, exponent, language), 4),
+        Expr::Name(name) => (identifier(name, language)?, 4),
+        Expr::Neg(inner) => (format!("-{}", operand(inner, language, 3)?), 1),
+        Expr::Binary(BinaryOp::Pow, base, exponent) => (power(base, exponent, language)?, 4),
         Expr::Binary(op, left, right) => {
             let (sign, own, next) = match op {
                 BinaryOp::Add => ('+', 0, 0),
@@ -71,12 +61,12 @@ fn operand(expression: &Expr, language: CodeLanguage, place: u8) -> String {
                 BinaryOp::Mul => ('*', 1, 1),
                 BinaryOp::Div | BinaryOp::Pow => ('/', 1, 2),
             };
-            let right = operand(right, language, next.max(own));
-            (format!("{} {sign} {right}", operand(left, language, own)), own)
+            let right = operand(right, language, next.max(own))?;
+            (format!("{} {sign} {right}", operand(left, language, own)?), own)
         }
-        Expr::Call(function, arguments) => (call(*function, arguments, language), 4),
+        Expr::Call(function, arguments) => (call(*function, arguments, language)?, 4),
     };
-    if own < place { format!("({text})") } else { text }
+    Ok(if own < place { format!("({text})") } else { text })
 }
 
 fn pi(language: CodeLanguage) -> &'static str {
@@ -87,34 +77,39 @@ fn pi(language: CodeLanguage) -> &'static str {
     }
 }
 
-fn power(base: &Expr, exponent: &Expr, language: CodeLanguage) -> String {
+fn power(base: &Expr, exponent: &Expr, language: CodeLanguage) -> Result<String> {
     let whole = exponent.constant().filter(|e| e.fract() == 0.0 && e.abs() < 1e6);
-    match (language, whole) {
-        (CodeLanguage::Rust, Some(e)) => format!("{}.powi({e})", atom(base, language)),
-        (CodeLanguage::Rust, None) => {
-            format!("{}.powf({})", atom(base, language), operand(exponent, language, 0))
-        }
-        (CodeLanguage::Python, Some(e)) if e >= 0.0 => format!("{}**{e}", atom(base, language)),
-        (CodeLanguage::Python, _) => format!("{}**{}", atom(base, language), atom(exponent, language)),
-        (CodeLanguage::C, _) => {
-            format!("pow({}, {})", operand(base, language, 0), operand(exponent, language, 0))
-        }
-    }
+    let plain = |e: &Expr| operand(e, language, 0);
+    Ok(match (language, whole) {
+        (CodeLanguage::Rust, Some(e)) => format!("{}.powi({e})", atom(base, language)?),
+        (CodeLanguage::Rust, None) => format!("{}.powf({})", atom(base, language)?, plain(exponent)?),
+        (CodeLanguage::Python, Some(e)) if e >= 0.0 => format!("{}**{e}", atom(base, language)?),
+        (CodeLanguage::Python, _) => format!("{}**{}", atom(base, language)?, atom(exponent, language)?),
+        (CodeLanguage::C, _) => format!("pow({}, {})", plain(base)?, plain(exponent)?),
+    })
 }
 
 /// An operand that a method or a power can follow.
-fn atom(expression: &Expr, language: CodeLanguage) -> String {
-    match expression {
-        Expr::Number(_) | Expr::Name(_) => operand(expression, language, 0),
-        Expr::Call(..) if language != CodeLanguage::Rust => operand(expression, language, 0),
-        _ => format!("({})", operand(expression, language, 0)),
-    }
+fn atom(expression: &Expr, language: CodeLanguage) -> Result<String> {
+    let constant = expression.constant().filter(|x| x.is_finite() && language == CodeLanguage::Rust);
+    Ok(match (expression, constant) {
+        (_, Some(number)) if number < 0.0 => format!("({number:?}_f64)"),
+        (_, Some(number)) => format!("{number:?}_f64"), // a bare literal has no methods
+        (Expr::Number(_) | Expr::Name(_), _) => operand(expression, language, 0)?,
+        (Expr::Call(..), _) if language != CodeLanguage::Rust => operand(expression, language, 0)?,
+        _ => format!("({})", operand(expression, language, 0)?),
+    })
 }
 
-fn call(function: Function, arguments: &[Expr], language: CodeLanguage) -> String {
-    let inside: Vec<String> = arguments.iter().map(|a| operand(a, language, 0)).collect();
-    let [first, rest @ ..] = inside.as_slice() else { return function.name().into() };
-    match (function, language) {
+fn call(function: Function, arguments: &[Expr], language: CodeLanguage) -> Result<String> {
+    let inside = arguments.iter().map(|a| operand(a, language, 0)).collect::<Result<Vec<_>>>()?;
+    let name = function.name();
+    let [first, rest @ ..] = inside.as_slice() else { return Ok(name.into()) };
+    if function.has_memory() {
+        return Err(Error::bad_input(format!("{name} has a memory and is no function of numbers")));
+    }
+    let all = inside.join(", ");
+    Ok(match (function, language) {
         (Function::Sign, CodeLanguage::Rust) => {
             format!("f64::from(i8::from({first} > 0.0) - i8::from({first} < 0.0))")
         }
@@ -123,20 +118,19 @@ fn call(function: Function, arguments: &[Expr], language: CodeLanguage) -> Strin
         (Function::Step, CodeLanguage::Rust) => format!("f64::from(u8::from({first} >= 0.0))"),
         (Function::Step, CodeLanguage::Python) => format!("float({first} >= 0)"),
         (Function::Step, CodeLanguage::C) => format!("(double)({first} >= 0)"),
-        (Function::Ln, CodeLanguage::C) => format!("log({first})"),
-        (Function::Ln, CodeLanguage::Python) => format!("math.log({first})"),
+        (Function::Clamp, CodeLanguage::Rust) => {
+            format!("{}.max({}).min({})", atom(&arguments[0], language)?, rest[0], rest[1])
+        }
+        (Function::Clamp, CodeLanguage::Python) => format!("min(max({first}, {}), {})", rest[0], rest[1]),
+        (Function::Clamp, CodeLanguage::C) => format!("fmin(fmax({first}, {}), {})", rest[0], rest[1]),
+        (Function::Ln, CodeLanguage::C | CodeLanguage::Python) => {
+            format!("{}log({first})", if language == CodeLanguage::C { "" } else { "math." })
+        }
         (Function::Abs, CodeLanguage::C) => format!("fabs({first})"),
-        (Function::Abs, CodeLanguage::Python) => format!("abs({first})"),
-        (Function::Min | Function::Max, CodeLanguage::Python) => {
-            format!("{}({})", function.name(), inside.join(", "))
-        }
-        (Function::Min | Function::Max, CodeLanguage::C) => {
-            format!("f{}({})", function.name(), inside.join(", "))
-        }
-        (_, CodeLanguage::Rust) => {
-            format!("{}.{}({})", atom(&arguments[0], language), function.name(), rest.join(", "))
-        }
-        (_, CodeLanguage::Python) => format!("math.{}({})", function.name(), inside.join(", ")),
-        (_, CodeLanguage::C) => format!("{}({})", function.name(), inside.join(", ")),
-    }
+        (Function::Abs | Function::Min | Function::Max, CodeLanguage::Python) => format!("{name}({all})"),
+        (Function::Min | Function::Max, CodeLanguage::C) => format!("f{name}({all})"),
+        (_, CodeLanguage::Rust) => format!("{}.{name}({})", atom(&arguments[0], language)?, rest.join(", ")),
+        (_, CodeLanguage::Python) => format!("math.{name}({all})"),
+        (_, CodeLanguage::C) => format!("{name}({all})"),
+    })
 }

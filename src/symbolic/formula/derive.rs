@@ -62,6 +62,14 @@ impl Source {
         }
     }
 
+    /// The expressions that decide on stability.
+    pub fn poles(&self) -> Vec<&Expr> {
+        match self {
+            Self::Ratio { h, .. } => vec![h],
+            Self::MeanProduct { first, second, shaping, .. } => vec![first, second, shaping],
+        }
+    }
+
     /// H, G and the factor before them.
     pub fn prepare(&self, alphabet: &Alphabet) -> Result<Prepared> {
         let fraction = |e: &Expr| alphabet.fraction(e);

@@ -53,6 +53,19 @@ fn parts(name: &str) -> (&str, &str) {
     if digits < name.len() { name.split_at(name.len() - digits) } else { (name, "") }
 }
 
+/// The letter of a name, without its index.
+pub fn letter_of(name: &str) -> &str {
+    parts(name).0
+}
+
+/// A name with its Greek letters written out: `θ0` is theta0.
+pub fn ascii_name(name: &str) -> String {
+    let written = |c: char| {
+        GREEK.iter().find(|row| row.1.chars().eq([c])).map_or_else(|| c.to_string(), |row| row.0.to_owned())
+    };
+    name.chars().map(written).collect()
+}
+
 /// A name as text: `theta0` is θ0, `v_N` is v_N.
 pub fn text_name(name: &str) -> String {
     let (letter, index) = parts(name);
@@ -65,8 +78,26 @@ pub fn text_name(name: &str) -> String {
 pub fn latex_name(name: &str) -> String {
     let (letter, index) = parts(name);
     let letter = GREEK.iter().find(|row| row.0 == letter || row.1 == letter).map_or_else(
-        || if letter.chars().count() == 1 { letter.to_owned() } else { format!(r"\mathit{{{letter}}}") },
+        || {
+            if letter.chars().count() == 1 {
+                escaped(letter)
+            } else {
+                format!(r"\mathit{{{}}}", escaped(letter))
+            }
+        },
         |row| row.2.to_owned(),
     );
-    if index.is_empty() { letter } else { format!("{letter}_{{{}}}", index.replace('_', r"\_")) }
+    if index.is_empty() { letter } else { format!("{letter}_{{{}}}", escaped(index)) }
+}
+
+/// Characters that mean something to LaTeX, set as they are.
+fn escaped(text: &str) -> String {
+    let escape = |c: char| match c {
+        '_' | '%' | '#' | '&' | '$' | '{' | '}' => format!(r"\{c}"),
+        '\\' => r"\backslash ".into(),
+        '~' | '^' => format!(r"\{c}{{}}"),
+        ' ' => r"\ ".into(),
+        _ => c.to_string(),
+    };
+    text.chars().map(escape).collect()
 }

@@ -1,7 +1,7 @@
 //! Formulas in LaTeX.
 
 use super::glyph::latex_name;
-use super::text::{ends_clearly, factors, fraction, leading_minus};
+use super::text::{ends_clearly, factors, fraction, is_sum, leading_minus};
 use crate::expression::{BinaryOp, Expr, Function};
 
 /// The expression in LaTeX, without delimiters.
@@ -55,10 +55,6 @@ fn joined(factors: &[&Expr]) -> String {
         line.push_str(&next);
     }
     line
-}
-
-fn is_sum(expression: &Expr) -> bool {
-    matches!(expression, Expr::Binary(BinaryOp::Add | BinaryOp::Sub, ..) | Expr::Neg(_))
 }
 
 fn bracket(expression: &Expr) -> String {

@@ -1,30 +1,38 @@
 //! Formulas in the user's own letters.
 
 mod alphabet;
+mod bounded;
 mod calculus;
 mod code;
 mod derive;
 mod factor;
 mod glyph;
+mod identifier;
 mod latex;
+mod page;
 mod request;
 mod resultant;
 mod rule;
+mod sampler;
 mod seed;
 mod text;
+mod transfer;
 mod verify;
+mod walk;
 
-pub use calculus::{derivative, value};
+pub(super) use bounded::{Bounded, bounded};
+pub use calculus::{derivative, known_letter, symbols, value};
 pub use code::CodeLanguage;
-pub use derive::Source;
+pub use derive::{LAPLACE, Source};
 pub use request::FormulaRequest;
 pub use rule::Relation;
+pub use sampler::{Sampler, Values, completed};
 pub use seed::irregular_roll;
-pub(super) use text::leading_minus;
-pub use verify::{Mean, Sampler, Values, completed, numeric};
+pub(super) use text::{leading_minus, terms};
+pub use transfer::{Mean, numeric};
 
-use crate::Result;
 use crate::expression::Expr;
+use crate::{Error, Result};
 use alphabet::Alphabet;
 use factor::{Known, Writer};
 use resultant::{candidates, sums};
@@ -77,7 +85,7 @@ impl Formula {
     pub fn derivative(&self, symbol: &str, simplifier: &Simplifier) -> Result<Self> {
         let mut slope = derivative(&self.expression, symbol)?;
         for relation in &simplifier.relations {
-            if let [(name, power)] = verify::powers(&relation.left)[..]
+            if let [(name, power)] = sampler::powers(&relation.left)[..]
                 && name != symbol
                 && relation.right.mentions(symbol)
             {
@@ -97,6 +105,12 @@ impl Formula {
     /// # Errors
     /// Not computed, where the other formula is 0 or a part is beyond simplification.
     pub fn ratio_to(&self, other: &Self, simplifier: &Simplifier) -> Result<Self> {
+        if simplifier.vanishes(&other.expression)? {
+            return Err(Error::bad_input(format!(
+                "{} is zero for all values: there is no ratio to it",
+                other.text()
+            )));
+        }
         let ratio = self.expression.clone() / other.expression.clone();
         Ok(Self { name: "ratio".into(), by: Vec::new(), expression: simplifier.simplify(&ratio)? })
     }
@@ -108,17 +122,22 @@ impl Formula {
         format!("{left} = {}", text::text(&self.expression))
     }
 
-    /// As LaTeX, without delimiters.
+    /// As LaTeX: a formula that fits in a line without delimiters, a longer one as an `align*` of broken lines in
+    /// which long sums have letters of their own (package amsmath).
     pub fn latex(&self) -> String {
         let slope = |left: String, by: &String| {
             format!(r"\frac{{\partial {left}}}{{\partial {}}}", glyph::latex_name(by))
         };
         let left = self.by.iter().fold(glyph::latex_name(&self.name), slope);
-        format!("{left} = {}", latex::latex(&self.expression))
+        page::set(&left, &self.expression)
     }
 
-    /// As a function in a programming language; its arguments are the symbols in alphabetical order.
-    pub fn code(&self, language: CodeLanguage) -> String {
+    /// As a function in a programming language; its arguments are the symbols in alphabetical order. Greek letters
+    /// are written out, and a word that the language needs for itself takes an underscore.
+    ///
+    /// # Errors
+    /// Bad input, where a name cannot be written in the language or two names become one.
+    pub fn code(&self, language: CodeLanguage) -> Result<String> {
         code::function(self, language)
     }
 }
@@ -227,6 +246,28 @@ pub struct Derivation {
     pub times: Expr,
 }
 
+impl Derivation {
+    /// The mean value at given values by the engine, without the formula.
+    ///
+    /// # Errors
+    /// Unstable or imaginary axis, where H is not stable there; out of range, where the mean is infinite; bad input,
+    /// where a symbol has no value.
+    ///
+    /// ```
+    /// use gyrospec::ErrorKind;
+    /// use gyrospec::symbolic::{FormulaRequest, Values};
+    /// let oscillator = FormulaRequest { h: Some("s^2 + r*s + 1".into()), ..FormulaRequest::default() };
+    /// let mean = |r: f64| oscillator.derivation()?.mean(&Values::from([("r".into(), r)]));
+    /// assert_eq!(mean(0.25)?, 2.0);
+    /// assert_eq!(mean(-0.25).unwrap_err().kind(), ErrorKind::Unstable);
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    pub fn mean(&self, values: &Values) -> Result<f64> {
+        let times = value(&self.times, &|name| values.get(name).copied())?;
+        Ok(times * numeric(&self.source, values)?.value)
+    }
+}
+
 /// A derived formula and how it was checked.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Derived {
@@ -256,7 +297,8 @@ pub fn formula(derivation: &Derivation, simplifier: &Simplifier) -> Result<Deriv
     expressions.push(&derivation.times);
     let desk = Desk::new(simplifier, &expressions)?;
     let prepared = derivation.source.prepare(&desk.alphabet)?;
-    let mean = prepared.integral()?.times(&desk.alphabet.fraction(&derivation.times)?)?;
+    let integral = prepared.integral().map_err(|e| verify::true_reason(&derivation.source, simplifier, e))?;
+    let mean = integral.times(&desk.alphabet.fraction(&derivation.times)?)?;
     let expression = desk.write(&mean)?;
     let points = verify::check(&derivation.source, &derivation.times, &simplifier.relations, &expression)?;
     let formula = Formula { name: derivation.name.clone(), by: Vec::new(), expression };

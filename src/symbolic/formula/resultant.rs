@@ -17,17 +17,23 @@ use std::collections::HashMap;
 /// The highest order of the determinant of a resultant.
 const HIGHEST_SIZE: usize = 10;
 
-/// The sums in some expressions, outermost first, without repeats.
+/// The sums in some expressions, outermost first, without repeats and without the beginnings of longer sums.
 pub fn sums<'a>(expressions: &[&'a Expr]) -> Vec<&'a Expr> {
-    let mut sums: Vec<&Expr> = Vec::new();
+    let mut sums = Vec::new();
     for expression in expressions {
-        expression.visit(&mut |e| {
-            if matches!(e, Expr::Binary(BinaryOp::Add | BinaryOp::Sub, ..)) && !sums.contains(&e) {
-                sums.push(e);
-            }
-        });
+        gather(expression, false, &mut sums);
     }
     sums
+}
+
+fn gather<'a>(expression: &'a Expr, in_sum: bool, sums: &mut Vec<&'a Expr>) {
+    let sum = matches!(expression, Expr::Binary(BinaryOp::Add | BinaryOp::Sub, ..));
+    if sum && !in_sum && !sums.contains(&expression) {
+        sums.push(expression);
+    }
+    for child in expression.children() {
+        gather(child, sum, sums);
+    }
 }
 
 /// What the Hurwitz determinant of a product of these sums in s can be divisible by.

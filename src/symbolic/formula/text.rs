@@ -40,7 +40,7 @@ pub fn leading_minus(expression: &Expr) -> Option<Expr> {
     }
 }
 
-fn is_sum(expression: &Expr) -> bool {
+pub fn is_sum(expression: &Expr) -> bool {
     matches!(expression, Expr::Binary(BinaryOp::Add | BinaryOp::Sub, ..) | Expr::Neg(_))
 }
 
@@ -80,6 +80,16 @@ pub fn fraction(expression: &Expr) -> (Vec<&Expr>, Vec<&Expr>) {
         above.truncate(1);
     }
     (above, below)
+}
+
+/// The terms of a sum; the flag is a minus.
+pub fn terms(expression: &Expr, minus: bool) -> Vec<(Expr, bool)> {
+    match expression {
+        Expr::Neg(inner) => terms(inner, !minus),
+        Expr::Binary(BinaryOp::Add, x, y) => [terms(x, minus), terms(y, minus)].concat(),
+        Expr::Binary(BinaryOp::Sub, x, y) => [terms(x, minus), terms(y, !minus)].concat(),
+        _ => vec![(expression.clone(), minus)],
+    }
 }
 
 /// The factors of a product, from left to right.

@@ -5,9 +5,10 @@
 //! References: N. Higham, Accuracy and Stability of Numerical Algorithms (2002), section 3.3 (running error analysis).
 //! Numerical aspects: to first order; symbols count as rounded.
 
+use super::calculus::value;
+use super::sampler::Values;
 use crate::Result;
 use crate::expression::Expr;
-use crate::symbolic::{Values, value};
 
 /// A value and how far it can be off.
 #[derive(Clone, Copy, Debug)]
