@@ -13,7 +13,7 @@ pub struct Table {
     /// Orders to print: one (7) or a range with both ends (1..10); from 1 to 14.
     #[arg(long, required_unless_present = "folder")]
     orders: Option<String>,
-    /// The form; Markdown and LaTeX show orders above 8 as shared minors, code shows every order so.
+    /// The form; Markdown and LaTeX show orders above 8 as shared minors, code goes by Routh's rows.
     #[arg(long, value_enum, default_value = "json")]
     format: Format,
     /// Where the text goes; - is standard output.

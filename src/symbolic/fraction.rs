@@ -35,6 +35,31 @@ impl Fraction {
         Ok(Self { numerator: reduced(numerator)?, denominator: reduced(denominator)? })
     }
 
+    /// A ratio, reduced, where factors are known that the denominator may be made of: each is small, so that its
+    /// common divisor with the numerator is found at once.
+    ///
+    /// # Errors
+    /// Bad input, where the denominator is 0.
+    pub fn in_factors<'a>(
+        numerator: &Polynomial,
+        denominator: &Polynomial,
+        factors: impl IntoIterator<Item = &'a Polynomial>,
+    ) -> Result<Self> {
+        let missing = || Error::not_computed("a common divisor that does not divide");
+        let (mut above, mut below) = (numerator.clone(), denominator.clone());
+        let mut kept = Polynomial::constant(denominator.ring(), 1);
+        for factor in factors.into_iter().filter(|factor| factor.terms().len() > 1) {
+            while let Some(rest) = below.divided_by(factor)? {
+                below = rest;
+                let common = gcd(&above, factor)?;
+                above = above.divided_by(&common)?.ok_or_else(missing)?;
+                kept = kept.times(&factor.divided_by(&common)?.ok_or_else(missing)?)?;
+            }
+        }
+        let rest = Self::new(&above, &below)?;
+        Ok(Self { numerator: rest.numerator, denominator: rest.denominator.times(&kept)? })
+    }
+
     /// A polynomial over 1.
     pub fn whole(polynomial: Polynomial) -> Self {
         let denominator = Polynomial::constant(polynomial.ring(), 1);

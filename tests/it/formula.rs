@@ -112,7 +112,8 @@ fn a_chain_of_lags_is_derived() {
         text.ends_with("(2(A + B)(A + C)(A + D)(A + E)(B + C)(B + D)(B + E)(C + D)(C + E)(D + E))"),
         "{text}"
     );
-    // equal lags in two of them
+    let pairs = written("(m*s^2 + r*s + c)^2*(s^2 + 2*mu*s + b^2)^2", "1", &[]);
+    assert!(pairs.contains("/ (") && pairs.contains("r³"), "{pairs}");
     assert_eq!(written("(T*s + 1)^3", "1", &[]), "I = 3 / (16T)");
 }
 
@@ -133,6 +134,7 @@ fn what_cannot_be_derived_says_why() {
         ("T*s + 1", "1/s", "", ErrorKind::BadInput, "polynomials in s"),
         ("T*s + 1", "sin(K)*cos(K)", "sin(K)*cos(K) = sin(2*K)", ErrorKind::BadInput, "does not hold"),
         ("T*s + 1", "a", "a + b = c", ErrorKind::BadInput, "is a sum"),
+        ("T*s + 1", "a", "2 = a + b", ErrorKind::BadInput, "no letter"),
         ("T*s + 1", "a", "a = a^2", ErrorKind::NotComputed, "without end"),
         ("T*s + 1", "a^b", "", ErrorKind::NotComputed, "power"),
         ("s^201 + 1", "1", "", ErrorKind::NotComputed, "above 200"),

@@ -153,8 +153,8 @@ fn coefficients(
 }
 
 impl Prepared {
-    /// The integral, not yet simplified.
-    pub fn integral(&self) -> Result<Fraction> {
+    /// The integral, reduced; factors of its denominator may be known.
+    pub fn integral<'a>(&self, factors: impl IntoIterator<Item = &'a Polynomial>) -> Result<Fraction> {
         let program = Program::new(self.b.len())?;
         let checked = |p: &Vec<Polynomial>| p.iter().cloned().map(|p| Checked(Ok(p))).collect::<Vec<_>>();
         let (above, below) = program.evaluate(&checked(&self.a), &checked(&self.b));
@@ -166,7 +166,7 @@ impl Prepared {
             )
             .with_hint("the mean is infinite; an integrator needs a leak"));
         }
-        Fraction::new(&above.0?, &below)?.times(&self.factor)
+        Fraction::in_factors(&above.0?, &below, factors)?.times(&self.factor)
     }
 }
 

@@ -51,6 +51,11 @@ impl Known {
         Ok(Self { polynomial, written })
     }
 
+    /// The factor as a polynomial.
+    pub fn polynomial(&self) -> &Polynomial {
+        &self.polynomial
+    }
+
     /// A factor without a form of its own, less what is no sum in it.
     pub fn plain(polynomial: &Polynomial, rules: &[Rule]) -> Result<Self> {
         let form = normal_form(&Fraction::whole(polynomial.clone()), rules)?.numerator;

@@ -297,7 +297,9 @@ pub fn formula(derivation: &Derivation, simplifier: &Simplifier) -> Result<Deriv
     expressions.push(&derivation.times);
     let desk = Desk::new(simplifier, &expressions)?;
     let prepared = derivation.source.prepare(&desk.alphabet)?;
-    let integral = prepared.integral().map_err(|e| verify::true_reason(&derivation.source, simplifier, e))?;
+    let factors = desk.known.iter().map(Known::polynomial);
+    let integral =
+        prepared.integral(factors).map_err(|e| verify::true_reason(&derivation.source, simplifier, e))?;
     let mean = integral.times(&desk.alphabet.fraction(&derivation.times)?)?;
     let expression = desk.write(&mean)?;
     let points = verify::check(&derivation.source, &derivation.times, &simplifier.relations, &expression)?;

@@ -66,6 +66,13 @@ impl Rule {
             return Err(Error::bad_input(format!("the left side {} of a relation is a sum", relation.left))
                 .with_hint("solve it for a product of powers, such as b^2 = mu^2 + eps^2"));
         };
+        if *lead == Monomial::ONE {
+            return Err(Error::bad_input(format!(
+                "the left side {} of a relation has no letter",
+                relation.left
+            ))
+            .with_hint("solve it for a product of powers, such as b^2 = mu^2 + eps^2"));
+        }
         let number = Fraction::whole(Polynomial::constant(alphabet.ring(), coefficient.clone()));
         let right = right.times(&Fraction::whole(left.denominator))?.over(&number)?;
         Ok(Self { lead: *lead, right })
