@@ -205,7 +205,8 @@ impl fmt::Display for Error {
         }
         write!(f, "{}", e.message)?;
         if let Some((text, start, length)) = &e.excerpt {
-            write!(f, "\n  {text}\n  {}{}", " ".repeat(*start), "^".repeat(*length))?;
+            let (text, start, length) = excerpt(text, *start, *length);
+            write!(f, "\n  {text}\n  {}{}", " ".repeat(start), "^".repeat(length))?;
         }
         if let Some(hint) = &e.hint {
             write!(f, "\nhelp: {hint}")?;
@@ -216,17 +217,41 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
+/// The part of a text that is worth showing: all of a short one, the surroundings of what is
+/// underlined of a long one, with … for what is left out.
+fn excerpt(text: &str, start: usize, length: usize) -> (String, usize, usize) {
+    const LONG: usize = 120;
+    const AROUND: usize = 40;
+    let count = text.chars().count();
+    if count <= LONG {
+        return (text.to_string(), start, length);
+    }
+    let length = length.min(AROUND);
+    let from = start.min(count).saturating_sub(AROUND);
+    let to = (start + length + AROUND).min(count);
+    let part: String = text.chars().skip(from).take(to - from).collect();
+    let (before, after) = (if from > 0 { "…" } else { "" }, if to < count { "…" } else { "" });
+    (format!("{before}{part}{after}"), start - from + before.chars().count(), length)
+}
+
 /// The known name nearest to an unknown one, if one is near enough to be meant.
 ///
 /// ```
 /// assert_eq!(gyrospec::error::nearest("rol", ["roll", "pitch"]), Some("roll"));
+/// assert_eq!(gyrospec::error::nearest("yy1", ["u", "y1"]), Some("y1"));
 /// assert_eq!(gyrospec::error::nearest("xyzzy", ["roll", "pitch"]), None);
 /// ```
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     known
         .into_iter()
-        .map(|k| (strsim::jaro_winkler(&name.to_lowercase(), &k.to_lowercase()), k))
+        .map(|k| (likeness(&name.to_lowercase(), &k.to_lowercase()), k))
         .filter(|(score, _)| *score >= 0.7)
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .map(|(_, k)| k)
+}
+
+/// 0 to 1; one slip of the keyboard is near enough even in a short name.
+fn likeness(name: &str, known: &str) -> f64 {
+    let slip = name.len().min(known.len()) > 1 && strsim::damerau_levenshtein(name, known) == 1;
+    strsim::jaro_winkler(name, known).max(if slip { 0.75 } else { 0.0 })
 }

@@ -51,6 +51,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
         |files: &[PathBuf]| files.iter().map(|f| Recording::read(f.as_path())).collect::<Result<Vec<_>>>();
     let (recordings, separate) = (read(&call.recordings)?, read(&call.holdout)?);
     super::record::tell_notes(recordings.iter().chain(&separate));
+    tell_twins(&recordings, &separate);
     let meter = Meter::new();
     let options = FitOptions {
         seed: call.seed,
@@ -84,4 +85,25 @@ pub fn run(call: &Call) -> Result<Outcome> {
         None => print(text::render(&told).as_bytes())?,
     }
     Ok(if fitted.unseen.is_empty() { Outcome::Done } else { Outcome::Found })
+}
+
+/// Warns of recordings that are given twice.
+fn tell_twins(recordings: &[Recording], separate: &[Recording]) {
+    let same = |a: &Recording, b: &Recording| {
+        a.sources.iter().map(|s| &s.sha256).eq(b.sources.iter().map(|s| &s.sha256))
+    };
+    for (i, recording) in recordings.iter().enumerate() {
+        if recordings[..i].iter().any(|earlier| same(earlier, recording)) {
+            warn(&format!(
+                "'{}' is given twice: the intervals come out too narrow, since it tells nothing new",
+                recording.name
+            ));
+        }
+        if separate.iter().any(|s| same(s, recording)) {
+            warn(&format!(
+                "'{}' is fitted and held out: what is held out proves nothing then",
+                recording.name
+            ));
+        }
+    }
 }

@@ -29,6 +29,11 @@ impl Sink {
         if path.is_dir() {
             return Err(Error::usage("this is a folder; name a file").with_file(path));
         }
+        if !folder.is_dir() {
+            return Err(Error::usage("there is no such folder to write into")
+                .with_file(path)
+                .with_hint("make the folder first"));
+        }
         clean_up_when_interrupted();
         let mut builder = tempfile::Builder::new();
         builder.prefix(".gyrospec-");

@@ -2,10 +2,10 @@
 
 use super::Outcome;
 use super::output::Sink;
-use crate::Result;
 use crate::model::Model;
-use crate::record::Recording;
+use crate::record::{Kind, Recording};
 use crate::simulate::{Options, Simulator, Trajectory};
+use crate::{Error, Result};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -29,6 +29,9 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let model = Model::read(&call.model)?;
     let recording = Recording::read(&call.recording)?;
     let options = Options { tolerance: call.tolerance, ..Options::default() };
+    if call.tolerance.is_nan() || call.tolerance <= 0.0 {
+        return Err(Error::usage("--tolerance must be a positive number, such as 1e-5"));
+    }
     let simulator = Simulator::new(&model, &recording, &options).map_err(|e| match e.file() {
         None => e.with_file(&call.model),
         Some(_) => e,
@@ -40,7 +43,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
     }
     let to_stdout = call.out.as_deref() == Some(std::path::Path::new("-"));
     if let Some(sink) = sink {
-        sink.finish(csv(&simulator, &ran).as_bytes())?;
+        sink.finish(csv(&simulator, &ran, recording.kind).as_bytes())?;
     }
     if !to_stdout {
         super::output::print(summary(&simulator, &ran).as_bytes())?;
@@ -55,8 +58,9 @@ fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
         let states = &s.model().states;
         let name = states.get(state).map_or("a lag or another hidden state", |x| x.name.as_str());
         out.push(format!(
-            "the model blows up: {name} is beyond all bounds at t = {t} s; there are no predictions from there on. \
-             Start it from other values or look at its signs"
+            "the model blows up: {name} is beyond all bounds, or no number, at t = {t} s; there are no predictions \
+             from there on. Start it from other values, look at its signs, and at roots and logarithms of what may \
+             become negative"
         ));
     }
     let (from, to) = s.span();
@@ -80,7 +84,7 @@ fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
         let lost = o.covered.iter().zip(o.measured.iter()).filter(|(c, y)| !**c && y.is_finite()).count();
         if lost > 0 {
             let n = o.measured.len();
-            out.push(format!("{lost} of {n} samples of {} lie outside the inputs or in their gaps", o.name));
+            out.push(format!("{lost} of {n} samples of {} lie outside the inputs, in a gap of theirs, or too soon after one", o.name));
         }
     }
     out
@@ -119,11 +123,11 @@ fn summary(s: &Simulator, ran: &Trajectory) -> String {
 }
 
 /// One row a time of any output: empty cells where an output has no sample.
-fn csv(s: &Simulator, ran: &Trajectory) -> String {
+fn csv(s: &Simulator, ran: &Trajectory, kind: Kind) -> String {
     let mut times: Vec<f64> = s.outputs().iter().flat_map(|o| o.time.iter().copied()).collect();
     times.sort_unstable_by(f64::total_cmp);
     times.dedup();
-    let mut out = String::from("time [s]");
+    let mut out = String::from(if kind == Kind::Trials { "row [1]" } else { "time [s]" });
     for o in s.outputs() {
         let _ = write!(out, ",{0}_measured [{1}],{0} [{1}]", o.name, o.unit);
     }

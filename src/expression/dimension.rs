@@ -130,10 +130,24 @@ fn of_name(name: &str, scope: &Scope) -> Result<Dimension, Fault> {
         (None, "pi") => Ok(Dimension::NONE),
         (None, _) => {
             let near = nearest(name, scope.keys().map(String::as_str));
-            let hint = near.map(|n| format!("the nearest known name is {n}"));
-            Err(Fault { path: Vec::new(), message: format!("unknown name {name:?}"), hint })
+            let hint = match near {
+                Some(near) => format!("the nearest known name is {near}"),
+                None => format!("the known names are {}", known(scope)),
+            };
+            Err(Fault { path: Vec::new(), message: format!("unknown name {name:?}"), hint: Some(hint) })
         }
     }
+}
+
+/// The names of a scope in order, not too many of them.
+fn known(scope: &Scope) -> String {
+    const MOST: usize = 12;
+    let mut names: Vec<&str> = scope.keys().map(String::as_str).chain(["t", "pi"]).collect();
+    names.sort_unstable();
+    names.dedup();
+    let more = if names.len() > MOST { ", …" } else { "" };
+    names.truncate(MOST);
+    format!("{}{more}", names.join(", "))
 }
 
 /// Both dimensions must be one; the fault points at part `index`, the right one.

@@ -113,7 +113,7 @@ fn peaks(channel: &Channel) -> Vec<Peak> {
         .filter(|k| (k - 2..=k + 2).all(|j| density[j] <= density[*k]))
         .filter(|k| density[*k] > limit * around(density, *k))
         .map(|k| {
-            let share = density[k - 2..=k + 2].iter().sum::<f64>() / total;
+            let share = (density[k - 2..=k + 2].iter().sum::<f64>() / total).min(1.0);
             Peak { omega: measured.omega[k], share }
         })
         .filter(|p| p.share >= 0.01)

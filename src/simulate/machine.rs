@@ -85,10 +85,13 @@ impl<'a, T: Scalar> Machine<'a, T> {
     fn load_new_time(&mut self, t: f64) {
         self.loaded = t;
         let into = t - self.mesh.time[self.interval];
+        let at_end = t == self.mesh.time[self.interval + 1];
         let first = self.interval * self.mesh.columns;
         for (c, column) in self.program.columns.iter().enumerate() {
             let slope = self.mesh.slope[first + c];
-            let value = T::constant(self.mesh.start[first + c] + slope * into);
+            let value =
+                if at_end { self.mesh.end[first + c] } else { self.mesh.start[first + c] + slope * into };
+            let value = T::constant(value);
             self.r[at(column.value)] = match self.lead[c] {
                 Some(lead) => value + lead.scale(slope),
                 None => value,

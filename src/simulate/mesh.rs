@@ -37,6 +37,15 @@ impl Samples {
         Some((*self.time.first()?, *self.time.last()?))
     }
 
+    /// A sample where a time agrees with its own to rounding, so that a 0 stays 0; else a value
+    /// that was found on the line.
+    fn exactly(&self, sample: usize, t: f64, on_the_line: f64) -> f64 {
+        match self.time.get(sample) {
+            Some(own) if (own - t).abs() <= SAME * t.abs() => self.values[sample],
+            _ => on_the_line,
+        }
+    }
+
     /// Value and slope just after a time; the end values beyond the ends. `near` is where to look first.
     pub fn at(&self, t: f64, near: &mut usize) -> (f64, f64) {
         let n = self.time.len();
@@ -57,6 +66,9 @@ impl Samples {
     }
 }
 
+/// Times that agree to this share of their size are the same.
+const SAME: f64 = 1e-12;
+
 /// One column of a mesh: an input, shifted by a delay in seconds.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shifted {
@@ -71,6 +83,7 @@ pub(super) struct Mesh {
     pub columns: usize,
     /// Interval by interval, column by column.
     pub start: Vec<f64>,
+    pub end: Vec<f64>,
     pub slope: Vec<f64>,
     /// A column that jumps at the start of the interval.
     pub jumps: Vec<Option<usize>>,
@@ -98,6 +111,7 @@ impl Mesh {
         let mut near = vec![0; columns.len()];
         let intervals = self.time.len() - 1;
         self.start.reserve(intervals * columns.len());
+        self.end.reserve(intervals * columns.len());
         self.slope.reserve(intervals * columns.len());
         for i in 0..intervals {
             let mut jump = None;
@@ -106,12 +120,15 @@ impl Mesh {
                 // Rounding must not put a shifted sample on the wrong side of its own mesh time.
                 let t = 0.5 * (self.time[i] + self.time[i + 1]) - column.delay;
                 let (middle, slope) = s.at(t, &mut near[c]);
-                let value = middle - slope * 0.5 * (self.time[i + 1] - self.time[i]);
+                let half = 0.5 * (self.time[i + 1] - self.time[i]);
+                let value = s.exactly(near[c], self.time[i] - column.delay, middle - slope * half);
+                let end = s.exactly(near[c] + 1, self.time[i + 1] - column.delay, middle + slope * half);
                 let before = self.start.len().checked_sub(columns.len()).map(|k| self.start[k]);
                 if s.hold == Hold::Previous && before.is_some_and(|b| b != value) {
                     jump = Some(c);
                 }
                 self.start.push(value);
+                self.end.push(if s.hold == Hold::Previous { value } else { end });
                 self.slope.push(slope);
             }
             self.jumps.push(jump);
@@ -141,7 +158,7 @@ fn merged(a: &[f64], b: &[f64]) -> Vec<f64> {
             j += 1;
         }
         match out.last() {
-            Some(last) if t - last <= 1e-12 * f64::abs(t) => {}
+            Some(last) if t - last <= SAME * f64::abs(t) => {}
             _ => out.push(t),
         }
     }

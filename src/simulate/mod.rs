@@ -7,6 +7,7 @@
 
 mod events;
 mod faults;
+mod gaps;
 mod history;
 mod linear;
 mod machine;

@@ -25,6 +25,8 @@ pub(super) struct Plan {
     pub error: f64,
     /// The roughness of the run that it was measured on.
     pub roughness: f64,
+    /// Whether the model blew up in that run.
+    pub blew_up: bool,
 }
 
 /// Steps in an interval at which the stiff method is tried, and at which each method gives up;
@@ -44,6 +46,8 @@ const SMOOTH: f64 = 1e-2;
 const CONVERGING: f64 = 0.01;
 /// Share of what runs that blow up have in common by which they are compared.
 const BEFORE_THE_END: f64 = 0.8;
+/// Fewer values than these in common say nothing.
+const TOO_FEW: usize = 8;
 /// Halving the step must divide the error by so much before the next halving is foretold to.
 const ASYMPTOTIC: f64 = 10.0;
 
@@ -57,6 +61,11 @@ pub(super) fn most_substeps(method: Method, intervals: usize) -> usize {
 }
 
 impl Plan {
+    /// Whether it goes to the end with an error below a tolerance.
+    fn meets(&self, tolerance: f64) -> bool {
+        !self.blew_up && self.error <= tolerance
+    }
+
     /// The error foretold for a run of another roughness.
     pub fn foretold(&self, roughness: f64) -> f64 {
         let grown = if self.roughness > 0.0 { roughness / self.roughness } else { 1.0 };
@@ -74,6 +83,7 @@ impl Plan {
             substeps: self.substeps * factor,
             error: self.error * error,
             roughness: self.roughness * roughness,
+            blew_up: self.blew_up,
         }
     }
 }
@@ -82,9 +92,9 @@ impl Plan {
 /// not of order 4.
 pub(super) fn plan(search: &Search<'_>) -> Result<(Plan, Option<Plan>)> {
     let explicit = search.refine(Method::Explicit, limit(MANY, search.course.mesh.intervals()))?;
-    if explicit.substeps == 1 && explicit.error <= MORE_THAN_NEEDED * search.tolerance {
+    if explicit.substeps == 1 && explicit.meets(MORE_THAN_NEEDED * search.tolerance) {
         let heun = search.refine(Method::Heun, 2)?;
-        if heun.error <= WITH_A_MARGIN * search.tolerance && heun.roughness <= SMOOTH {
+        if heun.meets(WITH_A_MARGIN * search.tolerance) && heun.roughness <= SMOOTH {
             return Ok((heun, Some(explicit)));
         }
     }
@@ -93,15 +103,19 @@ pub(super) fn plan(search: &Search<'_>) -> Result<(Plan, Option<Plan>)> {
 
 fn of_order_four(search: &Search<'_>, explicit: Plan) -> Result<Plan> {
     let (tolerance, intervals) = (search.tolerance, search.course.mesh.intervals());
-    if explicit.error <= tolerance {
+    if explicit.meets(tolerance) {
         return Ok(explicit);
     }
-    let stiff = if explicit.error < CONVERGING { explicit } else { search.stiff()? };
-    if stiff.error <= tolerance {
+    let stiff = if explicit.meets(CONVERGING) { explicit } else { search.stiff()? };
+    if stiff.meets(tolerance) {
         return Ok(stiff);
     }
     let longer = search.refine(Method::Explicit, limit(MOST_EXPLICIT, intervals))?;
-    Ok(if longer.error <= stiff.error { longer } else { stiff })
+    // Where the stiff method does not converge either, the model itself blows up; the stiff method
+    // damps even that.
+    let longer_is_better =
+        if longer.blew_up { !stiff.meets(CONVERGING) } else { stiff.blew_up || longer.error <= stiff.error };
+    Ok(if longer_is_better { longer } else { stiff })
 }
 
 /// The search for a plan at given parameters.
@@ -120,7 +134,7 @@ impl Search<'_> {
 
     /// The plan of the stiff method; none that has not begun to converge.
     pub fn stiff_if_it_converges(&self) -> Result<Option<Plan>> {
-        Ok(Some(self.stiff()?).filter(|p| p.error < CONVERGING))
+        Ok(Some(self.stiff()?).filter(|p| p.meets(CONVERGING)))
     }
 
     fn stiff(&self) -> Result<Plan> {
@@ -130,21 +144,34 @@ impl Search<'_> {
     /// The fewest steps whose halving moves the outputs by less than the tolerance.
     fn refine(&self, method: Method, most: usize) -> Result<Plan> {
         let mut coarse = self.run(method, 1)?;
-        let mut best = Plan { method, substeps: 1, error: f64::INFINITY, roughness: coarse.roughness };
+        let plan = |substeps, error, ran: &Ran<f64>| Plan {
+            method,
+            substeps,
+            error,
+            roughness: ran.roughness,
+            blew_up: ran.blew_up.is_some(),
+        };
+        let mut best = plan(1, f64::INFINITY, &coarse);
         let (mut substeps, mut last) = (1, f64::INFINITY);
         while substeps < most {
             let fine = self.run(method, 2 * substeps)?;
             let error = difference(&coarse, &fine);
-            if error < best.error {
-                best = Plan { method, substeps, error, roughness: coarse.roughness };
+            let this = plan(substeps, error, &coarse);
+            let rank = |p: &Plan| (p.blew_up, p.error.max(self.tolerance));
+            // Of runs that blow up before they agree, the one with a few steps an interval is kept.
+            let none_agrees = this.blew_up && best.blew_up && best.error > CONVERGING && substeps <= 4;
+            if none_agrees || rank(&this) < rank(&best) {
+                best = this;
             }
-            let hopeless = coarse.blew_up.is_some() && (method == Method::Stiff || substeps > 2);
-            if error <= self.tolerance || (hopeless && fine.blew_up.is_some()) {
+            let gains = error < 0.5 * last;
+            let settled = error < CONVERGING && !gains;
+            let hopeless = this.blew_up && (settled || (method == Method::Stiff && substeps > 2));
+            if this.meets(self.tolerance) || (hopeless && fine.blew_up.is_some()) {
                 break;
             }
             let next = error / 16.0;
-            if last / error > ASYMPTOTIC && next <= self.tolerance {
-                return Ok(Plan { method, substeps: 2 * substeps, error: next, roughness: fine.roughness });
+            if last / error > ASYMPTOTIC && next <= self.tolerance && fine.blew_up.is_none() {
+                return Ok(plan(2 * substeps, next, &fine));
             }
             (coarse, last) = (fine, error);
             substeps *= 2;
@@ -166,6 +193,9 @@ fn difference(a: &Ran<f64>, b: &Ran<f64>) -> f64 {
 fn share(a: &[f64], b: &[f64], part: f64) -> f64 {
     let common = || a.iter().zip(b).filter(|(x, y)| x.is_finite() && y.is_finite());
     let count = (part * common().count() as f64) as usize;
+    if part < 1.0 && count < TOO_FEW {
+        return f64::INFINITY;
+    }
     let pairs = || common().take(count);
     let n = count.max(1) as f64;
     let mean = pairs().map(|(x, _)| x).sum::<f64>() / n;

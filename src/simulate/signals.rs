@@ -1,10 +1,11 @@
 //! The outputs of a model beside the channels that measured them.
 
+use super::gaps::inside;
 use super::mesh::Samples;
 use super::probe::Clock;
 use crate::model::Model;
 use crate::model::program::{Program, Register};
-use crate::record::{Channel, Kind, Recording};
+use crate::record::{Channel, Recording};
 use crate::units::Unit;
 use crate::{Error, ErrorKind, Result};
 use std::sync::Arc;
@@ -52,7 +53,8 @@ pub(super) fn inputs(model: &Model, recording: &Recording) -> Result<Vec<Samples
         .map(|input| {
             let samples = Samples::of(channel(recording, &input.name, &input.unit, "input")?);
             if samples.time.is_empty() {
-                return Err(Error::bad_input(format!("the input {} has no samples", input.name)));
+                let message = format!("the input {} has no samples in `{}`", input.name, recording.name);
+                return Err(Error::bad_input(message).with_hint("its column is empty, or NaN throughout"));
             }
             Ok(samples)
         })
@@ -94,24 +96,38 @@ pub(super) fn span(
     if span.0 <= span.1 && span.0.is_finite() && measured.0 <= span.1 {
         Ok(span)
     } else {
-        Err(Error::bad_input("inputs and outputs share no time")
+        let place = if window.0.is_finite() {
+            format!(" from {} to {} s", window.0, window.1)
+        } else {
+            String::new()
+        };
+        Err(Error::bad_input(format!("inputs and outputs share no time{place}"))
             .with_hint("the clocks of the tables may differ; `gyrospec record` shows their times"))
     }
 }
 
-/// Marks what can be predicted.
-pub(super) fn cover(outputs: &mut [OutputSignal], inputs: &[Samples], span: (f64, f64), kind: Kind) {
+/// Refuses a span without length: a model with states needs time to move.
+pub(super) fn lasting(span: (f64, f64)) -> Result<()> {
+    if span.0 < span.1 {
+        return Ok(());
+    }
+    let message = format!("inputs and outputs share one moment only, t = {} s", span.0);
+    Err(Error::bad_input(message).with_hint("a model with states needs a stretch of time"))
+}
+
+/// Marks what can be predicted: inside the span and outside the blanks.
+pub(super) fn cover(outputs: &mut [OutputSignal], span: (f64, f64), blanks: &[(f64, f64)]) {
     for o in outputs {
-        let gap = |t: f64| inputs.iter().any(|s| s.gaps.iter().any(|g| t > g.0 && t < g.1));
-        let known = |t: f64| {
-            kind == Kind::Trials
-                && inputs.iter().all(|s| s.time.binary_search_by(|x| x.total_cmp(&t)).is_ok())
-        };
-        let inside = |t: &f64| *t >= span.0 && *t <= span.1;
-        o.covered = match kind {
-            Kind::Time => o.time.iter().map(|t| inside(t) && !gap(*t)).collect(),
-            Kind::Trials => o.time.iter().map(|t| inside(t) && known(*t)).collect(),
-        };
+        let known = |t: &f64| *t >= span.0 && *t <= span.1 && !inside(blanks, *t);
+        o.covered = o.time.iter().map(known).collect();
+    }
+}
+
+/// Marks the trials of which all inputs are known.
+pub(super) fn cover_trials(outputs: &mut [OutputSignal], inputs: &[Samples], span: (f64, f64)) {
+    for o in outputs {
+        let known = |t: &f64| inputs.iter().all(|s| s.time.binary_search_by(|x| x.total_cmp(t)).is_ok());
+        o.covered = o.time.iter().map(|t| *t >= span.0 && *t <= span.1 && known(t)).collect();
     }
 }
 

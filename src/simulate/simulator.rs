@@ -8,7 +8,7 @@ use super::request::{Options, Trajectory, Unknown};
 use super::run::{Course, Ran, run};
 use super::signals::{self, OutputSignal};
 use super::steps::Method;
-use super::{faults, static_run};
+use super::{faults, gaps, static_run};
 use crate::model::program::Program;
 use crate::model::{Dual, Initial, Model, Scalar};
 use crate::record::{Kind, Recording};
@@ -51,6 +51,8 @@ pub struct Simulator {
     places: Vec<(usize, usize)>,
     constants: Vec<(usize, f64)>,
     span: (f64, f64),
+    /// Where nothing can be predicted for gaps in the inputs, s.
+    blanks: Vec<(f64, f64)>,
     /// The mesh of models without delayed inputs.
     mesh: Option<Arc<Mesh>>,
     plan: Plan,
@@ -70,7 +72,11 @@ impl Simulator {
         let samples = signals::inputs(model, recording)?;
         let mut outputs = signals::outputs(model, recording)?;
         let span = signals::span(&samples, &outputs, options.window)?;
-        signals::cover(&mut outputs, &samples, span, recording.kind);
+        let blanks = gaps::gaps(&samples);
+        match recording.kind {
+            Kind::Time => signals::cover(&mut outputs, span, &blanks),
+            Kind::Trials => signals::cover_trials(&mut outputs, &samples, span),
+        }
         let (clocks, places) = signals::clocks(&outputs, &program);
         let mut simulator = Self {
             constants: signals::constants(model, recording)?,
@@ -81,8 +87,9 @@ impl Simulator {
             clocks,
             places,
             span,
+            blanks,
             mesh: None,
-            plan: Plan { method: Method::Explicit, substeps: 1, error: 0.0, roughness: 0.0 },
+            plan: Plan { method: Method::Explicit, substeps: 1, error: 0.0, roughness: 0.0, blew_up: false },
             careful: None,
             tolerance: options.tolerance,
         };
@@ -93,7 +100,9 @@ impl Simulator {
                 )
                 .with_hint("write the steady outputs as expressions of the inputs"));
             }
+            signals::lasting(span)?;
             simulator.prepare(options)?;
+            simulator.wait_after_gaps();
         }
         Ok(simulator)
     }
@@ -104,7 +113,8 @@ impl Simulator {
             self.mesh = Some(Arc::new(self.new_mesh(&parameters)));
         }
         if let Some((method, substeps)) = options.fixed {
-            self.plan = Plan { method, substeps: substeps.max(1), error: f64::NAN, roughness: 0.0 };
+            self.plan =
+                Plan { method, substeps: substeps.max(1), error: f64::NAN, roughness: 0.0, blew_up: false };
             return Ok(());
         }
         let mesh = self.mesh_at(&parameters);
@@ -117,6 +127,18 @@ impl Simulator {
         Ok(())
     }
 
+    /// Leaves out what follows a gap of an input until the model has forgotten it.
+    fn wait_after_gaps(&mut self) {
+        if self.blanks.is_empty() {
+            return;
+        }
+        let slowest = self.slowest_time(&self.parameters(), &self.initials());
+        if let Ok(Some(slowest)) = slowest {
+            self.blanks = gaps::with_waits(&self.blanks, &self.outputs, slowest);
+            signals::cover(&mut self.outputs, self.span, &self.blanks);
+        }
+    }
+
     /// The same model and steps on another part of the recording; the initial states then stand at
     /// the start of the window.
     ///
@@ -125,7 +147,10 @@ impl Simulator {
     pub fn on_window(&self, from: f64, to: f64) -> Result<Self> {
         let mut part = self.clone();
         part.span = signals::span(&self.samples, &self.outputs, Some((from, to)))?;
-        signals::cover(&mut part.outputs, &self.samples, part.span, Kind::Time);
+        if part.is_dynamic() {
+            signals::lasting(part.span)?;
+        }
+        signals::cover(&mut part.outputs, part.span, &part.blanks);
         if self.mesh.is_some() {
             part.mesh = Some(Arc::new(part.new_mesh(&self.parameters())));
         }

@@ -246,6 +246,57 @@ fn the_command_gives_json_a_model_that_fits_again_and_an_exit_code() {
     assert_eq!(told["not_identifiable"].as_array().unwrap().len(), 1);
 }
 
+const LAG: &str = r#"
+    name = "lag"
+    [inputs]
+    u = { unit = "V" }
+    [parameters]
+    T = { value = 1.5, unit = "s", fit = true }
+    k = { value = 1, unit = "1", fit = true }
+    [states]
+    x = { rate = "(k*u - x)/T", unit = "V", initial = "fit" }
+    [outputs]
+    y = { equals = "x", unit = "V" }
+"#;
+
+/// The answer of a lag of 0.8 s and gain 2 to sin t, from 0.3 V.
+fn lagging(t: f64) -> f64 {
+    let (a, b) = (2.0 / 1.64, -1.6 / 1.64);
+    a * t.sin() + b * t.cos() + (0.3 - b) * (-t / 0.8).exp()
+}
+
+#[test]
+fn a_gap_in_an_input_spoils_nothing_but_itself() {
+    let time = clock(4000, 0.01);
+    let mut u: Vec<f64> = time.iter().map(|t| t.sin()).collect();
+    u[900..1500].fill(f64::NAN);
+    let y = time.iter().map(|t| lagging(*t)).zip(noise(4000, 1e-3, 0.0, 5)).map(|(y, e)| y + e).collect();
+    let channels = vec![Channel::new("u", unit("V"), time.clone(), u), Channel::new("y", unit("V"), time, y)];
+    let recording = Recording::from_channels("gap", channels).unwrap();
+    let fitted = fit(&Model::parse(LAG).unwrap(), &[recording], &FitOptions::default()).unwrap();
+    for (name, truth) in [("T", 0.8), ("k", 2.0)] {
+        let (value, low, high) = value(&fitted, name);
+        assert!((value - truth).abs() < 2.0 * (high - low) && high - low < 0.01, "{name}: {low} to {high}");
+    }
+    assert!(fitted.warnings.iter().any(|w| w.says.contains("too soon after")), "{:?}", fitted.warnings);
+}
+
+#[test]
+fn as_many_unknowns_as_samples_have_no_interval() {
+    let time = clock(5, 0.5);
+    let y = time.iter().map(|t| lagging(*t)).collect();
+    let u = time.iter().map(|t| t.sin()).collect();
+    let channels = vec![Channel::new("u", unit("V"), time.clone(), u), Channel::new("y", unit("V"), time, y)];
+    let recording = Recording::from_channels("few", channels).unwrap();
+    let fitted = fit(&Model::parse(LAG).unwrap(), &[recording], &FitOptions::default()).unwrap();
+    assert!(value(&fitted, "k").1.is_nan());
+    assert!(
+        fitted.warnings.iter().any(|w| w.says.contains("3 samples for 3 unknowns")),
+        "{:?}",
+        fitted.warnings
+    );
+}
+
 /// The folder of a real recording, or a word that the test is skipped.
 fn real(set: &str) -> Option<PathBuf> {
     let root = std::env::var_os("GYROSPEC_RECORDINGS")

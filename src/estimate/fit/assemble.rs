@@ -43,8 +43,13 @@ impl Assembly<'_> {
         let (unseen, blind) = self.unseen(&whitened, &names);
         let seen: Vec<usize> =
             (0..names.len()).filter(|j| self.minimum.at_bound[*j].is_none() && !blind[*j]).collect();
-        let covariance = self.covariance(&records, &noise, &seen);
+        let covariance = if samples(&records) > names.len() {
+            self.covariance(&records, &noise, &seen)
+        } else {
+            Mat::from_fn(names.len(), names.len(), |_, _| f64::NAN)
+        };
         let reach = reach(&records, &noise, seen.len());
+        let fitted = samples(&records);
         let (parameters, _) = self.problem.spread(&self.minimum.x);
         let mut model = self.model.clone();
         for (p, value) in model.parameters.iter_mut().zip(&parameters) {
@@ -61,7 +66,7 @@ impl Assembly<'_> {
             noise,
             sum_of_squares: self.minimum.sum_of_squares,
             unseen,
-            warnings: [self.warnings.clone(), warnings::all(&self)].concat(),
+            warnings: [self.warnings.clone(), warnings::all(&self, fitted)].concat(),
             tolerance: self.tolerance,
             end: self.minimum.end,
             simulations: self.simulations,
@@ -274,6 +279,11 @@ impl Assembly<'_> {
             })
             .collect()
     }
+}
+
+/// Number of samples that were fitted.
+pub fn samples(records: &[RecordFit]) -> usize {
+    records.iter().flat_map(|r| &r.series).flat_map(|s| &s.stretches).map(ExactSizeIterator::len).sum()
 }
 
 /// Half the width of the 95 % intervals in standard deviations.

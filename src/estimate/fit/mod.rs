@@ -54,8 +54,9 @@ pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) ->
         let coarse = fitted;
         fitted = once(&coarse.model, recordings, &finer)?.0;
         fitted.simulations += coarse.simulations;
-        fitted.warnings = [coarse.warnings, fitted.warnings].concat();
-        fitted.warnings.dedup();
+        let known = std::mem::take(&mut fitted.warnings);
+        let new = coarse.warnings.into_iter().filter(|w| !known.contains(w)).collect();
+        fitted.warnings = [new, known].concat();
     }
     Ok(fitted)
 }

@@ -109,6 +109,8 @@ pub struct Record {
     pub constants: Vec<(usize, f64)>,
     /// Initial states to start the fit from, all of the model's; NaN where the simulator finds them.
     pub initials: Vec<f64>,
+    /// Samples that are there but lie outside the inputs or in their gaps.
+    pub lost: usize,
     /// States whose start is fitted.
     pub free_initials: Vec<usize>,
 }

@@ -27,6 +27,10 @@ pub fn record(
     spans: &[Span],
     options: &FitOptions<'_>,
 ) -> Result<Record> {
+    let inputs = model.inputs.iter().map(|i| ("input", &i.name));
+    for (what, name) in inputs.chain(model.outputs.iter().map(|o| ("output", &o.name))) {
+        recording.channel(name).map_err(|e| e.about(&format!("{what} {name}")))?;
+    }
     let empty = || {
         Error::bad_input(format!(
             "recording '{}' has no sample to compare in the wanted spans",
@@ -39,7 +43,7 @@ pub fn record(
         _ => return Err(empty()),
     };
     let used = |t: f64| spans.iter().any(|s| s.contains(t));
-    let Ready { rig, tracks, start, constants } = ready(model, recording, window, &used, options)?;
+    let Ready { rig, tracks, start, constants, lost } = ready(model, recording, window, &used, options)?;
     if tracks.iter().all(|t| t.time.is_empty()) {
         return Err(empty());
     }
@@ -57,6 +61,7 @@ pub fn record(
         tracks,
         constants,
         initials: values,
+        lost,
         free_initials: free,
     })
 }

@@ -5,7 +5,8 @@ use super::rig::{Rig, Run, Track, Unknown};
 use crate::Result;
 use crate::model::Model;
 use crate::record::{Recording, Span};
-use crate::simulate::{Options, Simulator};
+use crate::simulate::{Options, OutputSignal, Simulator};
+use rayon::prelude::*;
 
 /// A simulator, and which rows of its outputs the tracks are.
 struct Simulated {
@@ -23,6 +24,8 @@ pub struct Ready {
     pub start: f64,
     /// Parameters that the recording knows: (number, value).
     pub constants: Vec<(usize, f64)>,
+    /// Samples that are there but lie outside the inputs or in their gaps.
+    pub lost: usize,
 }
 
 /// Builds the simulator over a window and gathers the samples to compare.
@@ -43,7 +46,12 @@ pub fn ready(
     };
     let simulator = Simulator::new(model, recording, &how)?;
     let (tracks, rows) = simulator.outputs().iter().map(|o| Track::new(o, used)).unzip();
+    let missed = |o: &OutputSignal| {
+        let samples = o.time.iter().zip(o.measured.iter()).zip(&o.covered);
+        samples.filter(|((t, y), covered)| y.is_finite() && used(**t) && !**covered).count()
+    };
     Ok(Ready {
+        lost: simulator.outputs().iter().map(missed).sum(),
         start: simulator.span().0,
         constants: simulator.constants().to_vec(),
         rig: Box::new(Simulated { simulator, rows }),
@@ -69,22 +77,23 @@ impl Simulated {
     }
 }
 
-/// More sensitivities than this are shared among the cores.
-const TOGETHER: usize = 4;
+/// So many sensitivities are found in one run; more are shared among the cores.
+const TOGETHER: usize = 8;
 
 impl Rig for Simulated {
     fn run(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run> {
         if wanted.len() <= TOGETHER {
             return self.run_some(parameters, initials, wanted);
         }
-        let (first, second) = wanted.split_at(wanted.len().div_ceil(2));
-        let half = |some: &[Unknown]| self.run_some(parameters, initials, some);
-        let (one, other) = rayon::join(|| half(first), || half(second));
-        let (mut run, other) = (one?, other?);
-        for (columns, more) in run.sensitivities.iter_mut().zip(other.sensitivities) {
-            columns.extend(more);
-        }
-        Ok(run)
+        let parts = wanted.par_chunks(TOGETHER).map(|some| self.run_some(parameters, initials, some));
+        let runs = parts.collect::<Result<Vec<Run>>>()?;
+        let whole = runs.into_iter().reduce(|mut whole, part| {
+            for (columns, more) in whole.sensitivities.iter_mut().zip(part.sensitivities) {
+                columns.extend(more);
+            }
+            whole
+        });
+        whole.map_or_else(|| self.run_some(parameters, initials, wanted), Ok)
     }
 
     fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {

@@ -2,19 +2,41 @@
 
 use super::assemble::Assembly;
 use super::outcome::Warning;
+use super::rig::Record;
 use crate::estimate::coordinates::Side;
 use crate::estimate::least_squares::End;
 
-/// All warnings about a minimum.
-pub fn all(fit: &Assembly<'_>) -> Vec<Warning> {
+/// All warnings about a minimum that was fitted to so many samples.
+pub fn all(fit: &Assembly<'_>, samples: usize) -> Vec<Warning> {
     let mut found = at_bounds(fit);
+    let unknowns = fit.minimum.x.len();
+    if samples <= unknowns && unknowns > 0 {
+        found.push(Warning {
+            says: format!(
+                "{samples} samples for {unknowns} unknowns: the model can follow anything, and no interval can be \
+                 given; fit a longer stretch"
+            ),
+        });
+    }
     found.extend(too_short(fit));
+    found.extend(fit.problem.records.iter().filter(|r| worth_telling(r)).map(|r| Warning {
+        says: format!(
+            "{} samples of '{}' are not compared: they lie outside the inputs, in a gap of theirs, or too soon after one",
+            r.lost, r.name
+        ),
+    }));
     if fit.minimum.end != End::Converged {
         found.push(Warning {
             says: "the fit ended before it came to rest: take its values with care, or start nearer".into(),
         });
     }
     found
+}
+
+/// A sample or two at the ends are not.
+fn worth_telling(r: &Record) -> bool {
+    let compared: usize = r.tracks.iter().map(|t| t.time.len()).sum();
+    200 * r.lost > compared
 }
 
 fn at_bounds(fit: &Assembly<'_>) -> Vec<Warning> {

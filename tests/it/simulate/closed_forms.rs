@@ -280,6 +280,35 @@ fn parameters_may_move_to_where_only_the_stiff_path_goes() {
 }
 
 #[test]
+fn steps_that_blow_up_at_a_sudden_turn_are_not_taken_for_the_model() {
+    // Van der Pol's relaxation oscillation: slow on its branches, of period (3 - 2 ln 2) mu + ... .
+    let model = r#"
+        name = "relaxation"
+        [parameters]
+        m = { value = 50, unit = "1" }
+        w = { value = 1, unit = "1/s" }
+        [states]
+        x = { rate = "v", unit = "1", initial = 2 }
+        v = { rate = "m*w*(1 - x^2)*v - w^2*x", unit = "1/s", initial = 0 }
+        [outputs]
+        y = { equals = "x", unit = "1" }
+    "#;
+    let time = times(200.0, 0.25);
+    let r = recording(vec![channel("y", "1", &time, |_| 0.0)]);
+    let s = Simulator::new(&Model::parse(model).unwrap(), &r, &Options::default()).unwrap();
+    let run = s.run(&s.parameters(), &s.initials()).unwrap();
+    assert!(run.blew_up.is_none() && run.solver_error <= 1e-5);
+    let y = &run.outputs[0];
+    let falls: Vec<f64> = (1..y.len()).filter(|i| y[i - 1] > 0.0 && y[*i] <= 0.0).map(|i| time[i]).collect();
+    // T = (3 - 2 ln 2) mu + 3*2.33811 mu^(-1/3) - 2 ln(mu)/(3 mu) - 1.3233/mu (Dorodnicyn)
+    let mu = 50.0f64;
+    let period = (3.0 - 2.0 * 2.0f64.ln()) * mu + 7.01432 * mu.powf(-1.0 / 3.0)
+        - 2.0 / 3.0 * mu.ln() / mu
+        - 1.3233 / mu;
+    assert!(falls.len() >= 2 && (falls[1] - falls[0] - period).abs() < 0.3, "{falls:?} {period}");
+}
+
+#[test]
 fn every_built_in_model_runs_in_irregular_roll_at_ten_hertz() {
     let time = times(300.0, 0.1);
     let roll = |t: f64| 0.12 * (0.71 * t).sin() + 0.07 * (0.93 * t + 1.0).cos() + 0.02 * (2.3 * t).sin();

@@ -178,3 +178,28 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn zeros_of_inputs_stay_zeros_under_a_root() {
+    let time = times(10.0, 0.1);
+    let level = |t: f64| if (3.0..6.0).contains(&t) { 0.0 } else { t.sin().abs() };
+    let r = recording(vec![channel("u", "V", &time, level), channel("out", "V", &time, |_| 0.0)]);
+    let s = simulator(&one_state("(w*sqrt(u/w) - y)/T", "0"), &r);
+    let run = s.run(&s.parameters(), &[0.0]).unwrap();
+    assert!(run.blew_up.is_none() && run.outputs[0].iter().all(|y| y.is_finite()));
+}
+
+#[test]
+fn one_moment_is_no_recording_for_a_model_with_states() {
+    let r = recording(vec![channel("u", "V", &[1.0], |_| 0.0), channel("out", "V", &[1.0], |_| 0.0)]);
+    let e = refused(&one_state("(u - y)/T", "0"), &r);
+    assert!(e.to_string().contains("one moment") && e.hint().is_some(), "{e}");
+}
+
+#[test]
+fn growth_that_no_step_follows_is_not_damped_away() {
+    let s = simulator(&one_state("1000*y/T", "1"), &measured());
+    let run = s.run(&s.parameters(), &[1.0]).unwrap();
+    let (t, _) = run.blew_up.unwrap();
+    assert!(t <= 1.0, "{t}");
+}
