@@ -74,7 +74,7 @@ fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
             to - from
         ));
     }
-    if ran.solver_error > 1e-3 {
+    if ran.solver_error > 1e-3 && ran.blew_up.is_none() {
         out.push(format!(
             "the solver's error is {:.1e} of an output's spread; --tolerance cannot be met",
             ran.solver_error
@@ -106,7 +106,10 @@ fn summary(s: &Simulator, ran: &Trajectory) -> String {
             "simulated from {from} to {to} s, {method:?} steps, {n} in an interval of the inputs, {} events",
             ran.events
         );
-        let _ = writeln!(out, "solver error {:.1e} of the spread (by halving the step)", ran.solver_error);
+        out.push_str(&match ran.solver_error {
+            e if e.is_finite() => format!("solver error {e:.1e} of the spread (by halving the step)\n"),
+            _ => "solver error not known\n".to_string(),
+        });
     }
     let _ =
         writeln!(out, "{:<20} {:>8} {:>14} {:>14}  unit", "output", "samples", "rms error", "worst error");
@@ -117,9 +120,19 @@ fn summary(s: &Simulator, ran: &Trajectory) -> String {
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
         let worst = errors.iter().fold(0.0f64, |m, e| m.max(e.abs()));
         let unit = o.unit.of_differences();
-        let _ = writeln!(out, "{:<20} {:>8} {rms:>14.6} {worst:>14.6}  {unit}", o.name, errors.len());
+        let [rms, worst] = [rms, worst].map(cell);
+        let _ = writeln!(out, "{:<20} {:>8} {rms:>14} {worst:>14}  {unit}", o.name, errors.len());
     }
     out
+}
+
+/// Six decimals, or six digits and an exponent for what is very small or large.
+fn cell(x: f64) -> String {
+    if x != 0.0 && x.is_finite() && !(1e-3..1e7).contains(&x) {
+        format!("{x:.5e}")
+    } else {
+        format!("{x:.6}")
+    }
 }
 
 /// One row a time of any output: empty cells where an output has no sample.

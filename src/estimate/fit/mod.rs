@@ -42,7 +42,7 @@ const FINEST: f64 = 1e-9;
 /// # Errors
 /// Where a channel is missing, no sample is left to fit, or no start can be simulated.
 pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<Fit> {
-    let (mut fitted, wanted) = once(model, recordings, options)?;
+    let (mut fitted, wanted, met) = once(model, recordings, options)?;
     if wanted < options.tolerance && !model.states.is_empty() {
         options.progress.says("fitting with finer steps", None);
         let finer = FitOptions {
@@ -54,15 +54,19 @@ pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) ->
         let coarse = fitted;
         fitted = once(&coarse.model, recordings, &finer)?.0;
         fitted.simulations += coarse.simulations;
-        let known = std::mem::take(&mut fitted.warnings);
-        let new = coarse.warnings.into_iter().filter(|w| !known.contains(w)).collect();
-        fitted.warnings = [new, known].concat();
+        let own = std::mem::take(&mut fitted.warnings);
+        let met = met.into_iter().filter(|w| !own.contains(w)).collect();
+        fitted.warnings = [met, own].concat();
     }
     Ok(fitted)
 }
 
-/// One fit at one tolerance, and the tolerance that its noise asks for.
-fn once(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<(Fit, f64)> {
+/// One fit at one tolerance, the tolerance that its noise asks for, and what its search met with.
+fn once(
+    model: &Model,
+    recordings: &[Recording],
+    options: &FitOptions<'_>,
+) -> Result<(Fit, f64, Vec<Warning>)> {
     let records = records(model, recordings, options)?;
     let parameters = model.parameters.iter().map(|p| p.value).collect();
     let mut problem = search::problem(model, &records, parameters, options);
@@ -80,13 +84,13 @@ fn once(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Re
         ranges: &ranges,
         start: &given,
         simulations: found.simulations,
-        warnings: found.warnings,
+        warnings: found.warnings.clone(),
         tolerance: options.tolerance,
     }
     .finish()?;
     let innovations = fitted.noise.iter().map(|n| n.autoregression.innovation_variance());
     let share = innovations.zip(&signals).map(|(v, w)| (v * w).sqrt()).fold(f64::INFINITY, f64::min);
-    Ok((fitted, FINER * share))
+    Ok((fitted, FINER * share, found.warnings))
 }
 
 /// One record a recording.
