@@ -39,19 +39,32 @@ struct Given {
 struct File {
     #[serde(rename = "name")]
     _name: Option<String>,
+    #[serde(default)]
     parameters: BTreeMap<String, Entry>,
 }
 
 #[derive(serde::Deserialize)]
-struct Entry {
-    value: f64,
-    unit: Option<String>,
+#[serde(untagged)]
+enum Entry {
+    Full { value: f64, unit: Option<String> },
+    Bare(f64),
 }
 
 /// Runs the subcommand.
 pub fn run(call: &GimbalCall) -> Result<Outcome> {
     let given = read(call.parameters.as_deref())?;
     given.gimbal.check()?;
+    if !(call.corner > 0.0 && call.corner < given.gimbal.speed) {
+        return Err(Error::usage(format!(
+            "--corner {}: the demodulator's corner is no slow rate",
+            call.corner
+        ))
+        .with_hint(format!("give one between 0 and the ring's speed, {} rad/s", given.gimbal.speed)));
+    }
+    if !given.gimbal.damping.iter().any(|d| *d > 0.0) {
+        return Err(Error::bad_input("without damping the gimbal swings on for ever and reads no rates")
+            .with_hint("give dx or dy a positive value"));
+    }
     let text = if call.json { json(&given, call.corner)? } else { text(&given, call.corner)? };
     output::print(text.as_bytes())?;
     Ok(Outcome::Done)
@@ -105,14 +118,18 @@ fn put(given: &mut Given, name: &str, entry: &Entry) -> Result<()> {
             (axis, "kg*m^2")
         }
     };
-    *place = match &entry.unit {
-        None => entry.value,
+    let (value, unit) = match entry {
+        Entry::Full { value, unit } => (*value, unit.as_deref()),
+        Entry::Bare(value) => (*value, None),
+    };
+    *place = match unit {
+        None => value,
         Some(text) => {
             let unit = Unit::parse(text)?;
             if unit.dimension() != Unit::parse(si)?.dimension() {
                 return Err(Error::new(crate::ErrorKind::Units, format!("{name} is in {text}, not in {si}")));
             }
-            unit.to_si(entry.value)
+            unit.to_si(value)
         }
     };
     Ok(())

@@ -52,12 +52,16 @@ pub fn svg(picture: &Polar) -> String {
         escaped(&picture.subtitle)
     );
     card(&mut out, step, scale);
-    band(&mut out, &picture.points, scale);
-    curve(&mut out, &picture.points, scale);
+    if goes_round(&picture.points) {
+        band(&mut out, &picture.points, scale);
+        curve(&mut out, &picture.points, scale);
+    }
+    marks(&mut out, &picture.points, scale);
+    labels(&mut out, step, scale);
     let _ = writeln!(
         out,
         "<text x=\"320\" y=\"665\" font-size=\"12\" text-anchor=\"middle\" fill=\"#555555\">\
-         bold ring: no error; outside: positive, inside: negative; shaded: ± one standard deviation</text>\n</svg>"
+         bold ring: no error; outside: positive, inside: negative; shade and strokes: ± one standard deviation</text>\n</svg>"
     );
     out
 }
@@ -100,17 +104,33 @@ fn card(out: &mut String, step: f64, scale: f64) {
             k * 30
         );
     }
-    // labels of the rings along 022°, between the rays
+}
+
+/// Values of the rings, between the rays of 000° and 030°. A white rim first, then the text: not
+/// every viewer paints a stroke beneath.
+fn labels(out: &mut String, step: f64, scale: f64) {
     for ring in -3i32..=3 {
         let value = f64::from(ring) * step;
         let (x, y) = place(0.13, ZERO + value * scale);
+        let y = y + 4.0;
         let text = if ring == 0 { "0".to_owned() } else { format!("{:+}", (value * 1e6).round() / 1e6) };
-        let _ = writeln!(
-            out,
-            "<text x=\"{x:.1}\" y=\"{:.1}\" font-size=\"10\" fill=\"#777777\" stroke=\"#ffffff\" stroke-width=\"3\" \
-             paint-order=\"stroke\">{text}°</text>",
-            y + 4.0
-        );
+        for rim in [" stroke=\"#ffffff\" stroke-width=\"3\"", ""] {
+            let _ = writeln!(
+                out,
+                "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"11\" text-anchor=\"middle\" fill=\"#555555\"{rim}>{text}°</text>"
+            );
+        }
+    }
+}
+
+/// Whether the points follow each other closely enough around the card for a closed curve.
+fn goes_round(points: &[Point]) -> bool {
+    let mut at: Vec<f64> = points.iter().map(|p| p.heading.rem_euclid(TAU)).collect();
+    at.sort_by(f64::total_cmp);
+    let gaps = at.windows(2).map(|p| p[1] - p[0]);
+    match (at.first(), at.last()) {
+        (Some(first), Some(last)) => gaps.chain([first + TAU - last]).fold(0.0, f64::max) < 0.8,
+        _ => false,
     }
 }
 
@@ -134,11 +154,25 @@ fn band(out: &mut String, points: &[Point], scale: f64) {
 fn curve(out: &mut String, points: &[Point], scale: f64) {
     let d = path(points.iter().map(|p| place(p.heading, ZERO + scale * p.mean)));
     let _ = writeln!(out, "<path d=\"{d}Z\" fill=\"none\" stroke=\"#cc3311\" stroke-width=\"2\"/>");
+}
+
+/// A dot on each heading with its numbers; where the dots stand apart, a stroke of ± one deviation.
+fn marks(out: &mut String, points: &[Point], scale: f64) {
+    let dense = points.len() > 40;
     for p in points {
         let (x, y) = place(p.heading, ZERO + scale * p.mean);
+        let edge = |sign: f64| place(p.heading, ZERO + scale * (p.mean + sign * p.spread));
+        let ((x1, y1), (x2, y2)) = (edge(-1.0), edge(1.0));
+        if !dense {
+            let _ = writeln!(
+                out,
+                "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"#4477aa\" stroke-width=\"1.5\"/>"
+            );
+        }
+        let radius = if dense { 1.2 } else { 2.5 };
         let _ = writeln!(
             out,
-            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"#cc3311\"><title>{:.0}°: {:.4}° ± {:.4}°</title></circle>",
+            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"#cc3311\"><title>{:.0}°: {:.4}° ± {:.4}°</title></circle>",
             p.heading.to_degrees(),
             p.mean,
             p.spread

@@ -37,6 +37,18 @@ pub struct CorrelationFit {
 /// # Errors
 /// `BadInput` for fewer than 6 lags or no variance, `NotComputed` when no start converges.
 pub fn fit_correlation(measured: &[f64], step: f64, frequency: f64) -> Result<CorrelationFit> {
+    let starts = [0.02, 0.1, 0.4]
+        .into_iter()
+        .flat_map(|share| [0.8, 1.0, 1.25].map(|shift| (share * frequency * shift, frequency * shift)));
+    fit_from(measured, step, starts)
+}
+
+/// The same from given first guesses of (μ, ε).
+pub(super) fn fit_from(
+    measured: &[f64],
+    step: f64,
+    starts: impl Iterator<Item = (f64, f64)>,
+) -> Result<CorrelationFit> {
     let variance = measured.first().copied().unwrap_or(0.0);
     if measured.len() < 6 || !(variance.is_finite() && variance > 0.0) {
         return Err(Error::bad_input("the motion does not move, or the recording is too short to fit"));
@@ -53,15 +65,12 @@ pub fn fit_correlation(measured: &[f64], step: f64, frequency: f64) -> Result<Co
         measured.iter().enumerate().map(|(k, m)| (m - at(k)) / variance).collect()
     };
     let mut best: Option<LeastSquares> = None;
-    for share in [0.02, 0.1, 0.4] {
-        for shift in [0.8, 1.0, 1.25] {
-            let eps = frequency * shift;
-            let found = least_squares(&[0.0, unbounded(share * eps), unbounded(eps)], residuals);
-            if let Ok(f) = found
-                && best.as_ref().is_none_or(|b| f.sum_of_squares < b.sum_of_squares)
-            {
-                best = Some(f);
-            }
+    for (decay, eps) in starts {
+        let found = least_squares(&[0.0, unbounded(decay), unbounded(eps)], residuals);
+        if let Ok(f) = found
+            && best.as_ref().is_none_or(|b| f.sum_of_squares < b.sum_of_squares)
+        {
+            best = Some(f);
         }
     }
     let best =

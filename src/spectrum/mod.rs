@@ -5,6 +5,7 @@
 
 mod correlation;
 mod even;
+mod jackknife;
 mod least_squares;
 mod rational;
 mod roll;
@@ -13,6 +14,7 @@ mod welch;
 
 pub use correlation::{CorrelationFit, autocovariance, fit_correlation};
 pub use even::{EvenSamples, even_samples, without_slow};
+pub use jackknife::{Interval, RollIntervals, roll_intervals};
 pub use least_squares::{LeastSquares, least_squares};
 pub use rational::{RationalFit, fit_rational};
 pub use roll::Roll;

@@ -5,7 +5,7 @@ use super::table::{Plan, Row};
 use crate::{Error, Result};
 use serde_json::{Value, json};
 
-pub fn text(plan: &Plan, rows: &[Row]) -> Result<String> {
+pub fn text(plan: &Plan, rows: &[&Row]) -> Result<String> {
     let s = &plan.compass.sphere;
     let against = match plan.against {
         Against::Heading => "heading_deg",
@@ -21,9 +21,9 @@ pub fn text(plan: &Plan, rows: &[Row]) -> Result<String> {
             "g_m_per_s2": s.gravity, "U_rad_per_s": s.earth_rate, "speed_m_per_s": plan.compass.speed,
         },
         "motion": plan.motion_says,
-        "roll": { "A_rad2": plan.roll.variance, "mu_per_s": plan.roll.decay, "eps_rad_per_s": plan.roll.frequency },
+        "roll": roll(plan),
         "against": against,
-        "rows": rows.iter().enumerate().map(|(i, r)| row(plan, i, r, against)).collect::<Vec<_>>(),
+        "rows": rows.iter().map(|r| row(r, against)).collect::<Vec<_>>(),
         "note": plan.after.trim_end(),
     });
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
@@ -31,7 +31,20 @@ pub fn text(plan: &Plan, rows: &[Row]) -> Result<String> {
     Ok(text)
 }
 
-fn row(plan: &Plan, index: usize, r: &Row, against: &str) -> Value {
+/// A, μ, ε with their 95 % intervals where they were fitted; null for a motion that is no such roll.
+fn roll(plan: &Plan) -> Value {
+    let Some(r) = plan.roll else { return Value::Null };
+    let mut out = json!({ "A_rad2": r.variance, "mu_per_s": r.decay, "eps_rad_per_s": r.frequency });
+    if let Some(i) = &plan.intervals {
+        let all = [("A_rad2", i.variance), ("mu_per_s", i.decay), ("eps_rad_per_s", i.frequency)];
+        for (name, i) in all {
+            out["intervals"][name] = json!({ "bias_removed": i.value, "low": i.low, "high": i.high });
+        }
+    }
+    out
+}
+
+fn row(r: &Row, against: &str) -> Value {
     let e = &r.error;
     let mut out = json!({
         against: r.value,
@@ -43,8 +56,8 @@ fn row(plan: &Plan, index: usize, r: &Row, against: &str) -> Value {
         "spread_linear_deg": e.spread_linear.to_degrees(),
         "spread_quadratic_deg": e.spread_quadratic.to_degrees(),
     });
-    if let Some(measured) = &plan.measured {
-        out["measured_spectrum_mean_deg"] = json!(measured[index].to_degrees());
+    if let Some(measured) = r.measured {
+        out["measured_spectrum_mean_deg"] = json!(measured.to_degrees());
     }
     if let Some(m) = &r.simulated {
         let to2 = 1f64.to_degrees().powi(2);

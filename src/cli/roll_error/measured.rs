@@ -1,14 +1,15 @@
 //! The rolling error on a recorded roll.
 
 use super::Arguments;
-use super::options::{Against, Described};
-use super::parameters::Compass;
+use super::options::{Against, Described, RowOptions};
+use super::parameters::{Compass, Part};
 use super::table::{Case, Plan};
 use crate::gyro::{Motion, seed};
 use crate::record::Recording;
 use crate::report::terminal::{Trace, picture};
 use crate::spectrum::{
-    CorrelationFit, EvenSamples, Measured, autocovariance, even_samples, fit_correlation, welch, without_slow,
+    CorrelationFit, EvenSamples, Interval, Measured, RollIntervals, autocovariance, even_samples,
+    fit_correlation, roll_intervals, welch, without_slow,
 };
 use crate::{Error, Result};
 use std::f64::consts::{PI, TAU};
@@ -20,6 +21,8 @@ pub struct Analysis {
     pub samples: EvenSamples,
     pub spectrum: Measured,
     pub fit: CorrelationFit,
+    /// 95 % intervals of its numbers, where the recording is long enough.
+    pub intervals: Option<RollIntervals>,
     /// Frequency of the highest spectral point of the roll proper, rad/s.
     pub peak: f64,
     /// Standard deviation of all samples, rad.
@@ -45,22 +48,36 @@ pub fn analyse(recording: &Recording, roll: &str) -> Result<Analysis> {
     let length = (samples.values.len() / 4).clamp(16, 4096);
     let spectrum = welch(&samples.values, samples.step, length)?;
     let rolling = without_slow(&samples, SLOW)?;
+    moves(&samples.values, &rolling.values)?;
     let peak = welch(&rolling.values, samples.step, length)?.peak();
     // lags over about six periods of the peak, at most a quarter of the recording
     let lags = ((6.0 * TAU / peak / samples.step) as usize).clamp(8, (samples.values.len() / 4).max(8));
     let all = autocovariance(&samples.values, 0)[0];
     let measured = autocovariance(&rolling.values, lags);
     let fit = fit_correlation(&measured, samples.step, peak)?;
+    let intervals = roll_intervals(&rolling.values, &fit);
     let slow_share = (1.0 - measured[0] / all).max(0.0);
     Ok(Analysis {
         name: recording.name.clone(),
         samples,
         spectrum,
         fit,
+        intervals,
         peak,
         deviation: all.sqrt(),
         slow_share,
     })
+}
+
+/// Refuses a recording that shows no roll: nothing above the rounding of its own numbers.
+fn moves(all: &[f64], rolling: &[f64]) -> Result<()> {
+    let largest = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()));
+    let heel = largest(all);
+    if largest(rolling) > 1e-9 * heel {
+        return Ok(());
+    }
+    Err(Error::bad_input(format!("there is no motion: the roll stands still at {:.3}°", heel.to_degrees()))
+        .with_hint("without roll there is no rolling error; a frozen channel looks like this too"))
 }
 
 /// ⟨θ̈·lagged θ̈⟩ three ways, rad²/s⁴: by I₃ of the fit, by the fit on the measured band, and by
@@ -94,8 +111,8 @@ fn quadrature_over(limit: f64, f: impl Fn(f64) -> f64) -> f64 {
 
 /// The table for a recorded roll: by I_n on the fit of (3.3), with the mean by quadrature over
 /// the measured spectrum beside it.
-pub fn plan(compass: &Compass, path: &Path, a: &Arguments) -> Result<Plan> {
-    if a.motion.given() || a.rows.against != Against::Heading {
+pub fn plan(compass: &Compass, path: &Path, a: &Arguments, rows: &RowOptions) -> Result<Plan> {
+    if a.motion.given() || rows.against != Against::Heading {
         return Err(Error::usage("a recording is the motion, and its rows run over headings")
             .with_hint("leave the options of the motion and --against away"));
     }
@@ -110,28 +127,28 @@ pub fn plan(compass: &Compass, path: &Path, a: &Arguments) -> Result<Plan> {
     let m = moments(&analysis, compass.sphere.lag)?;
     let motion = || -> Described {
         let says = format!(
-            "the recorded roll by its fit (columns 1 to 4) and by its measured spectrum to {:.2} rad/s (last)",
+            "the recorded roll by its fit, and the last column by its measured spectrum to {:.2} rad/s",
             PI / analysis.samples.step
         );
         Described { motion: Motion::roll(&analysis.fit.roll), says, regular: false }
     };
     let mut cases = Vec::new();
-    let mut measured = Vec::new();
-    for heading in a.rows.headings()? {
+    let lag = matches!(compass.part(&a.instrument)?, Part::Lag);
+    for heading in rows.headings()? {
         let instrument = compass.instrument(&a.instrument)?;
-        measured.push(
-            instrument.sailing_error(heading) + seed::error_of_moment(&compass.sphere, m.measured, heading),
-        );
-        cases.push(Case { instrument, motion: motion(), heading, value: heading.to_degrees() });
+        let measured = lag.then(|| {
+            instrument.sailing_error(heading) + seed::error_of_moment(&compass.sphere, m.measured, heading)
+        });
+        cases.push(Case { instrument, motion: motion(), heading, value: heading.to_degrees(), measured });
     }
     Ok(Plan {
         motion_says: motion().says,
         before: told(&analysis),
-        after: tail(&m),
-        roll: analysis.fit.roll,
+        after: tail(&m, lag),
+        roll: Some(analysis.fit.roll),
+        intervals: analysis.intervals,
         cases,
         against: Against::Heading,
-        measured: a.instrument.is_lag().then_some(measured),
         compass,
     })
 }
@@ -161,7 +178,7 @@ fn told(a: &Analysis) -> String {
          {slow}highest spectral point of the roll at {:.3} rad/s (period {:.1} s), from {} segments\n\n\
          Fit of K(τ) = A e^(−μ|τ|) (cos ετ + (μ/ε) sin ε|τ|) to the correlation function, lags 0 … {last}\n\
          \x20 A = {:.4e} rad² ({:.3}°)²,  μ = {:.4} 1/s,  ε = {:.4} rad/s (period {:.1} s)\n\
-         \x20 explains {:.1} % of it; misfit {:.1} % of K(0): {verdict}\n\n\
+         {}\x20 explains {:.1} % of it; misfit {:.1} % of K(0): {verdict}\n\n\
          K(τ), deg²: o measured, · fitted\n{}\n",
         a.name,
         n as f64 * step / 60.0,
@@ -173,6 +190,7 @@ fn told(a: &Analysis) -> String {
         roll.decay,
         roll.frequency,
         TAU / roll.frequency,
+        trusted(a.intervals.as_ref()),
         100.0 * a.fit.r_squared,
         100.0 * a.fit.misfit,
         picture(
@@ -183,16 +201,45 @@ fn told(a: &Analysis) -> String {
     )
 }
 
-/// What of the answer hangs on frequencies that nobody measured.
-fn tail(m: &Moments) -> String {
-    let share = 100.0 * (1.0 - m.banded / m.integral);
-    if share < 10.0 {
-        return format!(
-            "{share:.0} % of the mean by the fit comes from frequencies above the measured band.\n"
-        );
-    }
+/// The intervals in words.
+fn trusted(intervals: Option<&RollIntervals>) -> String {
+    let Some(i) = intervals else {
+        return "\u{20} no intervals: the recording is shorter than 30 periods of roll\n".into();
+    };
+    let between = |i: &Interval, f: fn(f64) -> f64| format!("{:.4} … {:.4}", f(i.low), f(i.high));
     format!(
-        "{share:.0} % of the mean by the fit comes from frequencies above the measured band, where (3.3) gives the\n\
-         acceleration a white tail of infinite variance: nothing measured supports it. Trust the last column.\n"
+        "\u{20} 95 % intervals (ten blocks left out in turn): standard deviation {}°, μ {} 1/s, ε {} rad/s\n\
+         \u{20} a fit to one recording is biased; with the bias taken off μ would be {:.4} 1/s\n",
+        between(&i.variance, |v| v.sqrt().to_degrees()),
+        between(&i.decay, |v| v),
+        between(&i.frequency, |v| v),
+        i.decay.value
     )
+}
+
+/// Why the two means differ, and what of the answer hangs on frequencies that nobody measured.
+fn tail(m: &Moments, lag: bool) -> String {
+    let part = |x: f64| 100.0 * x / m.integral;
+    let (above, shape) = (part(m.integral - m.banded), part(m.banded - m.measured));
+    let mut text =
+        format!("{above:.0} % of the mean by the fit comes from frequencies above the measured band");
+    text.push_str(if above < 10.0 {
+        ".\n"
+    } else {
+        ", where (3.3) gives the\nacceleration a white tail of infinite variance: nothing measured supports it.\n"
+    });
+    if lag {
+        let gap = part(m.integral - m.measured);
+        let than = |x: f64| format!("{:.0} % {}", x.abs(), if x < 0.0 { "larger" } else { "smaller" });
+        text.push_str(&format!(
+            "The mean by the measured spectrum is {} than by the fit: it ends with the measured band ({above:.0} % smaller),\n\
+             and inside the band the roll is not quite of the form (3.3), or its scatter is taken for roll ({}).\n",
+            than(gap),
+            than(shape)
+        ));
+    }
+    if lag && (above >= 10.0 || shape.abs() >= 10.0) {
+        text.push_str("The measured spectrum has no form forced upon it: trust the last column more.\n");
+    }
+    text
 }

@@ -50,8 +50,11 @@ pub struct Arguments {
     json: bool,
 }
 
+/// Step of the headings in the picture, degrees; a divisor of the table's.
+const PICTURE_STEP: usize = 3;
+
 const HELP: &str = "\
-Quantities are written with their unit, as 3m, 12kn, 5deg, 1.35e5N/m; without one they are in SI.
+Quantities are written with their unit, as 3m, 12kn, 5deg, 1.35e5N/m; without one they are in SI (latitude, heading: in degrees).
 Examples:
   gyrospec roll-error
   gyrospec roll-error examples/roll.csv
@@ -69,23 +72,29 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
         output::print(examples::text()?.as_bytes())?;
         return Ok(Outcome::Done);
     }
+    let compass = parameters::read(parameters, &a.instrument)?;
     if a.formula {
-        output::print(formulas::text(&a.instrument, &a.motion)?.as_bytes())?;
+        output::print(formulas::text(compass.part(&a.instrument)?, &a.motion, a.json)?.as_bytes())?;
         return Ok(Outcome::Done);
     }
-    let compass = parameters::read(parameters, &a.instrument)?;
     if a.free {
         output::print(free::text(&compass)?.as_bytes())?;
         return Ok(Outcome::Done);
     }
+    let mut rows = a.rows.clone();
+    if picture.is_some() && !rows.has_headings() && rows.days()?.is_none() {
+        rows.step = PICTURE_STEP;
+    }
     let plan = match recording {
-        Some(path) => measured::plan(&compass, path, a)?,
-        None => table::Plan::of_options(compass, a)?,
+        Some(path) => measured::plan(&compass, path, a, &rows)?,
+        None => table::Plan::of_options(compass, a, &rows)?,
     };
-    let result = plan.evaluate(&a.rows)?;
+    let drawn = plan.evaluate(rows.days()?, rows.seed)?;
+    let every = if rows.step == a.rows.step || rows.has_headings() { 1 } else { a.rows.step / rows.step };
+    let result: Vec<&table::Row> = drawn.iter().step_by(every).collect();
     let text = if a.json { json::text(&plan, &result)? } else { table::text(&plan, &result) };
     if let Some(sink) = picture {
-        sink.finish(polar::svg(&plan.polar(&result)?).as_bytes())?;
+        sink.finish(polar::svg(&plan.polar(&drawn)?).as_bytes())?;
         if a.svg.as_deref() == Some(Path::new("-")) {
             return Ok(Outcome::Done);
         }
@@ -124,6 +133,14 @@ fn quantity(option: &str, text: &str, si: &str) -> Result<f64> {
         return Err(Error::new(crate::ErrorKind::Units, format!("--{option}: {unit} where {si} is meant")));
     }
     Ok(unit.to_si(value))
+}
+
+/// An angle on the compass card: a bare number is in degrees; rad.
+fn angle(option: &str, text: &str) -> Result<f64> {
+    match text.trim().parse::<f64>() {
+        Ok(v) if v.is_finite() => Ok(v.to_radians()),
+        _ => quantity(option, text, "rad"),
+    }
 }
 
 /// A list of quantities of given units.

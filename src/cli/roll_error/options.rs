@@ -1,6 +1,7 @@
 //! What the command line says of the instrument, the motion and the rows wanted.
 
-use super::{quantities, quantity};
+use super::parameters::Part;
+use super::{angle, quantities, quantity};
 use crate::gyro::elastic::{Backlash, Compliance, Elastic, Friction, Inertia, Lag, Relaxing};
 use crate::gyro::{Axis, Motion};
 use crate::lti::TransferFunction;
@@ -20,15 +21,15 @@ pub struct InstrumentOptions {
     #[arg(long, group = "part", value_name = "STIFFNESS,TIME")]
     meridian: Option<String>,
     /// Compliance along the vertical: stiffness and time.
-    #[arg(long, value_name = "STIFFNESS,TIME")]
+    #[arg(long, conflicts_with_all = ["inertia", "flow", "friction", "free_play"], value_name = "STIFFNESS,TIME")]
     vertical: Option<String>,
     /// Dry friction in the suspension, stochastically linearised.
-    #[arg(long, group = "part", value_name = "FORCE")]
+    #[arg(long, group = "part", value_name = "FORCE", allow_hyphen_values = true)]
     friction: Option<String>,
     /// Free play (half-width) in the suspension, stochastically linearised.
-    #[arg(long, group = "part", value_name = "GAP")]
+    #[arg(long, group = "part", value_name = "GAP", allow_hyphen_values = true)]
     free_play: Option<String>,
-    /// Latitude.
+    /// Latitude; a bare number is in degrees.
     #[arg(long, allow_hyphen_values = true)]
     pub latitude: Option<String>,
     /// Height of the compass above the roll axis.
@@ -53,14 +54,17 @@ impl InstrumentOptions {
                 .all(|o| o.is_none())
     }
 
-    /// Whether the part is the one with inertia.
-    pub fn is_inertia(&self) -> bool {
-        self.inertia
-    }
-
-    /// Whether the part has a second relaxation.
-    pub fn is_flow(&self) -> bool {
-        self.flow.is_some()
+    /// The kind of part asked for; `None` when nothing was said.
+    pub fn kind(&self) -> Result<Option<Part>> {
+        Ok(match &self.flow {
+            _ if self.is_lag() => None,
+            _ if self.inertia => Some(Part::Inertia),
+            Some(text) => {
+                let v = quantities("flow", text, &["s", "1"])?;
+                Some(Part::Flow(Relaxing { time: v[0], share: v[1] }))
+            }
+            None => Some(Part::Other),
+        })
     }
 
     /// The elastic part asked for.
@@ -73,17 +77,17 @@ impl InstrumentOptions {
             let meridian = pair("meridian", &self.meridian)?;
             return Ok(Box::new(Compliance { meridian, vertical: pair("vertical", &self.vertical)? }));
         }
-        if let Some(text) = &self.flow {
-            let v = quantities("flow", text, &["s", "1"])?;
-            return Ok(Box::new(Relaxing { time: v[0], share: v[1] }));
-        }
         if let Some(text) = &self.friction {
             return Ok(Box::new(Friction { force: quantity("friction", text, "N")? }));
         }
         if let Some(text) = &self.free_play {
             return Ok(Box::new(Backlash { gap: quantity("free-play", text, "m")? }));
         }
-        Ok(if self.inertia { Box::new(Inertia) } else { Box::new(Lag) })
+        Ok(match self.kind()? {
+            Some(Part::Flow(relaxing)) => Box::new(relaxing),
+            Some(Part::Inertia) => Box::new(Inertia),
+            _ => Box::new(Lag),
+        })
     }
 }
 
@@ -113,10 +117,10 @@ pub struct MotionOptions {
     #[arg(long, value_enum, group = "motion")]
     sea: Option<SeaKind>,
     /// Significant wave height of the sea.
-    #[arg(long, requires = "sea")]
+    #[arg(long, requires = "sea", allow_hyphen_values = true)]
     height: Option<String>,
     /// Peak period of the sea.
-    #[arg(long, requires = "sea")]
+    #[arg(long, requires = "sea", allow_hyphen_values = true)]
     period: Option<String>,
     /// Peakedness of JONSWAP.
     #[arg(long, requires = "sea", default_value_t = 3.3)]
@@ -141,6 +145,16 @@ pub struct Described {
 }
 
 impl MotionOptions {
+    /// Whether the motion is irregular roll of the form (3.3), as A, μ, ε say.
+    pub fn irregular_roll(&self, default: &Roll) -> Result<Option<Roll>> {
+        if self.sea.is_some() || self.regular.is_some() {
+            return Ok(None);
+        }
+        let Some(text) = &self.irregular else { return Ok(Some(*default)) };
+        let v = quantities("irregular", text, &["rad", "rad/s", "rad/s"])?;
+        Roll::new(v[0] * v[0], v[1], v[2]).map(Some)
+    }
+
     /// Whether a motion was asked for.
     pub fn given(&self) -> bool {
         self.irregular.is_some() || self.regular.is_some() || self.sea.is_some() || self.band.is_some()
@@ -167,13 +181,7 @@ impl MotionOptions {
     }
 
     fn irregular(&self, default: &Roll) -> Result<Described> {
-        let roll = match &self.irregular {
-            Some(text) => {
-                let v = quantities("irregular", text, &["rad", "rad/s", "rad/s"])?;
-                Roll::new(v[0] * v[0], v[1], v[2])?
-            }
-            None => *default,
-        };
+        let roll = self.irregular_roll(default)?.unwrap_or(*default);
         let says = format!(
             "irregular roll, standard deviation {:.2}°, μ = {} 1/s, ε = {} rad/s",
             roll.variance.sqrt().to_degrees(),
@@ -253,38 +261,50 @@ pub enum Against {
     Height,
 }
 
-#[derive(Args)]
+#[derive(Args, Clone)]
 pub struct RowOptions {
     /// What the rows of the table run over.
     #[arg(long, value_enum, default_value = "heading")]
     pub against: Against,
-    /// Heading; may be given often.
+    /// Heading; may be given often; a bare number is in degrees.
     #[arg(long = "heading", allow_hyphen_values = true)]
     headings: Vec<String>,
-    /// Simulate this many days beside the formula.
+    /// Step of the headings when none is given, degrees.
+    #[arg(skip = 15usize)]
+    pub step: usize,
+    /// Simulate this many days beside the formula, two at least.
     #[arg(long, value_name = "DAYS")]
-    pub simulate: Option<usize>,
+    simulate: Option<usize>,
     /// Seed of the simulation.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
 }
 
 impl RowOptions {
+    /// Whether headings were given.
+    pub fn has_headings(&self) -> bool {
+        !self.headings.is_empty()
+    }
+
+    /// The number of days to simulate: two at least, since the interval comes from their scatter.
+    pub fn days(&self) -> Result<Option<usize>> {
+        match self.simulate {
+            Some(0 | 1) => Err(Error::usage("--simulate needs two days at least")
+                .with_hint("each day is a replicate, and the 99 % interval comes from their scatter")),
+            days => Ok(days),
+        }
+    }
+
     /// Whether something was said.
     pub fn given(&self) -> bool {
         self.against != Against::Heading || !self.headings.is_empty() || self.simulate.is_some()
     }
 
-    /// The headings, rad.
+    /// The headings, rad; without any the whole card.
     pub fn headings(&self) -> Result<Vec<f64>> {
         if self.headings.is_empty() {
-            return Ok((0..360).step_by(15).map(|k| f64::from(k).to_radians()).collect());
+            return Ok((0..360).step_by(self.step).map(|k| f64::from(k).to_radians()).collect());
         }
-        // a bare number on the compass card is in degrees
-        let one = |text: &String| match text.trim().parse::<f64>() {
-            Ok(v) if v.is_finite() => Ok(v.to_radians()),
-            _ => quantity("heading", text, "rad"),
-        };
-        self.headings.iter().map(one).collect()
+        self.headings.iter().map(|text| angle("heading", text)).collect()
     }
 }

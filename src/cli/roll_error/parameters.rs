@@ -2,13 +2,27 @@
 //! nothing else; what it leaves out is the paper's gyrocompass, or the built-in it extends.
 
 use super::options::InstrumentOptions;
-use super::quantity;
-use crate::gyro::{Gyrosphere, Instrument, elastic};
+use super::{angle, quantity};
+use crate::gyro::elastic::{Elastic, Inertia, Lag, Relaxing};
+use crate::gyro::{Gyrosphere, Instrument};
 use crate::model::Model;
 use crate::spectrum::Roll;
 use crate::units::Unit;
 use crate::{Error, Result};
 use std::path::Path;
+
+/// The elastic part, as far as a model file or a closed form knows it.
+#[derive(Clone, Copy)]
+pub enum Part {
+    /// (2.3).
+    Lag,
+    /// (2.2).
+    Inertia,
+    /// A second relaxation beside the lag.
+    Flow(Relaxing),
+    /// One that only the options know.
+    Other,
+}
 
 /// A compass with the account of where its numbers come from.
 #[derive(Clone)]
@@ -21,25 +35,44 @@ pub struct Compass {
     /// Where the numbers come from, in words.
     pub says: String,
     pub instrument_name: String,
+    /// The part of the model file, where the options say none.
+    part: Part,
 }
 
 impl Compass {
-    /// The instrument with the part that the options ask for.
+    /// The kind of part that the options ask for, else the model's.
+    pub fn part(&self, options: &InstrumentOptions) -> Result<Part> {
+        Ok(options.kind()?.unwrap_or(self.part))
+    }
+
+    /// The instrument with the part that the options ask for, else the model's.
     pub fn instrument(&self, options: &InstrumentOptions) -> Result<Instrument> {
-        let mut instrument = Instrument::new(self.sphere, options.part()?);
+        let mut instrument = Instrument::new(self.sphere, elastic(self.part, options)?);
         instrument.speed = self.speed;
         Ok(instrument)
     }
 
     /// The same with the paper's lag.
     pub fn plain_instrument(&self) -> Instrument {
-        Instrument::new(self.sphere, Box::new(elastic::Lag))
+        Instrument::new(self.sphere, Box::new(Lag))
+    }
+}
+
+fn elastic(of_file: Part, options: &InstrumentOptions) -> Result<Box<dyn Elastic>> {
+    match (options.kind()?, of_file) {
+        (None, Part::Inertia) => Ok(Box::new(Inertia)),
+        (None, Part::Flow(relaxing)) => Ok(Box::new(relaxing)),
+        _ => options.part(),
     }
 }
 
 #[derive(serde::Deserialize)]
 struct File {
     extends: Option<String>,
+    #[serde(default)]
+    states: toml::Table,
+    #[serde(default)]
+    definitions: toml::Table,
     #[serde(default)]
     parameters: std::collections::BTreeMap<String, Entry>,
 }
@@ -51,12 +84,32 @@ enum Entry {
     Bare(f64),
 }
 
+/// The numbers of an irregular roll, with their units in SI.
+const ROLL: [(&str, &str); 3] = [("A", "rad^2"), ("mu", "1/s"), ("eps", "rad/s")];
+
+/// The numbers of a second relaxation.
+const FLOW: [(&str, &str); 2] = [("T2", "s"), ("kappa", "1")];
+
+/// All names of the symbol table.
+fn names() -> impl Iterator<Item = &'static str> {
+    let sphere = ["P", "H", "lP", "C", "F", "C0", "T", "h", "lat", "g", "U"];
+    sphere.into_iter().chain(ROLL.map(|r| r.0)).chain(FLOW.map(|f| f.0))
+}
+
 /// What a file's parameters have filled so far.
 struct Filling {
     sphere: Gyrosphere,
     roll: [Option<f64>; 3],
+    /// T₂ and κ of a second relaxation.
+    flow: [Option<f64>; 2],
     given: Vec<String>,
     unused: Vec<String>,
+    /// The states of the model, where the file is one or extends one.
+    states: Vec<String>,
+    /// The parameters of the model that the file extends.
+    inherited: Vec<String>,
+    /// Whether the file has states or definitions of its own, which may need other parameters.
+    own: bool,
 }
 
 /// Whether the path is a built-in model, or TOML with parameters or a model's base.
@@ -70,8 +123,7 @@ pub fn has_parameters(path: &Path) -> bool {
 
 /// Reads the compass; without a path it is the paper's.
 pub fn read(path: Option<&Path>, options: &InstrumentOptions) -> Result<Compass> {
-    let mut f =
-        Filling { sphere: Gyrosphere::seed(), roll: [None; 3], given: Vec::new(), unused: Vec::new() };
+    let mut f = Filling::of_paper();
     let mut base = "the paper".to_owned();
     if let Some(path) = path {
         base = f.read(path)?.unwrap_or(base);
@@ -82,7 +134,9 @@ pub fn read(path: Option<&Path>, options: &InstrumentOptions) -> Result<Compass>
         }
         Ok(())
     };
-    set(&options.latitude, "latitude", "rad", &mut f.sphere.latitude)?;
+    if let Some(text) = &options.latitude {
+        f.sphere.latitude = angle("latitude", text)?;
+    }
     set(&options.lever, "lever", "m", &mut f.sphere.lever)?;
     let mut speed = 0.0;
     set(&options.speed, "speed", "m/s", &mut speed)?;
@@ -92,11 +146,42 @@ pub fn read(path: Option<&Path>, options: &InstrumentOptions) -> Result<Compass>
         [None, None, None] => None,
         _ => return Err(Error::bad_input("a roll is described by all of A, mu and eps, or by none of them")),
     };
-    let name = options.part()?.name().to_owned();
-    Ok(Compass { sphere: f.sphere, speed, roll, says: f.says(&base), instrument_name: name })
+    let part = f.part()?;
+    let name = elastic(part, options)?.name().to_owned();
+    Ok(Compass { sphere: f.sphere, speed, roll, says: f.says(&base), instrument_name: name, part })
 }
 
 impl Filling {
+    fn of_paper() -> Self {
+        Self {
+            sphere: Gyrosphere::seed(),
+            roll: [None; 3],
+            flow: [None; 2],
+            given: Vec::new(),
+            unused: Vec::new(),
+            states: Vec::new(),
+            inherited: Vec::new(),
+            own: false,
+        }
+    }
+
+    /// The elastic part that the model's states and parameters describe.
+    fn part(&self) -> Result<Part> {
+        let has = |name: &str| self.states.iter().any(|s| s == name);
+        if !self.states.is_empty() && !has("x") {
+            return Err(Error::bad_input(
+                "this model has no part that gives way (no state `x`): roll is not rectified in it",
+            )
+            .with_hint("start from gyrosphere, gyrosphere-inertia or gyrosphere-flow"));
+        }
+        match self.flow {
+            [Some(time), Some(share)] => Ok(Part::Flow(Relaxing { time, share })),
+            [None, None] if has("x_rate") => Ok(Part::Inertia),
+            [None, None] => Ok(Part::Lag),
+            _ => Err(Error::bad_input("liquid flow is described by both T2 and kappa, or by none of them")),
+        }
+    }
+
     /// Takes a file's parameters, or a built-in model's; returns the base that stands behind.
     fn read(&mut self, path: &Path) -> Result<Option<String>> {
         if !path.exists() && path.to_str().is_some_and(|name| Model::builtin(name).is_ok()) {
@@ -110,6 +195,8 @@ impl Filling {
         if let Some(name) = &file.extends {
             self.builtin(name).map_err(|e| e.with_file(path))?;
         }
+        self.states.extend(file.states.keys().cloned());
+        self.own = !(file.states.is_empty() && file.definitions.is_empty());
         for (name, entry) in &file.parameters {
             self.take(name, entry).map_err(|e| e.with_file(path))?;
         }
@@ -117,9 +204,14 @@ impl Filling {
     }
 
     fn builtin(&mut self, name: &str) -> Result<()> {
-        for p in &Model::builtin(name)?.parameters {
+        let model = Model::builtin(name)?;
+        self.states.extend(model.states.iter().map(|s| s.name.clone()));
+        for p in &model.parameters {
+            self.inherited.push(p.name.clone());
             if let Some((place, _)) = self.slot(&p.name) {
                 *place = p.value;
+            } else if let Some(k) = FLOW.iter().position(|(n, _)| *n == p.name) {
+                self.flow[k] = Some(p.value);
             }
         }
         Ok(())
@@ -130,11 +222,18 @@ impl Filling {
             Entry::Full { value, unit } => (*value, unit.as_deref()),
             Entry::Bare(value) => (*value, None),
         };
-        let roll = ["A", "mu", "eps"].iter().position(|n| *n == name);
-        if let Some(place) = roll {
-            self.roll[place] = Some(in_si(name, value, unit, ["rad^2", "1/s", "rad/s"][place])?);
+        if let Some(k) = ROLL.iter().position(|(n, _)| *n == name) {
+            self.roll[k] = Some(in_si(name, value, unit, ROLL[k].1)?);
+        } else if let Some(k) = FLOW.iter().position(|(n, _)| *n == name) {
+            self.flow[k] = Some(in_si(name, value, unit, FLOW[k].1)?);
         } else if let Some((place, si)) = self.slot(name) {
             *place = in_si(name, value, unit, si)?;
+        } else if !self.own && !self.inherited.iter().any(|n| n == name) {
+            let near = crate::error::nearest(name, names())
+                .map(|n| format!("did you mean {n}? "))
+                .unwrap_or_default();
+            return Err(Error::bad_input(format!("a gyrosphere has no parameter `{name}`"))
+                .with_hint(format!("{near}it has {}", names().collect::<Vec<_>>().join(", "))));
         } else {
             self.unused.push(name.to_owned());
             return Ok(());

@@ -11,15 +11,34 @@ pub fn read(path: &Path, roll: Option<&str>) -> Result<Recording> {
     let toml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
     match roll.and_then(|r| r.split_once(':')) {
         Some((name, unit)) if !toml => with_units(path, name, unit),
-        _ => Recording::read(path).map_err(|e| if toml { e } else { hinted(e) }),
+        _ => Recording::read(path).map_err(|e| if toml { no_tables(path, e) } else { hinted(path, e) }),
     }
 }
 
-fn hinted(e: Error) -> Error {
+/// A TOML file that is neither a recording nor a compass.
+fn no_tables(path: &Path, e: Error) -> Error {
+    let readable = std::fs::read_to_string(path).ok().and_then(|t| t.parse::<toml::Table>().ok());
+    match readable {
+        Some(t) if !t.contains_key("tables") => {
+            Error::bad_input("neither a compass nor a recording").with_file(path).with_hint(
+                "a compass has its numbers under [parameters], a recording its files under [[tables]]",
+            )
+        }
+        _ => e,
+    }
+}
+
+fn hinted(path: &Path, e: Error) -> Error {
+    if !path.exists() {
+        return e.with_hint(
+            "give a recording, a file with [parameters], or the name of a built-in model (gyrospec models)",
+        );
+    }
     match e.hint() {
         Some(hint) => {
             let all = format!(
-                "{hint}; or say which column is the roll: --roll NAME:UNIT, such as --roll roll_deg:deg"
+                "{hint}; or, if the first column is time in seconds, say which column is the roll: \
+                 --roll NAME:UNIT, such as --roll roll_deg:deg"
             );
             e.with_hint(all)
         }
@@ -48,6 +67,16 @@ fn with_units(path: &Path, name: &str, unit: &str) -> Result<Recording> {
     crate::units::Unit::parse(unit)?;
     let absolute = std::fs::canonicalize(path).map_err(|e| Error::io(path, &e))?;
     let first = first_column(&absolute)?;
+    if first == name {
+        return Err(Error::bad_input(format!(
+            "the roll `{name}` is the first column, which must be time: the recording has no column of time"
+        ))
+        .with_file(path)
+        .with_hint(
+            "put the time in s into the first column, or describe the file in a TOML recording with \
+             time = { start = 0.0, step = 0.1, unit = \"s\" }",
+        ));
+    }
     let quoted = |t: &str| toml::Value::String(t.to_owned()).to_string();
     let form = format!(
         "name = {}\n[[tables]]\nfile = {}\ntime = {{ column = {}, unit = \"s\" }}\n[tables.channels]\n{} = {{ column = {}, unit = {} }}\n",

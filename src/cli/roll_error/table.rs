@@ -5,7 +5,7 @@ use super::options::{Against, Described, RowOptions};
 use super::parameters::Compass;
 use crate::gyro::{HeadingError, Instrument, MonteCarlo, Simulated, seed};
 use crate::report::polar::{Point, Polar};
-use crate::spectrum::Roll;
+use crate::spectrum::{Roll, RollIntervals};
 use crate::{Error, Result};
 use rayon::prelude::*;
 use std::fmt::Write;
@@ -18,6 +18,8 @@ pub struct Case {
     pub heading: f64,
     /// The value of what the rows run over, in its unit of print.
     pub value: f64,
+    /// The mean by quadrature over a measured spectrum, rad.
+    pub measured: Option<f64>,
 }
 
 /// What is computed, with the words around it.
@@ -27,11 +29,12 @@ pub struct Plan {
     /// Text before the table: the analysis of a recording.
     pub before: String,
     pub after: String,
-    pub roll: Roll,
+    /// The irregular roll of the form (3.3), where the motion is one.
+    pub roll: Option<Roll>,
+    /// 95 % intervals of its numbers, where it was fitted.
+    pub intervals: Option<RollIntervals>,
     pub cases: Vec<Case>,
     pub against: Against,
-    /// A further column: by quadrature over a measured spectrum, rad, for each case.
-    pub measured: Option<Vec<f64>>,
 }
 
 /// One row computed.
@@ -39,26 +42,29 @@ pub struct Row {
     pub heading: f64,
     pub value: f64,
     pub error: HeadingError,
+    pub measured: Option<f64>,
     pub simulated: Option<Simulated>,
 }
 
 impl Plan {
     /// The plan of the options alone.
-    pub fn of_options(compass: Compass, a: &Arguments) -> Result<Self> {
+    pub fn of_options(compass: Compass, a: &Arguments, rows: &RowOptions) -> Result<Self> {
         let roll = match compass.roll {
             Some(roll) => roll,
             None => seed::example_3_1().1,
         };
         let described = a.motion.motion(&roll, None)?;
         let motion_says = described.says.clone();
-        let cases = cases(&compass, &roll, a)?;
+        let cases = cases(&compass, &roll, a, rows)?;
         let after = tail(&compass, &described)?;
-        let against = a.rows.against;
-        Ok(Self { compass, motion_says, before: String::new(), after, roll, cases, against, measured: None })
+        let roll = a.motion.irregular_roll(&roll)?;
+        let (before, intervals, against) = (String::new(), None, rows.against);
+        Ok(Self { compass, motion_says, before, after, roll, intervals, cases, against })
     }
 
-    pub fn evaluate(&self, rows: &RowOptions) -> Result<Vec<Row>> {
-        self.cases.par_iter().map(|case| case.evaluate(rows)).collect()
+    /// Computes the rows, with so many days simulated beside each.
+    pub fn evaluate(&self, days: Option<usize>, seed: u64) -> Result<Vec<Row>> {
+        self.cases.par_iter().map(|case| case.evaluate(days, seed)).collect()
     }
 
     /// The polar picture of the rows, where they run over headings.
@@ -76,17 +82,19 @@ impl Plan {
     }
 }
 
-fn cases(compass: &Compass, roll: &Roll, a: &Arguments) -> Result<Vec<Case>> {
-    let headings = a.rows.headings()?;
-    let lone = if a.rows.against == Against::Heading || !headings.len().eq(&1) {
-        45f64.to_radians()
-    } else {
-        headings[0]
+fn cases(compass: &Compass, roll: &Roll, a: &Arguments, rows: &RowOptions) -> Result<Vec<Case>> {
+    let headings = rows.headings()?;
+    let lone = match headings[..] {
+        [one] => one,
+        _ if rows.has_headings() && rows.against != Against::Heading => {
+            return Err(Error::usage("--against latitude and --against height take one --heading"));
+        }
+        _ => 45f64.to_radians(),
     };
     let case = |instrument, heading, height, value| -> Result<Case> {
-        Ok(Case { instrument, motion: a.motion.motion(roll, height)?, heading, value })
+        Ok(Case { instrument, motion: a.motion.motion(roll, height)?, heading, value, measured: None })
     };
-    match a.rows.against {
+    match rows.against {
         Against::Heading => headings
             .iter()
             .map(|k| case(compass.instrument(&a.instrument)?, *k, None, k.to_degrees()))
@@ -113,27 +121,23 @@ fn cases(compass: &Compass, roll: &Roll, a: &Arguments) -> Result<Vec<Case>> {
 }
 
 impl Case {
-    fn evaluate(&self, rows: &RowOptions) -> Result<Row> {
+    fn evaluate(&self, days: Option<usize>, seed: u64) -> Result<Row> {
         let mut error = self.instrument.error(&self.motion.motion, self.heading)?;
         if self.motion.regular {
             // a steady sine has a steady product: only its own swing spreads
             (error.spread, error.spread_quadratic) = (error.spread_linear, 0.0);
         }
-        let simulated = match rows.simulate {
+        let simulated = match days {
             None => None,
             Some(days) => {
-                let plan = MonteCarlo {
-                    step: 0.1,
-                    duration: 86400.0,
-                    settle: 6.0 * 3600.0,
-                    runs: days.max(2),
-                    seed: rows.seed,
-                };
+                let plan =
+                    MonteCarlo { step: 0.1, duration: 86400.0, settle: 6.0 * 3600.0, runs: days, seed };
                 let system = self.instrument.system(&self.motion.motion, self.heading)?;
                 Some(plan.run(&system, 0, error.mean())?)
             }
         };
-        Ok(Row { heading: self.heading, value: self.value, error, simulated })
+        let Self { heading, value, measured, .. } = *self;
+        Ok(Row { heading, value, error, measured, simulated })
     }
 }
 
@@ -160,7 +164,7 @@ fn plain(degrees: f64) -> f64 {
     if degrees.abs() < 5e-6 { 0.0 } else { degrees }
 }
 
-pub fn text(plan: &Plan, rows: &[Row]) -> String {
+pub fn text(plan: &Plan, rows: &[&Row]) -> String {
     let mut out = plan.before.clone();
     let s = &plan.compass.sphere;
     let place = match plan.against {
@@ -181,8 +185,8 @@ pub fn text(plan: &Plan, rows: &[Row]) -> String {
         plan.compass.instrument_name, s.lever, plan.compass.says, plan.motion_says
     );
     let simulated = rows.iter().any(|r| r.simulated.is_some());
-    out.push_str(&heads(plan, simulated));
-    for (index, row) in rows.iter().enumerate() {
+    out.push_str(&heads(plan, rows.iter().any(|r| r.measured.is_some()), simulated));
+    for row in rows {
         let e = &row.error;
         let _ = write!(
             out,
@@ -193,8 +197,8 @@ pub fn text(plan: &Plan, rows: &[Row]) -> String {
             e.spread_linear.to_degrees(),
             e.spread_quadratic.to_degrees()
         );
-        if let Some(measured) = &plan.measured {
-            let _ = write!(out, "   {:>10.5}°", plain(measured[index].to_degrees()));
+        if let Some(measured) = row.measured {
+            let _ = write!(out, "   {:>10.5}°", plain(measured.to_degrees()));
         }
         if let Some(m) = &row.simulated {
             let _ = write!(out, "   {}", beside(m));
@@ -209,14 +213,14 @@ pub fn text(plan: &Plan, rows: &[Row]) -> String {
     out
 }
 
-fn heads(plan: &Plan, simulated: bool) -> String {
+fn heads(plan: &Plan, measured: bool, simulated: bool) -> String {
     let first = match plan.against {
         Against::Heading => "heading °",
         Against::Latitude => "latitude °",
         Against::Height => "height m",
     };
     let mut out = format!("{first:>10}        mean  ±  spread    by swing   by products");
-    if plan.measured.is_some() {
+    if measured {
         out.push_str("   mean, measured spectrum");
     }
     if simulated {
