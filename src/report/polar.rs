@@ -46,10 +46,10 @@ pub fn svg(picture: &Polar) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {SIZE} {:.0}\" font-family=\"sans-serif\">\n\
          <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
          <text x=\"320\" y=\"28\" font-size=\"18\" text-anchor=\"middle\" fill=\"#1a1a2e\">{}</text>\n\
-         <text x=\"320\" y=\"50\" font-size=\"12\" text-anchor=\"middle\" fill=\"#555555\">{}</text>\n",
+         {}",
         SIZE + 40.0,
         escaped(&picture.title),
-        escaped(&picture.subtitle)
+        subtitle(&picture.subtitle)
     );
     card(&mut out, step, scale);
     if goes_round(&picture.points) {
@@ -64,6 +64,18 @@ pub fn svg(picture: &Polar) -> String {
          bold ring: no error; outside: positive, inside: negative; shade and strokes: ± one standard deviation</text>\n</svg>"
     );
     out
+}
+
+/// The second line, broken behind semicolons.
+fn subtitle(text: &str) -> String {
+    let line = |(k, part): (usize, &str)| {
+        format!(
+            "<text x=\"320\" y=\"{}\" font-size=\"12\" text-anchor=\"middle\" fill=\"#555555\">{}</text>\n",
+            48 + 16 * k,
+            escaped(part)
+        )
+    };
+    text.split("; ").enumerate().map(line).collect()
 }
 
 /// 1, 2 or 5 times a power of ten, at least `x`.

@@ -1,5 +1,6 @@
 //! The correlation function of a recording, and the fit of (3.3) to it.
 
+use super::even::high_pass;
 use super::{LeastSquares, Roll, least_squares};
 use crate::{Error, Result};
 
@@ -27,32 +28,39 @@ pub struct CorrelationFit {
     pub misfit: f64,
     /// The measured correlation function at 0, Δt, 2Δt, …; unit².
     pub measured: Vec<f64>,
+    /// The fitted one at the same lags, without what is slower than the corner.
+    pub fitted: Vec<f64>,
+    /// The corner, rad/s.
+    pub(super) slow: f64,
     /// Δt, s.
     pub step: f64,
 }
 
 /// Fits A, μ, ε of (3.3) to `measured`, K(kΔt), by least squares over its lags.
-/// `frequency` is a first guess of ε, rad/s.
+/// `frequency` is a first guess of ε, rad/s. Of motion that went through
+/// [`without_slow`](super::without_slow) with the corner `slow` (rad/s; 0 for none) the same part
+/// of (3.3) is left out in the comparison, so that A, μ, ε are those of the whole roll.
 ///
 /// # Errors
 /// `BadInput` for fewer than 6 lags or no variance, `NotComputed` when no start converges.
-pub fn fit_correlation(measured: &[f64], step: f64, frequency: f64) -> Result<CorrelationFit> {
+pub fn fit_correlation(measured: &[f64], step: f64, frequency: f64, slow: f64) -> Result<CorrelationFit> {
     let starts = [0.02, 0.1, 0.4]
         .into_iter()
         .flat_map(|share| [0.8, 1.0, 1.25].map(|shift| (share * frequency * shift, frequency * shift)));
-    fit_from(measured, step, starts)
+    fit_from(measured, (step, slow), starts)
 }
 
 /// The same from given first guesses of (μ, ε).
 pub(super) fn fit_from(
     measured: &[f64],
-    step: f64,
+    (step, slow): (f64, f64),
     starts: impl Iterator<Item = (f64, f64)>,
 ) -> Result<CorrelationFit> {
     let variance = measured.first().copied().unwrap_or(0.0);
     if measured.len() < 6 || !(variance.is_finite() && variance > 0.0) {
         return Err(Error::bad_input("the motion does not move, or the recording is too short to fit"));
     }
+    let left = LeftOut::new(slow, step, measured.len());
     // μ and ε stay below the Nyquist frequency, above which nothing was seen
     let limit = std::f64::consts::PI / step;
     let bounded = |q: f64| limit / (1.0 + (-q).exp());
@@ -60,9 +68,8 @@ pub(super) fn fit_from(
     let shaped =
         |p: &[f64]| Roll { variance: p[0].exp() * variance, decay: bounded(p[1]), frequency: bounded(p[2]) };
     let residuals = |p: &[f64]| -> Vec<f64> {
-        let roll = shaped(p);
-        let at = |k: usize| roll.correlation(k as f64 * step);
-        measured.iter().enumerate().map(|(k, m)| (m - at(k)) / variance).collect()
+        let fitted = left.correlation(&shaped(p), step, measured.len());
+        measured.iter().zip(fitted).map(|(m, f)| (m - f) / variance).collect()
     };
     let mut best: Option<LeastSquares> = None;
     for (decay, eps) in starts {
@@ -83,6 +90,41 @@ pub(super) fn fit_from(
         r_squared: 1.0 - best.sum_of_squares / total,
         misfit: (best.sum_of_squares / measured.len() as f64).sqrt(),
         measured: measured.to_vec(),
+        fitted: left.correlation(&roll, step, measured.len()),
+        slow,
         step,
     })
+}
+
+/// The slow part of a spectrum that a high-pass has taken away: a midpoint rule on 0 … 2ω_c.
+struct LeftOut {
+    /// ω, and the cosines of ω at each lag.
+    nodes: Vec<(f64, Vec<f64>)>,
+    /// (1 − |W|⁴) Δω/π at each.
+    weights: Vec<f64>,
+}
+
+impl LeftOut {
+    fn new(corner: f64, step: f64, lags: usize) -> Self {
+        let count = if corner > 0.0 { 96 } else { 0 };
+        let width = 2.0 * corner / 96.0;
+        let omega = |j: usize| (j as f64 + 0.5) * width;
+        let cosines = |w: f64| (0..lags).map(|k| (w * k as f64 * step).cos()).collect();
+        Self {
+            nodes: (0..count).map(|j| (omega(j), cosines(omega(j)))).collect(),
+            weights: (0..count)
+                .map(|j| (1.0 - high_pass(omega(j), corner).powi(2)) * width / std::f64::consts::PI)
+                .collect(),
+        }
+    }
+
+    /// K(kΔt) − (1/π)∫ (1 − |W|⁴) S(ω) cos ωkΔt dω
+    fn correlation(&self, roll: &Roll, step: f64, lags: usize) -> Vec<f64> {
+        let mut k: Vec<f64> = (0..lags).map(|k| roll.correlation(k as f64 * step)).collect();
+        for ((omega, cosines), weight) in self.nodes.iter().zip(&self.weights) {
+            let power = weight * roll.density(*omega);
+            k.iter_mut().zip(cosines).for_each(|(k, c)| *k -= power * c);
+        }
+        k
+    }
 }

@@ -77,11 +77,17 @@ pub fn without_slow(samples: &EvenSamples, corner: f64) -> Result<EvenSamples> {
     let failed = |e: realfft::FftError| Error::not_computed(e.to_string());
     forward.process(&mut signal, &mut transform).map_err(failed)?;
     for (k, z) in transform.iter_mut().enumerate() {
-        let ratio = (TAU * k as f64 / (2 * n) as f64 / samples.step / corner).powi(8);
-        // |W|² of a Butterworth high-pass, without its phase
-        *z *= ratio / (1.0 + ratio) / (2 * n) as f64;
+        let omega = TAU * k as f64 / (2 * n) as f64 / samples.step;
+        *z *= high_pass(omega, corner) / (2 * n) as f64;
     }
     back.process(&mut transform, &mut signal).map_err(failed)?;
     let values = signal.iter().zip(&samples.values).map(|(x, v)| if v.is_finite() { *x } else { f64::NAN });
     Ok(EvenSamples { step: samples.step, values: values.collect() })
+}
+
+/// What [`without_slow`] leaves of an amplitude at ω: |W|² = r/(1 + r), r = (ω/ω_c)⁸, of a
+/// Butterworth high-pass, without its phase.
+pub(super) fn high_pass(omega: f64, corner: f64) -> f64 {
+    let ratio = (omega / corner).powi(8);
+    ratio / (1.0 + ratio)
 }

@@ -37,8 +37,8 @@ pub struct Interval {
 pub struct RollIntervals {
     /// A, rad².
     pub variance: Interval,
-    /// μ, 1/s.
-    pub decay: Interval,
+    /// μ, 1/s; `None` when it is not known within a factor of ten.
+    pub decay: Option<Interval>,
     /// ε, rad/s.
     pub frequency: Interval,
 }
@@ -60,14 +60,14 @@ pub fn roll_intervals(values: &[f64], fit: &CorrelationFit) -> Option<RollInterv
                 .map(|k| (0..BLOCKS).filter(|j| *j != left_out).map(|j| parts[j].0[k]).sum::<f64>() / count)
                 .collect();
             let start = std::iter::once((fit.roll.decay, fit.roll.frequency));
-            fit_from(&rest, fit.step, start).ok().map(|f| f.roll)
+            fit_from(&rest, (fit.step, fit.slow), start).ok().map(|f| f.roll)
         })
         .collect();
     let fits = fits?;
     let one = |of: fn(&Roll) -> f64| pseudo(of(&fit.roll), fits.iter().map(of));
     Some(RollIntervals {
         variance: one(|r| r.variance)?,
-        decay: one(|r| r.decay)?,
+        decay: one(|r| r.decay).filter(|i| i.high < 10.0 * i.value),
         frequency: one(|r| r.frequency)?,
     })
 }

@@ -3,7 +3,10 @@
 use approx::assert_relative_eq;
 use gyrospec::gyro::{Gyrosphere, seed};
 use gyrospec::lti::{TransferFunction, cross_moment};
-use gyrospec::spectrum::{Roll, Sea, autocovariance, fit_correlation, fit_rational, welch};
+use gyrospec::spectrum::{
+    EvenSamples, Roll, Sea, autocovariance, fit_correlation, fit_rational, roll_intervals, welch,
+    without_slow,
+};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -91,7 +94,7 @@ fn spectrum_and_fit_of_a_made_roll_come_back() {
     let variance = spectrum.integral(|_| 1.0);
     assert_relative_eq!(variance, truth.variance, max_relative = 0.1);
     assert!((spectrum.peak() - truth.b2().sqrt()).abs() < 0.08);
-    let fit = fit_correlation(&autocovariance(&values, 120), 0.5, spectrum.peak()).unwrap();
+    let fit = fit_correlation(&autocovariance(&values, 120), 0.5, spectrum.peak(), 0.0).unwrap();
     assert_relative_eq!(fit.roll.frequency, truth.frequency, max_relative = 0.03);
     assert_relative_eq!(fit.roll.decay, truth.decay, max_relative = 0.25);
     assert!(fit.r_squared > 0.97 && fit.misfit < 0.05);
@@ -134,4 +137,84 @@ fn the_compass_refuses_impossible_numbers() {
     assert!(Gyrosphere { latitude: std::f64::consts::FRAC_PI_2, ..seed }.check().is_err());
     assert!(Gyrosphere { stiffness: 0.0, ..seed }.check().is_err());
     assert!(Gyrosphere { lag: f64::NAN, ..seed }.check().is_err());
+}
+
+#[test]
+fn intervals_of_a_fitted_roll_hold_it() {
+    let truth = Roll::new(4e-3, 0.08, 0.65).unwrap();
+    let runs = 30;
+    let held: usize = (0..runs)
+        .filter(|seed| {
+            let values = made_roll(&truth, 0.5, 7200, 100 + seed);
+            let samples = EvenSamples { step: 0.5, values };
+            let rolling = without_slow(&samples, 0.2).unwrap().values;
+            let fit = fit_correlation(&autocovariance(&rolling, 120), 0.5, 0.65, 0.2).unwrap();
+            let i = roll_intervals(&rolling, &fit).unwrap();
+            let mu = i.decay.unwrap();
+            mu.low < truth.decay && truth.decay < mu.high
+        })
+        .count();
+    // ten blocks of six minutes: near 95 %, and not below 80 %
+    assert!(held * 10 >= runs as usize * 8, "{held} of {runs}");
+}
+
+#[test]
+fn what_a_high_pass_took_is_not_missed_in_the_fit() {
+    let truth = Roll::new(4e-3, 0.08, 0.65).unwrap();
+    let whole = made_roll(&truth, 0.5, 100_000, 7);
+    let samples = EvenSamples { step: 0.5, values: whole };
+    let rolling = without_slow(&samples, 0.3).unwrap().values;
+    let measured = autocovariance(&rolling, 120);
+    // a tenth of the variance is gone, yet A comes back
+    assert!(measured[0] < 0.93 * truth.variance);
+    let fit = fit_correlation(&measured, 0.5, 0.65, 0.3).unwrap();
+    assert_relative_eq!(fit.roll.variance, truth.variance, max_relative = 0.04);
+    assert_relative_eq!(fit.roll.decay, truth.decay, max_relative = 0.08);
+}
+
+/// The command on a file of the given text; its exit code, results and messages.
+fn command(name: &str, text: &str, options: &[&str]) -> (i32, String, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(name);
+    std::fs::write(&path, text).unwrap();
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+        .arg("roll-error")
+        .arg(&path)
+        .args(options)
+        .output()
+        .unwrap();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn a_roll_that_stands_still_and_a_column_that_is_no_time_are_told() {
+    let rows: String = (0..500).map(|k| format!("{},3.0\n", 0.2 * f64::from(k))).collect();
+    let (code, _, message) = command("still.csv", &format!("time [s],roll [deg]\n{rows}"), &[]);
+    assert!(code == 2 && message.contains("no motion"), "{message}");
+    let (code, _, message) = command("bare.csv", "roll,pitch\n1,2\n2,3\n", &["--roll", "roll:deg"]);
+    assert!(code == 2 && message.contains("no column of time"), "{message}");
+}
+
+#[test]
+fn a_name_that_no_gyrosphere_has_is_refused_with_the_nearest() {
+    let file = "[parameters]\nC_0 = { value = 1e5, unit = \"N/m\" }\n";
+    let (code, _, message) = command("compass.toml", file, &[]);
+    assert!(code == 2 && message.contains("did you mean C0?"), "{message}");
+}
+
+#[test]
+fn the_part_of_a_model_is_the_part_computed() {
+    let json = |file: &str, options: &[&str]| -> serde_json::Value {
+        let all: Vec<&str> = options.iter().copied().chain(["--json", "--heading", "45"]).collect();
+        let (code, text, message) = command("compass.toml", file, &all);
+        assert_eq!(code, 0, "{message}");
+        serde_json::from_str(&text).unwrap()
+    };
+    let of_model = json("extends = \"gyrosphere-flow\"\n[parameters]\nT2 = 4.0\n", &[]);
+    let of_options = json("extends = \"gyrosphere\"\n", &["--flow", "4s,0.2"]);
+    assert_eq!(of_model["rows"][0]["mean_deg"], of_options["rows"][0]["mean_deg"]);
+    let of_model = json("extends = \"gyrosphere-inertia\"\n", &[]);
+    let of_options = json("extends = \"gyrosphere\"\n", &["--inertia"]);
+    assert_eq!(of_model["rows"][0]["mean_deg"], of_options["rows"][0]["mean_deg"]);
 }

@@ -36,9 +36,10 @@ fn roll(plan: &Plan) -> Value {
     let Some(r) = plan.roll else { return Value::Null };
     let mut out = json!({ "A_rad2": r.variance, "mu_per_s": r.decay, "eps_rad_per_s": r.frequency });
     if let Some(i) = &plan.intervals {
-        let all = [("A_rad2", i.variance), ("mu_per_s", i.decay), ("eps_rad_per_s", i.frequency)];
+        let all = [("A_rad2", Some(i.variance)), ("mu_per_s", i.decay), ("eps_rad_per_s", Some(i.frequency))];
         for (name, i) in all {
-            out["intervals"][name] = json!({ "bias_removed": i.value, "low": i.low, "high": i.high });
+            out["intervals"][name] =
+                i.map_or(Value::Null, |i| json!({ "bias_removed": i.value, "low": i.low, "high": i.high }));
         }
     }
     out

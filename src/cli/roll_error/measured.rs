@@ -54,7 +54,7 @@ pub fn analyse(recording: &Recording, roll: &str) -> Result<Analysis> {
     let lags = ((6.0 * TAU / peak / samples.step) as usize).clamp(8, (samples.values.len() / 4).max(8));
     let all = autocovariance(&samples.values, 0)[0];
     let measured = autocovariance(&rolling.values, lags);
-    let fit = fit_correlation(&measured, samples.step, peak)?;
+    let fit = fit_correlation(&measured, samples.step, peak, SLOW)?;
     let intervals = roll_intervals(&rolling.values, &fit);
     let slow_share = (1.0 - measured[0] / all).max(0.0);
     Ok(Analysis {
@@ -170,8 +170,7 @@ fn told(a: &Analysis) -> String {
     };
     let degrees2 = |k: &f64| k.to_degrees().to_degrees();
     let measured: Vec<f64> = a.fit.measured.iter().map(degrees2).collect();
-    let fitted: Vec<f64> =
-        (0..measured.len()).map(|k| degrees2(&roll.correlation(k as f64 * step))).collect();
+    let fitted: Vec<f64> = a.fit.fitted.iter().map(degrees2).collect();
     let last = format!("{:.0} s", (measured.len() - 1) as f64 * step);
     format!(
         "Roll of `{}`: {n} samples {step:.4} s apart, {:.1} min; standard deviation {sigma:.3}°\n\
@@ -207,13 +206,14 @@ fn trusted(intervals: Option<&RollIntervals>) -> String {
         return "\u{20} no intervals: the recording is shorter than 30 periods of roll\n".into();
     };
     let between = |i: &Interval, f: fn(f64) -> f64| format!("{:.4} … {:.4}", f(i.low), f(i.high));
+    let decay = match &i.decay {
+        Some(mu) => format!("{} 1/s", between(mu, |v| v)),
+        None => "not known: too little decay to see".into(),
+    };
     format!(
-        "\u{20} 95 % intervals (ten blocks left out in turn): standard deviation {}°, μ {} 1/s, ε {} rad/s\n\
-         \u{20} a fit to one recording is biased; with the bias taken off μ would be {:.4} 1/s\n",
+        "\u{20} 95 % intervals (ten blocks left out in turn): standard deviation {}°, ε {} rad/s, μ {decay}\n",
         between(&i.variance, |v| v.sqrt().to_degrees()),
-        between(&i.decay, |v| v),
-        between(&i.frequency, |v| v),
-        i.decay.value
+        between(&i.frequency, |v| v)
     )
 }
 
@@ -232,9 +232,10 @@ fn tail(m: &Moments, lag: bool) -> String {
         let gap = part(m.integral - m.measured);
         let than = |x: f64| format!("{:.0} % {}", x.abs(), if x < 0.0 { "larger" } else { "smaller" });
         text.push_str(&format!(
-            "The mean by the measured spectrum is {} than by the fit: it ends with the measured band ({above:.0} % smaller),\n\
-             and inside the band the roll is not quite of the form (3.3), or its scatter is taken for roll ({}).\n",
+            "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\
+             {} since inside the band the roll is not quite of the form (3.3), or the recording is short.\n",
             than(gap),
+            than(above),
             than(shape)
         ));
     }

@@ -209,11 +209,11 @@ impl MotionOptions {
         let fit = rational_sea(&sea)?;
         let motion = Motion::in_sea(&fit.shaping, &self.responses()?)?;
         let says = format!(
-            "{} sea, significant height {height:.2} m, peak period {:.1} s; rational spectrum within {:.1} % (its slope's power {:+.1} %)",
+            "{} sea, significant height {height:.2} m, peak period {:.1} s; rational spectrum within {:.1} % (its slope's power within {:.1} %)",
             ["Pierson-Moskowitz", "Bretschneider", "JONSWAP"][kind as usize],
             std::f64::consts::TAU / sea.peak(),
             100.0 * fit.error,
-            100.0 * fit.power_error
+            100.0 * fit.power_error.abs()
         );
         Ok(Described { motion, says, regular: false })
     }

@@ -51,11 +51,6 @@ impl Compass {
         instrument.speed = self.speed;
         Ok(instrument)
     }
-
-    /// The same with the paper's lag.
-    pub fn plain_instrument(&self) -> Instrument {
-        Instrument::new(self.sphere, Box::new(Lag))
-    }
 }
 
 fn elastic(of_file: Part, options: &InstrumentOptions) -> Result<Box<dyn Elastic>> {
@@ -229,7 +224,7 @@ impl Filling {
         } else if let Some((place, si)) = self.slot(name) {
             *place = in_si(name, value, unit, si)?;
         } else if !self.own && !self.inherited.iter().any(|n| n == name) {
-            let near = crate::error::nearest(name, names())
+            let near = crate::error::nearest(&name.replace('_', ""), names())
                 .map(|n| format!("did you mean {n}? "))
                 .unwrap_or_default();
             return Err(Error::bad_input(format!("a gyrosphere has no parameter `{name}`"))

@@ -56,7 +56,7 @@ impl Plan {
         let described = a.motion.motion(&roll, None)?;
         let motion_says = described.says.clone();
         let cases = cases(&compass, &roll, a, rows)?;
-        let after = tail(&compass, &described)?;
+        let after = tail(&compass.instrument(&a.instrument)?, &described)?;
         let roll = a.motion.irregular_roll(&roll)?;
         let (before, intervals, against) = (String::new(), None, rows.against);
         Ok(Self { compass, motion_says, before, after, roll, intervals, cases, against })
@@ -142,20 +142,19 @@ impl Case {
 }
 
 /// What of the error hangs on a white tail of the acceleration.
-fn tail(compass: &Compass, described: &Described) -> Result<String> {
+fn tail(instrument: &Instrument, described: &Described) -> Result<String> {
     if !described.motion.has_white_acceleration() || described.regular {
         return Ok(String::new());
     }
     let heading = 45f64.to_radians();
     let corner = 2.5;
-    let instrument = compass.plain_instrument();
     let whole = instrument.rectified_error(&described.motion, heading)?.to_degrees();
     let banded =
         instrument.rectified_error(&described.motion.band_limited(corner, 2)?, heading)?.to_degrees();
     Ok(format!(
-        "This motion's acceleration has a white tail (infinite variance), which no ship has. By the lag alone on heading 45°\n\
-         the mean is {whole:.3}° with it and {banded:.3}° behind two low-passes at {corner} rad/s: {:.0} % hang on the tail (see --band).\n",
-        100.0 * (1.0 - banded / whole)
+        "This motion's acceleration has a white tail (infinite variance), which no ship has. On heading 45°\n\
+         the mean is {whole:.3}° with it and {banded:.3}° behind two low-passes at {corner} rad/s: {:.0} % of it hang on the tail (see --band).\n",
+        100.0 * (1.0 - banded / whole).abs()
     ))
 }
 
