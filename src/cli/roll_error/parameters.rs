@@ -3,7 +3,7 @@
 
 use super::options::InstrumentOptions;
 use super::{angle, quantity};
-use crate::gyro::elastic::{Elastic, Inertia, Lag, Relaxing};
+use crate::gyro::elastic::{Elastic, Inertia, Relaxing};
 use crate::gyro::{Gyrosphere, Instrument};
 use crate::model::Model;
 use crate::spectrum::Roll;
