@@ -46,8 +46,11 @@ impl Assembly<'_> {
         } else {
             prove::held_out(&self.bench, &self.found.last, &self.separate)?
         };
+        let model = self.request.model;
         let blind =
-            locate::blindness(self.request.model, &self.bench, &self.found.base, &self.separate, &before);
+            locate::starved(model, &self.bench, &self.found.last, &self.separate, &after).or_else(|| {
+                self.found.taken.is_empty().then(|| locate::unseen(model, &self.found.base)).flatten()
+            });
         let evidence =
             Evidence { faults: &self.faults, found: &self.found, rest: &rest, blind: blind.as_deref() };
         let verdict = evidence.verdict();

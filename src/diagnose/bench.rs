@@ -25,6 +25,8 @@ pub struct Bench {
     pub seed: u64,
     /// Number of the given model's own parameters.
     pub own_parameters: usize,
+    /// Number of its own inputs; the other inputs are channels that mechanisms use.
+    pub own_inputs: usize,
     /// The simulator's tolerance, as a share of an output's spread.
     pub tolerance: f64,
 }
@@ -96,6 +98,8 @@ const LONG: usize = 40_000;
 const SHORT: usize = 3_000;
 /// Share of the white part of the noise that the simulator's error may have.
 const SOLVER: f64 = 0.05;
+/// Share of the misfit that the simulator's error may have in fits that are only ranked.
+const ROUGH: f64 = 0.02;
 /// Bounds of the simulator's tolerance, as a share of an output's spread.
 const TOLERANCES: (f64, f64) = (1e-6, 1e-3);
 
@@ -126,6 +130,20 @@ impl Bench {
             stopping: Stopping { iterations, reduction: 1e-6, step: 1e-6 },
             ..FitOptions::default()
         }
+    }
+
+    /// A rougher tolerance, that keeps the simulator's error below what a fitted model leaves.
+    pub fn rough(&self, fit: &Fit) -> f64 {
+        let spread = |name: &str| {
+            let channels = self.recordings.iter().filter_map(|r| r.find(name));
+            let values: Vec<f64> =
+                channels.flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
+            let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
+            rms(&values.iter().map(|v| v - mean).collect::<Vec<_>>())
+        };
+        let shares = fit.model.outputs.iter().zip(&fit.rmse).map(|(o, r)| ROUGH * r / spread(&o.name));
+        let share = shares.filter(|s| s.is_finite()).fold(f64::INFINITY, f64::min);
+        share.clamp(self.tolerance, TOLERANCES.1.max(self.tolerance))
     }
 
     /// Whether the recordings are tables of trials.
@@ -259,7 +277,7 @@ impl Bench {
 
     /// Runs the model with its states, definitions and terms as outputs.
     fn look(&self, model: &Model, stand: &Stand) -> Result<Looks> {
-        let watched = Watched::of(model);
+        let watched = Watched::of(model, self.own_inputs);
         let mut probes = model.clone();
         probes.outputs = watched.outputs(model);
         let mut values: Vec<Vec<f64>> = vec![Vec::new(); probes.outputs.len()];

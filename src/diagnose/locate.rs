@@ -116,25 +116,25 @@ pub fn bands(before: &Fit, after: &Fit) -> Vec<Band> {
     found
 }
 
-/// Why the fitted part cannot tell what is missing, if it cannot.
-///
-/// Either a direction of the model's own parameters is not seen, or an input has no more than two
-/// levels in the fitted part and others in the held-out part, where the model then fails.
-pub fn blindness(
+/// Parameters of the model that the fitted part does not show apart, if any.
+pub fn unseen(model: &Model, base: &Fit) -> Option<String> {
+    let is_parameter = |name: &str| model.parameters.iter().any(|p| p.name == *name);
+    let hidden =
+        base.unseen.iter().find(|d| d.weights.iter().all(|w| is_parameter(&w.0)) && !d.deviation.is_finite());
+    let names: Vec<&str> = hidden?.weights.iter().map(|w| w.0.as_str()).collect();
+    Some(format!("the recording does not show {} apart", names.join(" and ")))
+}
+
+/// An input with no more than two levels in the fitted part and others in the held-out part, where the
+/// model with all that was found fails: any law of that input fits alike.
+pub fn starved(
     model: &Model,
     bench: &Bench,
-    base: &Fit,
+    last: &Fit,
     separate: &[Recording],
     held: &[Held],
 ) -> Option<String> {
-    let is_parameter = |name: &str| model.parameters.iter().any(|p| p.name == *name);
-    let unseen =
-        base.unseen.iter().find(|d| d.weights.iter().all(|w| is_parameter(&w.0)) && !d.deviation.is_finite());
-    if let Some(d) = unseen {
-        let names: Vec<&str> = d.weights.iter().map(|w| w.0.as_str()).collect();
-        return Some(format!("the recording does not show {} apart", names.join(" and ")));
-    }
-    let fails = held.iter().zip(&base.rmse).any(|(h, r)| h.rmse() > 2.0 * r);
+    let fails = held.iter().zip(&last.rmse).any(|(h, r)| h.rmse() > 2.0 * r);
     let input = model.inputs.iter().find(|i| few_levels(&i.name, model, bench, separate))?;
     fails.then(|| {
         format!(

@@ -16,6 +16,7 @@ mod next;
 pub mod pictures;
 mod propose;
 pub mod prove;
+mod race;
 mod rest;
 mod screen;
 mod search;
@@ -77,6 +78,7 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
         separate: !request.separate.is_empty(),
         seed: request.seed,
         own_parameters: model.parameters.len(),
+        own_inputs: model.inputs.len(),
     };
     request.progress.says("fitting the model as it stands", None);
     let mut base = bench.full_fit(model)?;

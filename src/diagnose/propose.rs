@@ -18,12 +18,15 @@ use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
 use super::screen::{Score, Screen};
 use crate::Result;
+use crate::estimate::Fit;
 use crate::estimate::noise::{Autoregression, NoiseModel};
-use crate::estimate::{Fit, fit};
 use rayon::prelude::*;
 
 /// Samples to which the free run is shortened for its own screening.
 const FREE: usize = 3000;
+
+/// A second start is walked from too, where it is this near to the first.
+const SECOND: f64 = 1.2;
 
 /// A proposal with its score.
 #[derive(Clone)]
@@ -221,10 +224,10 @@ fn cosine(a: &Score, b: &Score) -> f64 {
     a.direction.iter().zip(&b.direction).map(|(x, y)| f64::from(*x) * f64::from(*y)).sum::<f64>().abs()
 }
 
-/// Fits a screened proposal inside the model, from several sizes of its effect.
-pub fn refit(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Option<Fit> {
+/// The best starts of a screened proposal inside the model, from several sizes of its effect.
+pub fn starts(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Vec<Stand> {
     let p = &s.proposal;
-    let records = bench.ready(&p.model).ok()?;
+    let Ok(records) = bench.ready(&p.model) else { return Vec::new() };
     let squares = |stand: &Stand| {
         let tracks = bench::run(&records, stand, &[]).ok();
         tracks.map_or(f64::INFINITY, |t| t.iter().flat_map(|t| &t.residual).map(|e| e * e).sum())
@@ -238,23 +241,10 @@ pub fn refit(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Option
             stands.push((squares(&stand), stand));
         }
     }
+    stands.retain(|s| s.0.is_finite());
     stands.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let mut best: Option<Fit> = None;
-    let now = stands.first().map_or(0.0, |s| s.0);
-    for (value, stand) in stands.into_iter().take(2) {
-        let enough = best.is_some() && value > 1.2 * now;
-        if !value.is_finite() || enough {
-            continue;
-        }
-        let mut options = bench.options(bench.effort(&p.model), bench.steps(&p.model));
-        options.initials.clone_from(&stand.initials);
-        let fitted = fit(&stand.placed(&p.model), &bench.recordings, &options).ok();
-        let better = |f: &Fit| best.as_ref().is_none_or(|b| f.sum_of_squares < b.sum_of_squares);
-        if let Some(f) = fitted.filter(better) {
-            best = Some(f);
-        }
-    }
-    best
+    let near = stands.first().map_or(0.0, |s| SECOND * s.0);
+    stands.into_iter().take(2).filter(|s| s.0 <= near).map(|s| s.1).collect()
 }
 
 /// Starts of the added parameters: the scored size, and parts of the term's own size.

@@ -21,6 +21,9 @@ use rayon::prelude::*;
 /// Hats along a signal.
 const HATS: usize = 7;
 
+/// Harmonics of a heading in a table of trials.
+const HARMONICS: usize = 4;
+
 /// Signals that are taken in pairs, at most.
 const PAIRED: usize = 4;
 
@@ -97,6 +100,9 @@ fn drafts(scene: &Scene) -> Vec<(Proposal, Vec<f64>)> {
             all.extend(at_output(scene, &o.name, s));
         }
     }
+    if scene.trials {
+        all.extend(waves(scene, &signals));
+    }
     let sites = motions.iter().map(|m| (m.state.as_str(), &m.force, m.size));
     let paired = &signals[..signals.len().min(PAIRED)];
     for (state, unit, size) in sites {
@@ -152,6 +158,49 @@ fn at_output(scene: &Scene, output: &str, s: &Signal) -> Option<(Proposal, Vec<f
     }
     d.start(&[1.0; HATS]);
     d.done("").map(|p| (p, at))
+}
+
+/// In a table of trials: harmonics of each heading, alone and over hats of each other signal.
+fn waves(scene: &Scene, signals: &[&Signal]) -> Vec<(Proposal, Vec<f64>)> {
+    let mut all = Vec::new();
+    for o in &scene.model.outputs {
+        for h in signals.iter().filter(|s| s.is_heading()) {
+            all.extend(wave(scene, &o.name, h, None));
+            let others = scene.moving(&[SignalKind::Input, SignalKind::Channel]).filter(|s| s.name != h.name);
+            all.extend(others.filter_map(|s| wave(scene, &o.name, h, Some(s))));
+        }
+    }
+    all
+}
+
+fn wave(
+    scene: &Scene,
+    output: &str,
+    heading: &Signal,
+    over: Option<&Signal>,
+) -> Option<(Proposal, Vec<f64>)> {
+    let mut d = Draft::new(scene, "flexible", SiteKind::Output, output);
+    d.uses(&heading.name);
+    let mut hats = vec![String::new()];
+    if let Some(s) = over {
+        d.uses(&s.name);
+        let width = d.constant("width", &s.unit, (s.max - s.min) / 2.0, "");
+        let place = |d: &mut Draft, x: f64| d.constant("place", &s.unit, x, "");
+        let at = [s.min, 0.5 * (s.min + s.max), s.max];
+        hats = at.map(|x| format!("*{}", hat(&s.name, &place(&mut d, x), &width))).to_vec();
+    }
+    let mut count = 0;
+    for hat in &hats {
+        for k in 1..=HARMONICS {
+            for wave in ["sin", "cos"] {
+                let a = d.amplitude("a", &scene.unit(output), super::catalogue::ANY, "");
+                d.output(output, &format!("{{}} + {a}*{wave}({k}*{}){hat}", heading.name));
+                count += 1;
+            }
+        }
+    }
+    d.start(&vec![1.0; count]);
+    d.done("").map(|p| (p, Vec::new()))
 }
 
 fn products(

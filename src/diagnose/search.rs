@@ -18,7 +18,8 @@ use super::bench::Bench;
 use super::catalogue::Proposal;
 use super::choose::{Choice, FLOOR, choose, gain};
 use super::measure::{Measure, Scale};
-use super::propose::{Screened, Screening, View, refit, screen, worth_fitting};
+use super::propose::{Screening, View, screen, worth_fitting};
+use super::race;
 use super::screen::log_chance;
 use crate::Result;
 use crate::estimate::fit::{Effort, Progress};
@@ -93,16 +94,15 @@ fn round(bench: &Bench, current: &Fit, now: &Measure, scale: &Scale, given: &[f6
     scene.peaks = super::locate::peaks(current);
     let screening = screen(bench, &scene, &view);
     let tried = screening.screened.len().max(1) as f64;
-    let chosen: Vec<Screened> =
-        worth_fitting(&screening, bench.patience(&current.model)).into_iter().cloned().collect();
-    let mut fitted: Vec<Refitted> = chosen
+    let chosen = worth_fitting(&screening, bench.patience(&current.model));
+    let finished = race::run(bench, current, &view.stand, given, &chosen);
+    let mut fitted: Vec<Refitted> = finished
         .into_par_iter()
-        .filter_map(|s| {
-            let fit = refit(bench, &view.stand, given, &s)?;
+        .map(|(s, fit)| {
             let measure = Measure::of(&fit, scale);
             let ratio = 2.0 * (measure.likelihood - now.likelihood);
             let p_value = (tried * log_chance(ratio, s.proposal.added.len()).exp()).min(1.0);
-            Some(Refitted { proposal: s.proposal, fit, measure, p_value })
+            Refitted { proposal: s.proposal, fit, measure, p_value }
         })
         .collect();
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));

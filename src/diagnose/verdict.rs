@@ -41,14 +41,11 @@ impl Evidence<'_> {
         if !self.faults.is_empty() {
             return Verdict::DataFault;
         }
+        if self.blind.is_some() {
+            return Verdict::NotIdentifiable;
+        }
         let Some(first) = self.found.taken.first() else {
-            return if self.blind.is_some() {
-                Verdict::NotIdentifiable
-            } else if self.is_left() {
-                Verdict::Unknown
-            } else {
-                Verdict::NothingMissing
-            };
+            return if self.is_left() { Verdict::Unknown } else { Verdict::NothingMissing };
         };
         if self.outweighs() {
             Verdict::Unknown

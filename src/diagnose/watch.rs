@@ -24,12 +24,14 @@ pub struct Watched {
 }
 
 impl Watched {
-    /// States, definitions, outputs, inputs and the terms of every sum.
-    pub fn of(model: &Model) -> Self {
+    /// States, definitions, outputs, inputs and the terms of every sum; inputs beyond the model's own
+    /// are channels that a mechanism already uses.
+    pub fn of(model: &Model, own_inputs: usize) -> Self {
         let states = model.states.iter().map(|s| (s.name.clone(), SignalKind::State));
         let definitions = model.definitions.iter().map(|d| (d.name.clone(), SignalKind::Definition));
         let outputs = model.outputs.iter().map(|o| (o.name.clone(), SignalKind::Output));
-        let inputs = model.inputs.iter().map(|i| (i.name.clone(), SignalKind::Input));
+        let kind = |i: usize| if i < own_inputs { SignalKind::Input } else { SignalKind::Channel };
+        let inputs = model.inputs.iter().enumerate().map(|(i, u)| (u.name.clone(), kind(i)));
         let terms = model.states.iter().enumerate().flat_map(|(i, s)| {
             edit::terms_of(model, edit::sum_of(model, &s.rate)).into_iter().map(move |t| (i, t))
         });

@@ -46,7 +46,11 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Proposal> {
     let state = scene.model.states.iter().find(|s| s.name == m.state)?;
     let kinematic = m.position.as_ref() == Some(&signal.name) || m.speed.as_ref() == Some(&signal.name);
-    if factor.is_empty() && (kinematic || edit::reaches(scene.model, &state.rate, &signal.name) && signal.kind != SignalKind::Input) {
+    let there = match signal.kind {
+        SignalKind::Input => edit::has_term_in(scene.model, &state.rate, &signal.name),
+        _ => edit::reaches(scene.model, &state.rate, &signal.name),
+    };
+    if factor.is_empty() && (kinematic || there) {
         return None;
     }
     let mut d = Draft::at(scene, "cross-coupling", m);

@@ -112,6 +112,24 @@ pub fn terms_of(model: &Model, sum: &Expr) -> Vec<Expr> {
     }
 }
 
+/// Whether the sum in a rate has a term that is a signal times parameters and numbers.
+pub fn has_term_in(model: &Model, rate: &Expr, signal: &str) -> bool {
+    let constant = |n: &str| n == signal || model.parameters.iter().any(|p| p.name == n);
+    let linear = |t: &Expr| is_product_with(t, signal) && t.names().iter().all(|n| constant(n));
+    terms_of(model, sum_of(model, rate)).iter().any(linear)
+}
+
+/// Whether an expression is a product or quotient with a name as one of its factors.
+fn is_product_with(e: &Expr, name: &str) -> bool {
+    match e {
+        Expr::Name(n) => n == name,
+        Expr::Neg(a) => is_product_with(a, name),
+        Expr::Binary(BinaryOp::Mul, a, b) => is_product_with(a, name) || is_product_with(b, name),
+        Expr::Binary(BinaryOp::Div, a, _) => is_product_with(a, name),
+        _ => false,
+    }
+}
+
 /// The rate with its innermost sum replaced by `with(sum)`.
 pub fn with_sum(model: &Model, e: &Expr, with: &dyn Fn(&Expr) -> Expr) -> Expr {
     let boxed = |x: Expr| Box::new(x);

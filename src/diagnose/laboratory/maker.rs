@@ -118,7 +118,14 @@ impl Scenario {
 fn bench(model: &Model, recording: &Recording, seed: u64) -> Bench {
     let recordings = vec![recording.clone()];
     let tolerance = tolerance(model, &recordings);
-    Bench { tolerance, recordings, separate: false, seed, own_parameters: model.parameters.len() }
+    Bench {
+        tolerance,
+        recordings,
+        separate: false,
+        seed,
+        own_parameters: model.parameters.len(),
+        own_inputs: model.inputs.len(),
+    }
 }
 
 /// Makes the cases, writes their files to a folder and returns the truth.

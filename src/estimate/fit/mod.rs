@@ -43,7 +43,7 @@ const FINEST: f64 = 1e-9;
 /// Where a channel is missing, no sample is left to fit, or no start can be simulated.
 pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<Fit> {
     let (mut fitted, wanted, met) = once(model, recordings, options)?;
-    if wanted < options.tolerance && !model.states.is_empty() {
+    if wanted < options.tolerance && !options.is_rough && !model.states.is_empty() {
         options.progress.says("fitting with finer steps", None);
         let finer = FitOptions {
             tolerance: wanted.max(FINEST),

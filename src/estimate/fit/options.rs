@@ -55,6 +55,8 @@ pub struct FitOptions<'a> {
     /// Share of an output's spread that the solver's error may reach; made finer by the fit where the
     /// noise turns out to be so small that it would show.
     pub tolerance: f64,
+    /// Whether the solver keeps to that share whatever the noise: for fits that are only ranked.
+    pub is_rough: bool,
     /// Initial states to start from: one list a recording, one value a state; empty for none.
     pub initials: Vec<Vec<f64>>,
     /// Who hears the progress.
@@ -71,6 +73,7 @@ impl Default for FitOptions<'_> {
             stopping: Stopping::default(),
             separate_holdout: false,
             tolerance: 1e-4,
+            is_rough: false,
             initials: Vec::new(),
             progress: &Silent,
         }
