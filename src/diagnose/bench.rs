@@ -93,9 +93,8 @@ impl Stand {
     }
 }
 
-/// Samples times states from which on a simulation is long, and below which it is short.
+/// Samples times states from which on a simulation is long.
 const LONG: usize = 40_000;
-const SHORT: usize = 3_000;
 /// Share of the white part of the noise that the simulator's error may have.
 const SOLVER: f64 = 0.05;
 /// Share of the misfit that the simulator's error may have in fits that are only ranked.
@@ -201,11 +200,6 @@ impl Bench {
     /// Steps of a fit from a near start: fewer where one simulation is long.
     pub fn steps(&self, model: &Model) -> usize {
         if self.is_long(model) { 12 } else { 40 }
-    }
-
-    /// Short recordings are fitted from all starts every time.
-    pub fn effort(&self, model: &Model) -> Effort {
-        if self.load(model) < SHORT { Effort::Full } else { Effort::Near }
     }
 
     fn is_long(&self, model: &Model) -> bool {

@@ -30,6 +30,8 @@ const TIE: f64 = 2.0;
 const RIVAL: f64 = 0.75;
 /// Share of its gain by which an extension that commutes with another may differ from it.
 const COMMUTES: f64 = 0.2;
+/// Share of the free-run gain by which parts that commute may differ for what they began with alone.
+const STARTS: f64 = 0.05;
 
 /// ln of the fall of the left-out sum of squares.
 pub fn gain(now: &Measure, new: &Measure) -> f64 {
@@ -91,12 +93,15 @@ pub fn choose(round: &Round, now: &Measure, before: f64) -> Option<Choice> {
         .iter()
         .copied()
         .max_by(|a, b| worth(&round.fitted[*a]).total_cmp(&worth(&round.fitted[*b])))?;
+    let fall = |r: &Refitted| gain(now, r);
     let alike = |i: usize, to: usize| {
         let (r, t) = (&round.fitted[i], &round.fitted[to]);
-        let gain = t.measure.likelihood - now.likelihood;
+        let likelier = t.measure.likelihood - now.likelihood;
         let same = commute(r.proposal.code, t.proposal.code) || r.proposal.code == t.proposal.code;
-        let tolerance = if same { TIE.max(COMMUTES * gain) } else { TIE };
-        worth(r) > worth(t) - tolerance && r.proposal.added.len() <= t.proposal.added.len()
+        let tolerance = if same { TIE.max(COMMUTES * likelier) } else { TIE };
+        let by_start_alone = commute(r.proposal.code, t.proposal.code) && fall(r) > (1.0 - STARTS) * fall(t);
+        (by_start_alone || worth(r) > worth(t) - tolerance)
+            && r.proposal.added.len() <= t.proposal.added.len()
     };
     // Of parts that commute, the thing stands before its sensor.
     let place = |i: usize| catalogue::ALL.iter().position(|m| m.code == round.fitted[i].proposal.code);

@@ -156,14 +156,17 @@ fn few_levels(name: &str, model: &Model, bench: &Bench, separate: &[Recording]) 
             if spans.iter().any(|s| s.contains(t)) { fitted.push(v) } else { held.push(v) }
         }
     }
-    let levels = |v: &mut Vec<f64>| {
-        v.sort_unstable_by(f64::total_cmp);
-        v.dedup_by(|a, b| (*a - *b).abs() <= 1e-6 * b.abs().max(1e-12));
-    };
-    levels(&mut fitted);
-    levels(&mut held);
+    let (fitted, held) = (levels(fitted), levels(held));
     let (low, high) = (fitted.first().copied().unwrap_or(0.0), fitted.last().copied().unwrap_or(0.0));
     let reach = 0.02 * (high - low);
     let new = held.iter().any(|v| fitted.iter().all(|f| (f - v).abs() > reach));
     fitted.len() == 2 && new
+}
+
+/// The values that a signal rests at: those of more than a few samples, in rising order.
+fn levels(mut values: Vec<f64>) -> Vec<f64> {
+    values.sort_unstable_by(f64::total_cmp);
+    let few = (values.len() / 100).max(1);
+    let alike = |a: &f64, b: &f64| (a - b).abs() <= 1e-6 * b.abs().max(1e-12);
+    values.chunk_by(alike).filter(|level| level.len() > few).map(|level| level[0]).collect()
 }

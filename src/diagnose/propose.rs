@@ -25,8 +25,11 @@ use rayon::prelude::*;
 /// Samples to which the free run is shortened for its own screening.
 const FREE: usize = 3000;
 
-/// A second start is walked from too, where it is this near to the first.
-const SECOND: f64 = 1.2;
+/// Starts of one proposal, beside the best, from which it is tried.
+const FURTHER: usize = 2;
+
+/// Factor on the sum of squares of the best start up to which another one is walked from too.
+const NEAR: f64 = 3.0;
 
 /// A proposal with its score.
 #[derive(Clone)]
@@ -41,6 +44,8 @@ pub struct Screened {
     pub explained: f64,
     /// Weights of its directions in the free run.
     pub weights: Vec<f64>,
+    /// Further starts that scored well, each with its own weights.
+    pub further: Vec<Screened>,
 }
 
 /// Outcome of one screening.
@@ -128,8 +133,13 @@ pub fn screen(bench: &Bench, scene: &Scene, view: &View) -> Screening {
     Screening { screened, free, p_value }
 }
 
+/// The start that is best by some figure, with the next ones.
 fn best(list: &[Screened], by: &dyn Fn(&Screened) -> f64) -> Option<Screened> {
-    list.iter().max_by(|a, b| by(a).total_cmp(&by(b))).cloned()
+    let mut sorted: Vec<&Screened> = list.iter().collect();
+    sorted.sort_by(|a, b| by(b).total_cmp(&by(a)));
+    let mut first = (*sorted.first()?).clone();
+    first.further = sorted[1..].iter().take(FURTHER).map(|s| (*s).clone()).collect();
+    Some(first)
 }
 
 fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened> {
@@ -176,6 +186,7 @@ fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened
                 score,
                 explained,
                 weights,
+                further: Vec::new(),
             });
         }
     }
@@ -235,15 +246,15 @@ pub fn starts(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Vec<S
     let mut from_given = base.clone();
     from_given.parameters[..given.len()].copy_from_slice(given);
     let mut stands: Vec<(f64, Stand)> = Vec::new();
-    for added in sizes(s) {
-        for from in [base, &from_given] {
-            let stand = from.extended(&p.model, &added);
-            stands.push((squares(&stand), stand));
-        }
+    for start in std::iter::once(s).chain(&s.further) {
+        let tried = sizes(start)
+            .into_iter()
+            .flat_map(|added| [base, &from_given].map(|from| from.extended(&p.model, &added)));
+        let scored = tried.map(|stand| (squares(&stand), stand)).filter(|s| s.0.is_finite());
+        stands.extend(scored.min_by(|a, b| a.0.total_cmp(&b.0)));
     }
-    stands.retain(|s| s.0.is_finite());
     stands.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let near = stands.first().map_or(0.0, |s| SECOND * s.0);
+    let near = stands.first().map_or(0.0, |s| NEAR * s.0);
     stands.into_iter().take(2).filter(|s| s.0 <= near).map(|s| s.1).collect()
 }
 

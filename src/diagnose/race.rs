@@ -60,7 +60,7 @@ fn heat(bench: &Bench, tolerance: f64, starts: &[Stand], s: &Screened) -> Option
 }
 
 fn to_the_end(bench: &Bench, heat: &Fit) -> Option<Fit> {
-    let mut options = bench.options(bench.effort(&heat.model), bench.steps(&heat.model));
+    let mut options = bench.options(Effort::Near, bench.steps(&heat.model));
     options.initials = heat.records.iter().map(|r| r.initials.clone()).collect();
     fit(&heat.model, &bench.recordings, &options).ok()
 }

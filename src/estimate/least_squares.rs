@@ -5,8 +5,8 @@
 //!
 //! # Method
 //! Levenberg and Marquardt with Moré's scaling, in the coordinates of [`Range`]. Unknowns that press
-//! against a bound are taken out, a step that leaves the box is cut at the bound and solved anew for
-//! the rest. A trial that is not finite counts as infinitely bad and shortens the next step.
+//! against a bound are taken out; in a step that would leave the box the unknown that meets its bound first
+//! stays there and the rest is solved anew. A trial that is not finite counts as infinitely bad and shortens the next step.
 //!
 //! # References
 //! J. J. Moré, The Levenberg-Marquardt algorithm, Lecture Notes in Mathematics 630 (1978) 105-116;
@@ -214,35 +214,31 @@ impl<P: Problem + ?Sized> Walk<'_, P> {
         inner
     }
 
-    /// The damped step, cut at the bounds and solved anew for the unknowns that stay inside.
+    /// The damped step inside the box: the unknown that meets its bound first stays there, and the rest
+    /// is solved anew, until none leaves. No such step promises a rise.
     fn step(&self, inner: &Triangle) -> Step {
-        let p = self.x.len();
         let z: Vec<f64> = self.x.iter().zip(self.ranges).map(|(x, r)| r.inward(*x)).collect();
         let gradient = inner.gradient();
-        let presses = |j: usize| {
+        let room = |j: usize, towards: f64| {
             let (low, high) = self.ranges[j].inner();
-            (z[j] <= low && gradient[j] > 0.0) || (z[j] >= high && gradient[j] < 0.0)
+            if towards < 0.0 { low - z[j] } else { high - z[j] }
         };
-        let mut free: Vec<usize> = (0..p).filter(|j| !presses(*j) && self.scale[*j] > 0.0).collect();
-        let mut delta = vec![0.0; p];
+        let presses = |j: usize| gradient[j] * room(j, -gradient[j]) == 0.0;
+        let mut free: Vec<usize> = (0..z.len()).filter(|j| !presses(*j) && self.scale[*j] > 0.0).collect();
+        let mut delta = vec![0.0; z.len()];
         while !free.is_empty() {
             let damping: Vec<f64> = free.iter().map(|j| self.damping.sqrt() * self.scale[*j]).collect();
-            let solved = inner.restricted(&free).solve(&damping);
-            let leaves = |k: usize| {
-                let j = free[k];
-                let (low, high) = self.ranges[j].inner();
-                !(low..=high).contains(&(z[j] + solved[k]))
-            };
-            let out: Vec<usize> = (0..free.len()).filter(|k| leaves(*k)).collect();
-            for (k, j) in free.iter().enumerate() {
-                let (low, high) = self.ranges[*j].inner();
-                delta[*j] = (z[*j] + solved[k]).clamp(low, high) - z[*j];
-            }
-            if out.is_empty() || out.len() == free.len() {
+            let solved = inner.restricted(&free, &delta).solve(&damping);
+            let share = |k: usize| room(free[k], solved[k]) / solved[k];
+            let first = (0..free.len())
+                .filter(|k| solved[*k] != 0.0 && share(*k) < 1.0)
+                .min_by(|a, b| share(*a).total_cmp(&share(*b)));
+            let Some(k) = first else {
+                free.iter().zip(&solved).for_each(|(j, d)| delta[*j] = *d);
                 break;
-            }
-            let gone: Vec<usize> = out.iter().map(|k| free[*k]).collect();
-            free.retain(|j| !gone.contains(j));
+            };
+            delta[free[k]] = room(free[k], solved[k]);
+            free.remove(k);
         }
         Step { promised: inner.predicted(&delta), z: z.iter().zip(&delta).map(|(z, d)| z + d).collect() }
     }
@@ -340,6 +336,32 @@ mod tests {
             ee += e * e;
         }
         assert!((least.x[0] - ye / ee).abs() < 1e-6, "{least:?}");
+    }
+
+    #[test]
+    fn a_step_that_would_leave_the_box_at_several_bounds_still_goes_down() {
+        // ‖J x + r‖² with columns so alike that the free minimum lies far outside the box.
+        struct Alike;
+        impl Problem for Alike {
+            fn unknowns(&self) -> usize {
+                2
+            }
+            fn sum_of_squares(&self, x: &[f64]) -> Result<f64> {
+                self.linearise(x).map(|t| t.sum_of_squares())
+            }
+            fn linearise(&self, x: &[f64]) -> Result<Triangle> {
+                let (a, b) = ([1.0, 1.0, 1.0], [1.0, 1.01, 0.99]);
+                let r: Vec<f64> = (0..3).map(|i| a[i] * x[0] + b[i] * x[1] - [1.0, 3.0, -2.0][i]).collect();
+                let mut t = Triangle::new(2);
+                t.push(&[&a, &b], &r);
+                Ok(t)
+            }
+        }
+        let ranges = [Range { min: 0.0, max: 4.0 }; 2];
+        let least = minimise(&Alike, &[1.0, 0.5], &ranges, Stopping::default()).unwrap();
+        // The box's minimum lies on x₀ = 0: x₁ = Σ b y / Σ b².
+        let best = (1.0 + 3.03 - 1.98) / (1.0 + 1.01_f64.powi(2) + 0.99_f64.powi(2));
+        assert!(least.x[0].abs() < 1e-9 && (least.x[1] - best).abs() < 1e-6, "{least:?}");
     }
 
     #[test]

@@ -96,12 +96,15 @@ impl Triangle {
         self
     }
 
-    /// The same problem in the unknowns listed alone, the others held where they are.
+    /// The same problem in the unknowns listed alone, the others moved by `step`.
     #[must_use]
-    pub fn restricted(&self, keep: &[usize]) -> Self {
+    pub fn restricted(&self, keep: &[usize], step: &[f64]) -> Self {
         let p = self.unknowns;
-        let chosen =
-            Mat::from_fn(p + 1, keep.len() + 1, |i, j| self.r[(i, if j < keep.len() { keep[j] } else { p })]);
+        let others: Vec<usize> = (0..p).filter(|j| !keep.contains(j)).collect();
+        let moved = |i: usize| others.iter().map(|j| self.r[(i, *j)] * step[*j]).sum::<f64>();
+        let chosen = Mat::from_fn(p + 1, keep.len() + 1, |i, j| {
+            if j < keep.len() { self.r[(i, keep[j])] } else { self.r[(i, p)] + moved(i) }
+        });
         let mut small = Self::new(keep.len());
         small.absorb(&chosen);
         small.rows = self.rows;

@@ -199,7 +199,7 @@ impl Assembly<'_> {
         }
         let small = if whitened {
             let mut whole = self.whitened(records, noise);
-            whole = whole.restricted(seen);
+            whole = whole.restricted(seen, &vec![0.0; whole.unknowns()]);
             crate::estimate::covariance::inverse_square(&whole)
         } else {
             coloured_covariance(seen.len(), &stretches)
