@@ -84,7 +84,7 @@ pub fn choose(round: &Round, now: &Measure, before: f64) -> Option<Choice> {
     let gain = |now: &Measure, r: &Refitted| {
         gain(now, &r.measure) * if is_anchored(&r.proposal) { ANCHORED } else { 1.0 }
     };
-    let passes = |r: &Refitted| r.p_value < CHANCE && gain(now, r) > floor;
+    let passes = |r: &Refitted| r.p_value < CHANCE && gain(now, r) > floor && !r.is_pressed();
     let largest = round.fitted.iter().filter(|r| passes(r)).map(|r| gain(now, r)).fold(0.0, f64::max);
     let rivals: Vec<usize> = (0..round.fitted.len())
         .filter(|i| passes(&round.fitted[*i]) && gain(now, &round.fitted[*i]) >= RIVAL * largest)

@@ -22,7 +22,7 @@ use super::propose::{Screening, View, screen, worth_fitting};
 use super::race;
 use super::screen::log_chance;
 use crate::Result;
-use crate::estimate::fit::{Effort, Progress};
+use crate::estimate::fit::{Effort, Progress, Status};
 use crate::estimate::{Fit, fit};
 use rayon::prelude::*;
 
@@ -40,6 +40,14 @@ pub struct Refitted {
     pub measure: Measure,
     /// Chance of its likelihood ratio after correction.
     pub p_value: f64,
+}
+
+impl Refitted {
+    /// Whether one of its own parameters lies at its bound, where it is something simpler.
+    pub fn is_pressed(&self) -> bool {
+        let added = |name: &str| self.proposal.added.iter().any(|a| a.name == name);
+        self.fit.parameters.iter().any(|p| added(&p.name) && matches!(p.status, Status::AtBound(_)))
+    }
 }
 
 /// A mechanism that was taken into the model.
