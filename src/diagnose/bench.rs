@@ -98,7 +98,7 @@ const LONG: usize = 40_000;
 /// Share of the white part of the noise that the simulator's error may have.
 const SOLVER: f64 = 0.05;
 /// Share of the misfit that the simulator's error may have in fits that are only ranked.
-const ROUGH: f64 = 0.02;
+const ROUGH: f64 = 0.01;
 /// Bounds of the simulator's tolerance, as a share of an output's spread.
 const TOLERANCES: (f64, f64) = (1e-6, 1e-3);
 
@@ -213,9 +213,11 @@ impl Bench {
         samples * model.states.len().max(1)
     }
 
-    /// A model ready to run over the parts that the screening uses.
-    pub fn ready(&self, model: &Model) -> Result<Vec<Record>> {
-        let options = self.options(Effort::Near, 0);
+    /// A model ready to run over the parts that the screening uses, to a tolerance.
+    ///
+    /// The simulator chooses its steps at the values that the model holds.
+    pub fn ready(&self, model: &Model, tolerance: f64) -> Result<Vec<Record>> {
+        let options = FitOptions { tolerance, ..self.options(Effort::Near, 0) };
         (0..self.recordings.len())
             .map(|k| setup::record(model, &self.recordings[k], k, &self.screened_spans(model, k), &options))
             .collect()

@@ -66,6 +66,8 @@ pub struct View {
     pub free: Screen,
     /// Where the model stands.
     pub stand: Stand,
+    /// The simulator's tolerance.
+    pub tolerance: f64,
     /// Tracks of the model itself.
     pub tracks: Vec<Track>,
 }
@@ -74,7 +76,8 @@ impl View {
     /// Looks at a fitted model.
     pub fn of(bench: &Bench, fit: &Fit) -> Result<Self> {
         let stand = Stand::of(fit);
-        let records = bench.ready(&fit.model)?;
+        let tolerance = bench.rough(fit);
+        let records = bench.ready(&fit.model, tolerance)?;
         let plain = bench::run(&records, &stand, &[])?;
         let mut noise = fit.noise.clone();
         if bench.is_trials() {
@@ -94,7 +97,7 @@ impl View {
             })
             .collect();
         let free = Screen::new(&own, &plain_noise, bench.seed);
-        Ok(Self { screen: Screen::new(&own, &noise, bench.seed), free, stand, tracks: plain })
+        Ok(Self { screen: Screen::new(&own, &noise, bench.seed), free, stand, tolerance, tracks: plain })
     }
 }
 
@@ -123,7 +126,7 @@ pub fn screen(bench: &Bench, scene: &Scene, view: &View) -> Screening {
         proposals.retain(|p| !super::choose::is_anchored(p));
     }
     let scored: Vec<Vec<Screened>> =
-        proposals.into_par_iter().map(|p| score_starts(bench, &p, view)).collect();
+        proposals.into_par_iter().with_max_len(1).map(|p| score_starts(bench, &p, view)).collect();
     let all: Vec<&Score> = scored.iter().flatten().map(|s| &s.score).collect();
     let p_value = Screen::p_value(&all);
     let mut screened: Vec<Screened> = scored.iter().filter_map(|l| best(l, &|s| s.score.statistic)).collect();
@@ -143,7 +146,7 @@ fn best(list: &[Screened], by: &dyn Fn(&Screened) -> f64) -> Option<Screened> {
 }
 
 fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened> {
-    let Ok(records) = bench.ready(&proposal.model) else { return Vec::new() };
+    let Ok(records) = bench.ready(&proposal.at_rest(), view.tolerance) else { return Vec::new() };
     let first = proposal.model.parameters.len();
     let place = |k: usize| {
         let name = &proposal.added[k].name;
@@ -236,9 +239,11 @@ fn cosine(a: &Score, b: &Score) -> f64 {
 }
 
 /// The best starts of a screened proposal inside the model, from several sizes of its effect.
-pub fn starts(bench: &Bench, base: &Stand, given: &[f64], s: &Screened) -> Vec<Stand> {
-    let p = &s.proposal;
-    let Ok(records) = bench.ready(&p.model) else { return Vec::new() };
+pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened) -> Vec<Stand> {
+    let (p, base) = (&s.proposal, &view.stand);
+    let likely = sizes(s).into_iter().next().unwrap_or_else(|| s.start.clone());
+    let model = base.extended(&p.model, &likely).placed(&p.model);
+    let Ok(records) = bench.ready(&model, view.tolerance) else { return Vec::new() };
     let squares = |stand: &Stand| {
         let tracks = bench::run(&records, stand, &[]).ok();
         tracks.map_or(f64::INFINITY, |t| t.iter().flat_map(|t| &t.residual).map(|e| e * e).sum())

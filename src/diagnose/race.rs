@@ -13,7 +13,7 @@
 //! O. Maron, A. W. Moore, Artificial Intelligence Review 11 (1997) 193 (racing).
 
 use super::bench::{Bench, Stand};
-use super::propose::{Screened, starts};
+use super::propose::{Screened, View, starts};
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
 use rayon::prelude::*;
@@ -29,14 +29,14 @@ const LAST: (usize, usize) = (6, 8);
 pub fn run(
     bench: &Bench,
     current: &Fit,
-    stand: &Stand,
+    view: &View,
     given: &[f64],
     chosen: &[&Screened],
 ) -> Vec<(Screened, Fit)> {
-    let rough = bench.rough(current);
     let mut heats: Vec<(&Screened, Fit)> = chosen
         .par_iter()
-        .filter_map(|s| Some((*s, heat(bench, rough, &starts(bench, stand, given, s), s)?)))
+        .with_max_len(1)
+        .filter_map(|s| Some((*s, heat(bench, view.tolerance, &starts(bench, view, given, s), s)?)))
         .collect();
     heats.sort_by(|a, b| a.1.sum_of_squares.total_cmp(&b.1.sum_of_squares));
     let fall = |f: &Fit| (current.sum_of_squares / f.sum_of_squares).ln();
@@ -44,7 +44,10 @@ pub fn run(
     let last = heats.iter().enumerate().take(LAST.1);
     let last: Vec<&(&Screened, Fit)> =
         last.filter(|(i, h)| *i < LAST.0 || fall(&h.1) >= FAIR * largest).map(|(_, h)| h).collect();
-    last.into_par_iter().filter_map(|(s, f)| Some(((*s).clone(), to_the_end(bench, f)?))).collect()
+    last.into_par_iter()
+        .with_max_len(1)
+        .filter_map(|(s, f)| Some(((*s).clone(), to_the_end(bench, f)?)))
+        .collect()
 }
 
 /// A few steps from each start; the best.

@@ -77,8 +77,11 @@ impl Rest {
 /// Looks for any law in what a model leaves.
 pub fn look(bench: &Bench, scene: &Scene, view: &View) -> Rest {
     let drafts = drafts(scene);
-    let mut laws: Vec<Law> =
-        drafts.into_par_iter().filter_map(|(p, places)| law(bench, view, &p, places)).collect();
+    let mut laws: Vec<Law> = drafts
+        .into_par_iter()
+        .with_max_len(1)
+        .filter_map(|(p, places)| law(bench, view, &p, places))
+        .collect();
     let scores: Vec<&Score> = laws.iter().map(|l| &l.score).collect();
     let p_value = Screen::p_value(&scores);
     laws.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
@@ -237,7 +240,7 @@ fn products(
 }
 
 fn law(bench: &Bench, view: &View, p: &Proposal, places: Vec<f64>) -> Option<Law> {
-    let records = bench.ready(&p.model).ok()?;
+    let records = bench.ready(&p.at_rest(), view.tolerance).ok()?;
     let index = |name: &str| p.model.parameters.iter().position(|q| q.name == name);
     let wanted: Vec<usize> = p.added.iter().filter_map(|a| index(&a.name)).collect();
     let stand = view.stand.extended(&p.model, &vec![0.0; wanted.len()]);

@@ -103,7 +103,7 @@ fn round(bench: &Bench, current: &Fit, now: &Measure, scale: &Scale, given: &[f6
     let screening = screen(bench, &scene, &view);
     let tried = screening.screened.len().max(1) as f64;
     let chosen = worth_fitting(&screening, bench.patience(&current.model));
-    let finished = race::run(bench, current, &view.stand, given, &chosen);
+    let finished = race::run(bench, current, &view, given, &chosen);
     let mut fitted: Vec<Refitted> = finished
         .into_par_iter()
         .map(|(s, fit)| {

@@ -80,6 +80,17 @@ pub struct Proposal {
 }
 
 impl Proposal {
+    /// The model with every amplitude at zero.
+    pub fn at_rest(&self) -> Model {
+        let mut model = self.model.clone();
+        for a in self.amplitudes.iter().map(|k| &self.added[*k]) {
+            for p in model.parameters.iter_mut().filter(|p| p.name == a.name) {
+                p.value = 0.0;
+            }
+        }
+        model
+    }
+
     /// Whether its effect is a single force that may have one sign alone.
     pub fn is_one_sided(&self) -> bool {
         match self.amplitudes.as_slice() {
