@@ -209,6 +209,6 @@ mod tests {
         both.push(&[&a, &b], &r);
         let mut one = Triangle::new(1);
         one.push(&[&b], &r);
-        assert!((both.restricted(&[1]).solve(&[])[0] - one.solve(&[])[0]).abs() < 1e-12);
+        assert!((both.restricted(&[1], &[0.0; 2]).solve(&[])[0] - one.solve(&[])[0]).abs() < 1e-12);
     }
 }

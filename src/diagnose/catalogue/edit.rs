@@ -123,9 +123,8 @@ pub fn has_term_in(model: &Model, rate: &Expr, signal: &str) -> bool {
 fn is_product_with(e: &Expr, name: &str) -> bool {
     match e {
         Expr::Name(n) => n == name,
-        Expr::Neg(a) => is_product_with(a, name),
+        Expr::Neg(a) | Expr::Binary(BinaryOp::Div, a, _) => is_product_with(a, name),
         Expr::Binary(BinaryOp::Mul, a, b) => is_product_with(a, name) || is_product_with(b, name),
-        Expr::Binary(BinaryOp::Div, a, _) => is_product_with(a, name),
         _ => false,
     }
 }
