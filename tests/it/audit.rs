@@ -121,7 +121,7 @@ fn first(formula: &str) -> Check {
 #[test]
 fn slips_of_the_audit_file_are_refused() {
     for (part, says) in [
-        ("[[formulas.limits]]\nsymbol = 'mv'\nto = 0.0\nbecomes = '0'\n", "it has mu"),
+        ("[[formulas.limits]]\nsymbol = 'mv'\nto = 0.0\nbecomes = '0'\n", "the nearest is mu"),
         ("[[formulas.limits]]\nsymbol = 'mu'\nto = nan\nbecomes = '0'\n", "no number"),
         (
             "[[formulas.examples]]\nvalues = { mu = 1, zeta = 2 }\nresult = '2'\nunit = '1'\n",
