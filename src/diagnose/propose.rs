@@ -251,10 +251,14 @@ pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened) -> Vec<St
     let mut from_given = base.clone();
     from_given.parameters[..given.len()].copy_from_slice(given);
     let mut stands: Vec<(f64, Stand)> = Vec::new();
-    for start in std::iter::once(s).chain(&s.further) {
-        let tried = sizes(start)
-            .into_iter()
-            .flat_map(|added| [base, &from_given].map(|from| from.extended(&p.model, &added)));
+    // Every size from the fitted parameters; from the given ones, and at further starts, the likely sizes.
+    for (i, start) in std::iter::once(s).chain(&s.further).enumerate() {
+        let sizes = sizes(start);
+        let likely = &sizes[..sizes.len().min(2)];
+        let own = if i == 0 { &sizes[..] } else { likely };
+        let anew = if i == 0 { likely.last() } else { None };
+        let tried = own.iter().map(|a| base.extended(&p.model, a));
+        let tried = tried.chain(anew.map(|a| from_given.extended(&p.model, a)));
         let scored = tried.map(|stand| (squares(&stand), stand)).filter(|s| s.0.is_finite());
         stands.extend(scored.min_by(|a, b| a.0.total_cmp(&b.0)));
     }

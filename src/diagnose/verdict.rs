@@ -10,6 +10,8 @@ const LEFT_CHANCE: f64 = 0.01;
 const LEFT_SHARE: f64 = 0.03;
 /// Left-over gain over the gain of the names from which on the names only resemble.
 const RESEMBLES: f64 = 0.5;
+/// Share of the squared free-run error that names must leave at most where a law is left as well.
+const UNNAMED: f64 = 1.0 / 3.0;
 
 /// What decides.
 pub struct Evidence<'a> {
@@ -30,10 +32,17 @@ impl Evidence<'_> {
         self.rest.p_value < LEFT_CHANCE && best.is_some_and(|l| l.explained > LEFT_SHARE)
     }
 
-    /// Whether what is left outweighs what was named: falls of the squared error, as logarithms.
+    /// Whether what is left outweighs what was named: by the fall of the squared error that a law of it
+    /// would bring, as logarithms, or because the names explain too little.
     fn outweighs(&self) -> bool {
         let left = self.rest.laws.first().map_or(0.0, |l| -(1.0 - l.explained.min(0.999)).ln());
-        self.is_left() && left > RESEMBLES * self.found.gain()
+        self.is_left() && (left > RESEMBLES * self.found.gain() || self.unnamed() > UNNAMED)
+    }
+
+    /// Share of the squared free-run error that the names leave, in the output where it is smallest.
+    fn unnamed(&self) -> f64 {
+        let pairs = self.found.last.rmse.iter().zip(&self.found.base.rmse);
+        pairs.map(|(after, before)| (after / before).powi(2)).fold(f64::INFINITY, f64::min)
     }
 
     /// The verdict.
