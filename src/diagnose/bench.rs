@@ -1,7 +1,7 @@
 //! The recordings on the bench: free runs of any model on their fitted parts.
 
 use super::catalogue::Scene;
-use super::watch::{LOOKS, Looks, Watched, rms};
+use super::watch::{LOOKS, Looks, Watched, spread};
 use crate::estimate::fit::Effort;
 use crate::estimate::fit::rig::{Record, Unknown};
 use crate::estimate::fit::setup;
@@ -103,12 +103,11 @@ const ROUGH: f64 = 0.01;
 const TOLERANCES: (f64, f64) = (1e-6, 1e-3);
 
 /// The tolerance, a share of an output's spread, that keeps the simulator's error far below the noise.
-pub fn tolerance(model: &Model, recordings: &[Recording]) -> f64 {
+fn tolerance(model: &Model, recordings: &[Recording]) -> f64 {
     let outputs = recordings.iter().flat_map(|r| model.outputs.iter().filter_map(|o| r.find(&o.name)));
     let shares = outputs.filter_map(|c| {
         let v: Vec<f64> = c.values.iter().copied().filter(|v| v.is_finite()).collect();
-        let mean = v.iter().sum::<f64>() / v.len() as f64;
-        let spread = rms(&v.iter().map(|x| x - mean).collect::<Vec<_>>());
+        let spread = spread(&v);
         // Third differences of white noise of deviation σ have deviation √20 σ.
         let third: Vec<f64> = v.windows(4).map(|w| w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).collect();
         let noise = robust_deviation(&third) / 20f64.sqrt();
@@ -118,6 +117,26 @@ pub fn tolerance(model: &Model, recordings: &[Recording]) -> f64 {
 }
 
 impl Bench {
+    /// A bench for a model, to the tolerance that its recordings' noise asks for.
+    pub fn new(model: &Model, recordings: Vec<Recording>, separate: bool, seed: u64) -> Self {
+        Self {
+            tolerance: tolerance(model, &recordings),
+            recordings,
+            separate,
+            seed,
+            own_parameters: model.parameters.len(),
+            own_inputs: model.inputs.len(),
+        }
+    }
+
+    /// Root mean square of a channel about its mean, over all recordings.
+    pub fn spread(&self, name: &str) -> f64 {
+        let channels = self.recordings.iter().filter_map(|r| r.find(name));
+        let values: Vec<f64> =
+            channels.flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
+        spread(&values)
+    }
+
     /// Options of a fit on this bench.
     pub fn options(&self, effort: Effort, iterations: usize) -> FitOptions<'static> {
         FitOptions {
@@ -133,14 +152,8 @@ impl Bench {
 
     /// A rougher tolerance, that keeps the simulator's error below what a fitted model leaves.
     pub fn rough(&self, fit: &Fit) -> f64 {
-        let spread = |name: &str| {
-            let channels = self.recordings.iter().filter_map(|r| r.find(name));
-            let values: Vec<f64> =
-                channels.flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
-            let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
-            rms(&values.iter().map(|v| v - mean).collect::<Vec<_>>())
-        };
-        let shares = fit.model.outputs.iter().zip(&fit.rmse).map(|(o, r)| ROUGH * r / spread(&o.name));
+        let outputs = fit.model.outputs.iter().zip(&fit.rmse);
+        let shares = outputs.map(|(o, r)| ROUGH * r / self.spread(&o.name));
         let share = shares.filter(|s| s.is_finite()).fold(f64::INFINITY, f64::min);
         share.clamp(self.tolerance, TOLERANCES.1.max(self.tolerance))
     }

@@ -142,16 +142,7 @@ pub struct Misread {
 
 /// Looks for a channel of the wrong sign or unit, where the model as given fits badly.
 pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
-    let spread = |name: &str| {
-        let values: Vec<f64> = bench
-            .recordings
-            .iter()
-            .filter_map(|r| r.find(name))
-            .flat_map(|c| c.values.iter().copied().filter(|v| v.is_finite()))
-            .collect();
-        let mean = values.iter().sum::<f64>() / values.len().max(1) as f64;
-        (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / values.len().max(1) as f64).sqrt()
-    };
+    let spread = |name: &str| bench.spread(name);
     let badly = model.outputs.iter().zip(&base.rmse).any(|(o, r)| *r > 0.3 * spread(&o.name));
     if !badly {
         return None;

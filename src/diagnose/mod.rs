@@ -72,14 +72,7 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     request.progress.says("looking for faults in the data", None);
     let cleaned = faults::clean(model, request.recordings);
     let separate = faults::clean(model, request.separate);
-    let mut bench = Bench {
-        tolerance: bench::tolerance(model, &cleaned.recordings),
-        recordings: cleaned.recordings,
-        separate: !request.separate.is_empty(),
-        seed: request.seed,
-        own_parameters: model.parameters.len(),
-        own_inputs: model.inputs.len(),
-    };
+    let mut bench = Bench::new(model, cleaned.recordings, !request.separate.is_empty(), request.seed);
     request.progress.says("fitting the model as it stands", None);
     let mut base = bench.full_fit(model)?;
     let mut found_faults: Vec<answer::Finding> = cleaned

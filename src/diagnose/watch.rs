@@ -103,6 +103,12 @@ pub fn rms(v: &[f64]) -> f64 {
     (v.iter().map(|x| x * x).sum::<f64>() / v.len().max(1) as f64).sqrt()
 }
 
+/// Root mean square about the mean.
+pub fn spread(v: &[f64]) -> f64 {
+    let mean = v.iter().sum::<f64>() / v.len().max(1) as f64;
+    rms(&v.iter().map(|x| x - mean).collect::<Vec<_>>())
+}
+
 fn statistics(name: String, kind: SignalKind, unit: crate::units::Unit, v: &[f64], step: f64) -> Signal {
     let n = v.len().max(1) as f64;
     let mean = v.iter().sum::<f64>() / n;

@@ -1,7 +1,7 @@
 //! Made recordings with something concealed in them.
 
 use super::stepper::Stepper;
-use crate::diagnose::bench::{Bench, Stand, tolerance};
+use crate::diagnose::bench::{Bench, Stand};
 use crate::diagnose::catalogue::{self, Proposal, Scene};
 use crate::expression::Expr;
 use crate::model::{Initial, Model};
@@ -103,7 +103,7 @@ impl Scenario {
     /// # Errors
     /// Where it cannot be fitted.
     pub fn of(model: &Model, recording: &Recording, seed: u64) -> Result<Self> {
-        let bench = bench(model, recording, seed);
+        let bench = Bench::new(model, vec![recording.clone()], false, seed);
         let f = bench.full_fit(model)?;
         let mut model = f.model.clone();
         for (s, x) in model.states.iter_mut().zip(&f.records[0].initials) {
@@ -115,25 +115,12 @@ impl Scenario {
     }
 }
 
-fn bench(model: &Model, recording: &Recording, seed: u64) -> Bench {
-    let recordings = vec![recording.clone()];
-    let tolerance = tolerance(model, &recordings);
-    Bench {
-        tolerance,
-        recordings,
-        separate: false,
-        seed,
-        own_parameters: model.parameters.len(),
-        own_inputs: model.inputs.len(),
-    }
-}
-
 /// Makes the cases, writes their files to a folder and returns the truth.
 ///
 /// # Errors
 /// Where the scenario cannot be simulated or files cannot be written.
 pub fn make(scenario: &Scenario, folder: &Path, cases: usize, seed: u64) -> Result<Vec<Case>> {
-    let bench = bench(&scenario.model, &scenario.recording, seed);
+    let bench = Bench::new(&scenario.model, vec![scenario.recording.clone()], false, seed);
     let records = &scenario.recording;
     let initials: Vec<f64> = scenario
         .model
