@@ -41,5 +41,7 @@ pub mod units;
 
 #[doc(hidden)]
 pub mod cli;
+#[cfg(feature = "python")]
+pub mod python;
 
 pub use error::{Error, ErrorKind, Result};

@@ -35,12 +35,25 @@ pub struct Call {
 }
 
 /// A fit with all that a report of it says.
-struct Told<'a> {
-    fit: &'a Fit,
-    held_out: &'a [HeldOut],
-    recordings: &'a [Recording],
-    separate: &'a [Recording],
-    seed: u64,
+pub struct Told<'a> {
+    pub fit: &'a Fit,
+    pub held_out: &'a [HeldOut],
+    pub recordings: &'a [Recording],
+    pub separate: &'a [Recording],
+    pub seed: u64,
+}
+
+#[cfg(feature = "python")]
+impl Told<'_> {
+    /// As JSON.
+    pub fn json(&self) -> Result<String> {
+        json::render(self)
+    }
+
+    /// As words.
+    pub fn text(&self) -> String {
+        text::render(self)
+    }
 }
 
 pub fn run(call: &Call) -> Result<Outcome> {

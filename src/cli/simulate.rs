@@ -4,7 +4,7 @@ use super::Outcome;
 use super::output::Sink;
 use crate::model::Model;
 use crate::record::{Kind, Recording};
-use crate::simulate::{Options, Simulator, Trajectory};
+use crate::simulate::{Options, OutputSignal, Simulator, Trajectory};
 use crate::{Error, Result};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -52,7 +52,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
 }
 
 /// What the user should know about the run though it went on.
-fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
+pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
     let mut out = Vec::new();
     if let Some((t, state)) = ran.blew_up {
         let states = &s.model().states;
@@ -96,7 +96,7 @@ fn residual(measured: f64, predicted: f64, wraps: bool) -> f64 {
     if wraps { e - std::f64::consts::TAU * (e / std::f64::consts::TAU).round() } else { e }
 }
 
-fn summary(s: &Simulator, ran: &Trajectory) -> String {
+pub fn summary(s: &Simulator, ran: &Trajectory) -> String {
     let mut out = format!("{}\n", s.model().name);
     let (from, to) = s.span();
     if s.is_dynamic() {
@@ -114,16 +114,20 @@ fn summary(s: &Simulator, ran: &Trajectory) -> String {
     let _ =
         writeln!(out, "{:<20} {:>8} {:>14} {:>14}  unit", "output", "samples", "rms error", "worst error");
     for (o, predicted) in s.outputs().iter().zip(&ran.outputs) {
-        let pairs = o.measured.iter().zip(predicted).filter(|(y, f)| y.is_finite() && f.is_finite());
-        let errors: Vec<f64> =
-            pairs.map(|(y, f)| o.unit.difference_from_si(residual(*y, *f, o.wraps))).collect();
-        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
-        let worst = errors.iter().fold(0.0f64, |m, e| m.max(e.abs()));
+        let (count, rms, worst) = errors(o, predicted);
         let unit = o.unit.of_differences();
         let [rms, worst] = [rms, worst].map(cell);
-        let _ = writeln!(out, "{:<20} {:>8} {rms:>14} {worst:>14}  {unit}", o.name, errors.len());
+        let _ = writeln!(out, "{:<20} {count:>8} {rms:>14} {worst:>14}  {unit}", o.name);
     }
     out
+}
+
+/// The number of compared samples, and the rms and worst error in the output's unit.
+pub fn errors(o: &OutputSignal, predicted: &[f64]) -> (usize, f64, f64) {
+    let pairs = o.measured.iter().zip(predicted).filter(|(y, f)| y.is_finite() && f.is_finite());
+    let errors: Vec<f64> = pairs.map(|(y, f)| o.unit.difference_from_si(residual(*y, *f, o.wraps))).collect();
+    let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+    (errors.len(), rms, errors.iter().fold(0.0f64, |m, e| m.max(e.abs())))
 }
 
 /// Six decimals, or six digits and an exponent for what is very small or large.

@@ -61,6 +61,17 @@ pub fn run(call: &Table) -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
+/// The tables as text: orders as `7` or `1..10`, and the name of a form.
+#[cfg(feature = "python")]
+pub fn text(range: &str, format: &str) -> Result<String> {
+    let format = Format::from_str(format, true).map_err(|_| {
+        let all: Vec<_> = Format::value_variants().iter().filter_map(ValueEnum::to_possible_value).collect();
+        let names: Vec<&str> = all.iter().map(clap::builder::PossibleValue::get_name).collect();
+        Error::usage(format!("there is no form '{format}'")).with_hint(format!("forms: {}", names.join(", ")))
+    })?;
+    print_tables(orders(range)?, format.into())
+}
+
 /// `7` or `1..10`, both ends included.
 fn orders(text: &str) -> Result<RangeInclusive<usize>> {
     let wrong = |why: String| {

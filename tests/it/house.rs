@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-const ROOMS: [&str; 17] = [
+const ROOMS: [&str; 18] = [
     "error",
     "units",
     "expression",
@@ -21,6 +21,7 @@ const ROOMS: [&str; 17] = [
     "diagnose",
     "report",
     "cli",
+    "python",
 ];
 
 fn visit(path: &Path, files: &mut Vec<std::path::PathBuf>) {

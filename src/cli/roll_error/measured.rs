@@ -13,7 +13,6 @@ use crate::spectrum::{
 };
 use crate::{Error, Result};
 use std::f64::consts::{PI, TAU};
-use std::path::Path;
 
 /// A recorded roll with its spectrum and the fit of (3.3).
 pub struct Analysis {
@@ -111,19 +110,18 @@ fn quadrature_over(limit: f64, f: impl Fn(f64) -> f64) -> f64 {
 
 /// The table for a recorded roll: by I_n on the fit of (3.3), with the mean by quadrature over
 /// the measured spectrum beside it.
-pub fn plan(compass: &Compass, path: &Path, a: &Arguments, rows: &RowOptions) -> Result<Plan> {
+pub fn plan(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowOptions) -> Result<Plan> {
     if a.motion.given() || rows.against != Against::Heading {
         return Err(Error::usage("a recording is the motion, and its rows run over headings")
             .with_hint("leave the options of the motion and --against away"));
     }
-    let recording = super::recording::read(path, a.roll.as_deref())?;
-    let name = super::recording::roll_name(&recording, a.roll.as_deref())?;
+    let name = super::recording::roll_name(recording, a.roll.as_deref())?;
     let mut compass = compass.clone();
     if let (Some(latitude), None) = (recording.constant("lat"), &a.instrument.latitude) {
         compass.sphere.latitude = latitude;
         compass.sphere.check()?;
     }
-    let analysis = analyse(&recording, &name)?;
+    let analysis = analyse(recording, &name)?;
     let m = moments(&analysis, compass.sphere.lag)?;
     let motion = || -> Described {
         let says = format!(

@@ -66,8 +66,8 @@ Examples:
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
     let picture = a.svg.as_deref().map(Sink::open).transpose()?;
-    let (parameters, recording) = files(a);
-    let bare = parameters.is_none() && recording.is_none() && !a.motion.given() && !a.rows.given();
+    let (parameters, file) = files(a);
+    let bare = parameters.is_none() && file.is_none() && !a.motion.given() && !a.rows.given();
     if bare && !a.formula && !a.json && !a.free && picture.is_none() && a.instrument.plain() {
         output::print(examples::text()?.as_bytes())?;
         return Ok(Outcome::Done);
@@ -85,8 +85,8 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
     if picture.is_some() && !rows.has_headings() && rows.days()?.is_none() {
         rows.step = PICTURE_STEP;
     }
-    let plan = match recording {
-        Some(path) => measured::plan(&compass, path, a, &rows)?,
+    let plan = match file {
+        Some(path) => measured::plan(&compass, &recording::read(path, a.roll.as_deref())?, a, &rows)?,
         None => table::Plan::of_options(compass, a, &rows)?,
     };
     let drawn = plan.evaluate(rows.days()?, rows.seed)?;
@@ -101,6 +101,59 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
     }
     output::print(text.as_bytes())?;
     Ok(Outcome::Done)
+}
+
+/// A compass and a recording that lie in memory, or the path of a compass.
+#[cfg(feature = "python")]
+pub struct Given<'a> {
+    pub path: Option<&'a Path>,
+    pub text: Option<&'a str>,
+    pub recording: Option<&'a crate::record::Recording>,
+}
+
+/// The same three ways.
+#[cfg(feature = "python")]
+pub struct Answer {
+    pub json: String,
+    pub text: String,
+    /// The polar picture; empty where the rows do not run over headings.
+    pub svg: String,
+}
+
+/// What the options of the command line ask for, of what lies in memory.
+#[cfg(feature = "python")]
+pub fn answer(options: &[String], given: &Given<'_>) -> Result<Answer> {
+    #[derive(clap::Parser)]
+    struct Alone {
+        #[command(flatten)]
+        arguments: Arguments,
+    }
+    let words = std::iter::once("roll-error").chain(options.iter().map(String::as_str));
+    let a = <Alone as clap::Parser>::try_parse_from(words).map_err(|e| usage(&e))?.arguments;
+    let compass = match given.text {
+        Some(text) => parameters::of_text(text, &a.instrument)?,
+        None => parameters::read(given.path, &a.instrument)?,
+    };
+    let plan = match given.recording {
+        Some(recording) => measured::plan(&compass, recording, &a, &a.rows)?,
+        None => table::Plan::of_options(compass, &a, &a.rows)?,
+    };
+    let drawn = plan.evaluate(a.rows.days()?, a.rows.seed)?;
+    let rows: Vec<&table::Row> = drawn.iter().collect();
+    let svg = if plan.against == options::Against::Heading && drawn.len() > 2 {
+        polar::svg(&plan.polar(&drawn)?)
+    } else {
+        String::new()
+    };
+    Ok(Answer { json: json::text(&plan, &rows)?, text: table::text(&plan, &rows), svg })
+}
+
+/// A parser's refusal without its advice on calling the program.
+#[cfg(feature = "python")]
+fn usage(e: &clap::Error) -> Error {
+    let text = e.to_string();
+    let says = text.split("\n\n").next().unwrap_or_default();
+    Error::usage(says.trim_start_matches("error: ").trim_end())
 }
 
 /// A lone file is the compass if it has parameters, else the recording.

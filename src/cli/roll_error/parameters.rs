@@ -116,34 +116,19 @@ pub fn has_parameters(path: &Path) -> bool {
     text.parse::<toml::Table>().is_ok_and(|t| t.contains_key("parameters") || t.contains_key("extends"))
 }
 
-/// Reads the compass; without a path it is the paper's.
+/// Reads the compass from a file; without a path it is the paper's.
 pub fn read(path: Option<&Path>, options: &InstrumentOptions) -> Result<Compass> {
     let mut f = Filling::of_paper();
-    let mut base = "the paper".to_owned();
-    if let Some(path) = path {
-        base = f.read(path)?.unwrap_or(base);
-    }
-    let set = |option: &Option<String>, name: &str, si: &str, place: &mut f64| -> Result<()> {
-        if let Some(text) = option {
-            *place = quantity(name, text, si)?;
-        }
-        Ok(())
-    };
-    if let Some(text) = &options.latitude {
-        f.sphere.latitude = angle("latitude", text)?;
-    }
-    set(&options.lever, "lever", "m", &mut f.sphere.lever)?;
-    let mut speed = 0.0;
-    set(&options.speed, "speed", "m/s", &mut speed)?;
-    f.sphere.check().map_err(|e| if let Some(p) = path { e.with_file(p) } else { e })?;
-    let roll = match f.roll {
-        [Some(a), Some(mu), Some(eps)] => Some(Roll::new(a, mu, eps)?),
-        [None, None, None] => None,
-        _ => return Err(Error::bad_input("a roll is described by all of A, mu and eps, or by none of them")),
-    };
-    let part = f.part()?;
-    let name = elastic(part, options)?.name().to_owned();
-    Ok(Compass { sphere: f.sphere, speed, roll, says: f.says(&base), instrument_name: name, part })
+    let base = path.map(|p| f.read(p)).transpose()?.flatten();
+    f.compass(base, options).map_err(|e| if let Some(p) = path { e.with_file(p) } else { e })
+}
+
+/// Reads the compass from the text of such a file.
+#[cfg(feature = "python")]
+pub fn of_text(text: &str, options: &InstrumentOptions) -> Result<Compass> {
+    let mut f = Filling::of_paper();
+    let base = f.read_text(text)?;
+    f.compass(base, options)
 }
 
 impl Filling {
@@ -158,6 +143,36 @@ impl Filling {
             inherited: Vec::new(),
             own: false,
         }
+    }
+
+    /// The compass, with what the options say of it.
+    fn compass(mut self, base: Option<String>, options: &InstrumentOptions) -> Result<Compass> {
+        let set = |option: &Option<String>, name: &str, si: &str, place: &mut f64| -> Result<()> {
+            if let Some(text) = option {
+                *place = quantity(name, text, si)?;
+            }
+            Ok(())
+        };
+        if let Some(text) = &options.latitude {
+            self.sphere.latitude = angle("latitude", text)?;
+        }
+        set(&options.lever, "lever", "m", &mut self.sphere.lever)?;
+        let mut speed = 0.0;
+        set(&options.speed, "speed", "m/s", &mut speed)?;
+        self.sphere.check()?;
+        let roll = match self.roll {
+            [Some(a), Some(mu), Some(eps)] => Some(Roll::new(a, mu, eps)?),
+            [None, None, None] => None,
+            _ => {
+                return Err(Error::bad_input(
+                    "a roll is described by all of A, mu and eps, or by none of them",
+                ));
+            }
+        };
+        let part = self.part()?;
+        let instrument_name = elastic(part, options)?.name().to_owned();
+        let says = self.says(base.as_deref().unwrap_or("the paper"));
+        Ok(Compass { sphere: self.sphere, speed, roll, says, instrument_name, part })
     }
 
     /// The elastic part that the model's states and parameters describe.
@@ -185,15 +200,19 @@ impl Filling {
             return Ok(Some(format!("the built-in model {name}")));
         }
         let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, &e))?;
-        let file: File =
-            toml::from_str(&text).map_err(|e| Error::bad_input(e.to_string().trim_end()).with_file(path))?;
+        self.read_text(&text).map_err(|e| e.with_file(path))
+    }
+
+    /// Takes a file's parameters from its text.
+    fn read_text(&mut self, text: &str) -> Result<Option<String>> {
+        let file: File = toml::from_str(text).map_err(|e| Error::bad_input(e.to_string().trim_end()))?;
         if let Some(name) = &file.extends {
-            self.builtin(name).map_err(|e| e.with_file(path))?;
+            self.builtin(name)?;
         }
         self.states.extend(file.states.keys().cloned());
         self.own = !(file.states.is_empty() && file.definitions.is_empty());
         for (name, entry) in &file.parameters {
-            self.take(name, entry).map_err(|e| e.with_file(path))?;
+            self.take(name, entry)?;
         }
         Ok(file.extends.map(|name| format!("the built-in model {name}")))
     }

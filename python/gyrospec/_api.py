@@ -1,0 +1,206 @@
+"""The functions: each hands its arguments to the native half and gives the answer its names."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _gyrospec as native
+from ._errors import UsageError, Warning
+from ._inputs import Floats, ModelLike, RecordingLike, as_model, as_recordings
+from ._results import Diagnosis, Fit, IntegralBatch, RollError, Simulation
+
+Quantity: TypeAlias = float | str
+"""A number in SI (latitude and heading in degrees), or a text with its unit: `"4deg"`."""
+
+Quantities: TypeAlias = str | Sequence[Quantity]
+
+
+def integral_batch(h: ArrayLike, g: ArrayLike, *, fast: bool = True) -> IntegralBatch:
+    """Many integrals of one order n: `h` has n + 1 columns, `g` has n, a row is a problem.
+
+    Arrays of doubles whose rows lie one after the other are not copied; do not write into them
+    meanwhile. `fast` gives doubles with a guaranteed bound each; without it every value is within
+    two units in the last place, at ten times the cost and more.
+    """
+    return IntegralBatch(*native.integral_batch(h, g, fast=fast))
+
+
+def table(orders: int | str | range | tuple[int, int], format: str = "markdown") -> str:
+    """I_n with letters: of one order (7), a range with both ends ("1..10" or (1, 10)).
+
+    format: json, markdown, latex, rust, python, c.
+    """
+    if isinstance(orders, range):
+        if orders.step != 1 or not orders:
+            raise UsageError(f"{orders} is no range of orders one after the other")
+        orders = (orders[0], orders[-1])
+    text = "..".join(str(n) for n in orders) if isinstance(orders, tuple) else str(orders)
+    return native.table(text, format)
+
+
+def simulate(
+    model: ModelLike,
+    recording: RecordingLike,
+    *,
+    units: Mapping[str, str] | None = None,
+    time: str | ArrayLike | None = None,
+    tolerance: float = 1e-5,
+) -> Simulation:
+    """Runs a model on a recording; `units` and `time` are for frames, see `recording`.
+
+    tolerance: how far halving the step may move an output, as a share of its spread.
+    """
+    ran = native.simulate(as_model(model), _single(recording, units, time), tolerance)
+    _warn(ran.warnings)
+    return Simulation._of(ran)
+
+
+def fit(
+    model: ModelLike,
+    recordings: RecordingLike | Sequence[RecordingLike],
+    *,
+    holdout: RecordingLike | Sequence[RecordingLike] | None = None,
+    seed: int = 1,
+    units: Mapping[str, str] | None = None,
+    time: str | ArrayLike | None = None,
+) -> Fit:
+    """Fits the free parameters and initial states of a model to recordings, by simulation.
+
+    Without spans and without `holdout` the last 40 % of each recording are held out.
+    """
+    fitted, held = _lists(recordings, holdout, units, time)
+    told = native.fit(as_model(model), fitted, held, seed)
+    _warn(told.warnings)
+    return Fit._of(told)
+
+
+def diagnose(
+    model: ModelLike,
+    recordings: RecordingLike | Sequence[RecordingLike],
+    *,
+    holdout: RecordingLike | Sequence[RecordingLike] | None = None,
+    seed: int = 1,
+    units: Mapping[str, str] | None = None,
+    time: str | ArrayLike | None = None,
+) -> Diagnosis:
+    """Finds what a model leaves out of the physics of its recordings, and proves it on held-out data.
+
+    The same inputs and seed give the same answer as `gyrospec diagnose`.
+    """
+    fitted, held = _lists(recordings, holdout, units, time)
+    told = native.diagnose(as_model(model), fitted, held, seed)
+    _warn(told.warnings)
+    return Diagnosis._of(told)
+
+
+def roll_error(
+    model: ModelLike | None = None,
+    recording: RecordingLike | None = None,
+    *,
+    heading: Quantity | Sequence[Quantity] | None = None,
+    latitude: Quantity | None = None,
+    lever: Quantity | None = None,
+    speed: Quantity | None = None,
+    irregular: Quantities | None = None,
+    regular: Quantities | None = None,
+    sea: str | None = None,
+    height: Quantity | None = None,
+    period: Quantity | None = None,
+    gamma: float | None = None,
+    ship: Quantities | None = None,
+    also: str | Sequence[str] | None = None,
+    band: Quantity | None = None,
+    inertia: bool = False,
+    flow: Quantities | None = None,
+    meridian: Quantities | None = None,
+    vertical: Quantities | None = None,
+    friction: Quantity | None = None,
+    free_play: Quantity | None = None,
+    against: str | None = None,
+    simulate: int | None = None,
+    seed: int | None = None,
+    roll: str | None = None,
+    units: Mapping[str, str] | None = None,
+    time: str | ArrayLike | None = None,
+) -> RollError:
+    """Mean and spread of the heading error that a ship's roll makes in her gyrocompass.
+
+    The arguments are the options of `gyrospec roll-error`; quantities are numbers in SI (latitude and
+    heading in degrees) or texts with their unit, as `irregular=("4deg", 0.06, 0.65)`.
+
+    model: a file with [parameters], a built-in model's name, or a Model; without it the paper's compass.
+    recording: a recorded roll, in place of irregular, regular or sea; `roll` names its channel.
+    """
+    texts = {
+        "latitude": latitude, "lever": lever, "speed": speed, "irregular": irregular, "regular": regular,
+        "sea": sea, "height": height, "period": period, "gamma": gamma, "ship": ship, "also": also,
+        "band": band, "flow": flow, "meridian": meridian, "vertical": vertical, "friction": friction,
+        "free-play": free_play, "against": against, "simulate": simulate, "seed": seed, "roll": roll,
+    }  # fmt: skip
+    options = [f"--{name}={_words(value)}" for name, value in texts.items() if value is not None]
+    if heading is not None:
+        several = [heading] if isinstance(heading, (str, int, float, np.number)) else heading
+        options += [f"--heading={_words(h)}" for h in several]
+    if inertia:
+        options.append("--inertia")
+    is_text = isinstance(model, str) and "\n" in model
+    compass = native.Model.parse(str(model)) if is_text else model
+    measured = None if recording is None else _single(recording, units, time)
+    if compass is not None and not isinstance(compass, (native.Model, str, os.PathLike)):
+        raise TypeError(f"a model is a path, a built-in model's name or a Model, not {type(model).__name__}")
+    return RollError._of(native.roll_error(compass, measured, options))
+
+
+def roll_error_sweep(**columns: ArrayLike) -> Floats:
+    """The mean rolling error in rad of very many compasses on irregular roll, by the batch path.
+
+    Each argument is a column of numbers in SI under its name in the symbol table: P, H, C0, T, h, lat,
+    g, U of the compass, A, mu, eps of the roll, heading; numbers and columns are broadcast. What is not
+    given is that of Example 3.1. NaN where a row has no error.
+    """
+    if not columns:
+        raise UsageError("give a column at least, such as heading=np.radians(range(0, 360, 15))")
+    names = list(columns)
+    spread = np.broadcast_arrays(*(np.asarray(columns[n], dtype=np.float64) for n in names))
+    shape = spread[0].shape
+    flat = {n: np.ravel(a) for n, a in zip(names, spread, strict=True)}
+    return native.roll_error_sweep(flat).reshape(shape)
+
+
+def _single(
+    given: RecordingLike, units: Mapping[str, str] | None, time: str | ArrayLike | None
+) -> native.Recording:
+    if isinstance(given, (list, tuple)):
+        raise TypeError("one recording is wanted, not several")
+    return as_recordings(given, units, time)[0]
+
+
+def _lists(
+    recordings: RecordingLike | Sequence[RecordingLike],
+    holdout: RecordingLike | Sequence[RecordingLike] | None,
+    units: Mapping[str, str] | None,
+    time: str | ArrayLike | None,
+) -> tuple[list[native.Recording], list[native.Recording]]:
+    fitted = as_recordings(recordings, units, time)
+    if not fitted:
+        raise UsageError("give one recording at least")
+    return fitted, [] if holdout is None else as_recordings(holdout, units, time)
+
+
+def _words(value: object) -> str:
+    if isinstance(value, (str, int, float, np.number)):
+        return str(value)
+    if isinstance(value, Sequence):
+        return ",".join(str(v) for v in value)
+    raise TypeError(f"{value!r} is no quantity, such as 3 or '3m'")
+
+
+def _warn(says: Sequence[str]) -> None:
+    for text in says:
+        warnings.warn(text, Warning, stacklevel=3)

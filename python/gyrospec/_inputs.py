@@ -1,0 +1,220 @@
+"""Models and recordings from whatever a notebook has at hand."""
+
+from __future__ import annotations
+
+import difflib
+import os
+import warnings
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Protocol, TypeAlias, cast, runtime_checkable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._errors import InputError, UnitsError, UsageError, Warning
+from ._gyrospec import Model, Recording
+
+Floats: TypeAlias = NDArray[np.float64]
+
+
+@runtime_checkable
+class Frame(Protocol):
+    """A table of named columns: a pandas or Polars frame."""
+
+    @property
+    def columns(self) -> Any: ...
+
+    def __getitem__(self, name: Any, /) -> Any: ...
+
+
+Columns: TypeAlias = Mapping[str, ArrayLike] | Frame
+ModelLike: TypeAlias = Model | str | os.PathLike[str]
+RecordingLike: TypeAlias = Recording | str | os.PathLike[str] | Columns
+Spans: TypeAlias = Sequence[tuple[float, float]]
+
+
+def as_model(given: ModelLike) -> Model:
+    """A model object as it is; a path is read; a text of several lines is a model file's."""
+    if isinstance(given, Model):
+        return given
+    if isinstance(given, str) and "\n" in given:
+        return Model.parse(given)
+    if not isinstance(given, (str, os.PathLike)):
+        raise TypeError(f"a model is a path, a model file's text or a Model, not {type(given).__name__}")
+    return Model.read(given)
+
+
+def recording(
+    data: RecordingLike,
+    *,
+    units: Mapping[str, str] | None = None,
+    time: str | ArrayLike | None = None,
+    name: str | None = None,
+    kind: str = "time",
+    wraps: Iterable[str] = (),
+    hold: Iterable[str] = (),
+    fit: Spans = (),
+    holdout: Spans = (),
+    constants: Mapping[str, tuple[float, str]] | None = None,
+) -> Recording:
+    """A recording of a file, or of the columns of a dict, a pandas or a Polars frame.
+
+    Columns become channels if `units` names them or their name carries its unit, as `roll [deg]`;
+    others are left out. Columns of doubles are read where they lie.
+
+    units: the unit of each column, `{"t": "s", "roll": "deg"}`.
+    time: the column of time, by default the first; or the times themselves, in s. Times of day
+        (datetime64) count in s from the first.
+    kind: "trials" for a table of steady trials, which has no time.
+    wraps: columns whose angle jumps by a turn.
+    hold: inputs that keep their value until the next sample.
+    fit, holdout: spans of time in s (rows of trials) that are fitted and held out; without them the
+        last 40 % are held out.
+    constants: known constants of this recording, `{"lat": (46.5, "deg")}`.
+    """
+    if isinstance(data, Recording):
+        return data
+    if isinstance(data, (str, os.PathLike)):
+        given = (units, time, name, wraps, hold, fit, holdout, constants)
+        if any(x is not None and not (isinstance(x, tuple) and x == ()) for x in given) or kind != "time":
+            raise UsageError("a file says its units and spans itself: give the path alone, or a frame's columns")
+        read = Recording.read(data)
+        for note in read.notes:
+            warnings.warn(note, Warning, stacklevel=3)
+        return read
+    if kind not in ("time", "trials"):
+        raise UsageError(f"kind is 'time' or 'trials', not {kind!r}")
+    columns, of = _columns(data), dict(units or {})
+    clock, columns = (None, columns) if kind == "trials" else _clock(columns, time, of)
+    if kind == "trials" and time is not None:
+        raise UsageError("a table of trials has no time")
+    channels = _channels(columns, of)
+    wrapping, holding = _known("wraps", wraps, channels), _known("hold", hold, channels)
+    return Recording.of_columns(
+        name or "recording",
+        clock,
+        [(n, unit, values, n in wrapping, n in holding) for n, (unit, values) in channels.items()],
+        {
+            "fit": [(float(a), float(b)) for a, b in fit],
+            "holdout": [(float(a), float(b)) for a, b in holdout],
+            "constants": [(n, float(v), unit) for n, (v, unit) in (constants or {}).items()],
+        },
+    )
+
+
+def as_recordings(
+    given: RecordingLike | Sequence[RecordingLike],
+    units: Mapping[str, str] | None = None,
+    time: str | ArrayLike | None = None,
+) -> list[Recording]:
+    """One recording or several; `units` and `time` are those of frames among them."""
+    if isinstance(given, (list, tuple)):
+        return [_one(r, units, time) for r in given]
+    return [_one(cast(RecordingLike, given), units, time)]
+
+
+def _one(given: RecordingLike, units: Mapping[str, str] | None, time: str | ArrayLike | None) -> Recording:
+    if isinstance(given, (Recording, str, os.PathLike)):
+        return recording(given)
+    return recording(given, units=units, time=time)
+
+
+def _columns(data: Columns) -> dict[str, Any]:
+    if isinstance(data, Mapping):
+        return {str(n): data[n] for n in data}
+    if isinstance(data, Frame):
+        return {str(n): data[n] for n in data.columns}
+    raise TypeError(
+        f"a recording is a path, a dict of columns or a pandas or Polars frame, not {type(data).__name__}"
+    )
+
+
+def _clock(
+    columns: dict[str, Any], time: str | ArrayLike | None, units: dict[str, str]
+) -> tuple[tuple[ArrayLike, str], dict[str, Any]]:
+    """The times with their unit, and the columns that are left."""
+    if time is not None and not isinstance(time, str):
+        return (_doubles("time", time)[0], "s"), columns
+    if not columns:
+        raise InputError("the recording has no columns")
+    asked = next(iter(columns)) if time is None else time
+    column = _find(asked, columns)
+    values, is_date = _doubles(column, columns[column])
+    bare, unit = _split(column)
+    unit = units.pop(column, None) or units.pop(bare, None) or unit or ("s" if is_date else None)
+    if unit is None:
+        raise UnitsError(
+            f"the column of time, `{column}`, has no unit\n"
+            f"help: give units={{{column!r}: 's', ...}}, or say which column is the time: time='...'"
+        )
+    return (values, unit), {n: v for n, v in columns.items() if n != column}
+
+
+def _channels(columns: dict[str, Any], units: dict[str, str]) -> dict[str, tuple[str, Floats]]:
+    channels: dict[str, tuple[str, Floats]] = {}
+    for column, values in columns.items():
+        bare, unit = _split(column)
+        unit = units.pop(column, None) or units.pop(bare, None) or unit
+        if unit is not None:
+            channels[bare] = (unit, _doubles(column, values)[0])
+    for unknown in units:
+        raise InputError(f"units names `{unknown}`, but there is no such column\n{_nearest(unknown, columns)}")
+    if not channels:
+        raise UnitsError(
+            "no column has a unit\nhelp: give units={'roll': 'deg', ...}, or name the columns 'roll [deg]'"
+        )
+    return channels
+
+
+def _known(option: str, names: Iterable[str], channels: Mapping[str, object]) -> set[str]:
+    all_names = {names} if isinstance(names, str) else set(names)
+    for unknown in all_names - set(channels):
+        raise InputError(f"{option} names `{unknown}`, but there is no such channel\n{_nearest(unknown, channels)}")
+    return all_names
+
+
+def _find(name: str, columns: Mapping[str, object]) -> str:
+    for column in columns:
+        if name in (column, _split(column)[0]):
+            return column
+    raise InputError(f"there is no column `{name}`\n{_nearest(name, columns)}")
+
+
+def _nearest(name: str, known: Iterable[str]) -> str:
+    known = list(known)
+    near = difflib.get_close_matches(name, known, 1)
+    meant = f"did you mean `{near[0]}`? " if near else ""
+    return f"help: {meant}there are {', '.join(known)}"
+
+
+def _split(column: str) -> tuple[str, str | None]:
+    """`roll [deg]` is roll in deg."""
+    head, bracket, tail = column.strip().rpartition("[")
+    return (head.strip(), tail[:-1].strip()) if bracket and tail.endswith("]") else (column.strip(), None)
+
+
+def _doubles(name: str, values: Any) -> tuple[Floats, bool]:
+    """Doubles, not copied where they are such; whether they were times of day."""
+    if hasattr(values, "to_numpy") and not isinstance(values, np.ndarray):
+        values = _of_series(values)
+    array = np.asarray(values)
+    if array.ndim != 1:
+        raise InputError(f"the column `{name}` has the shape {array.shape}, not one row of numbers")
+    if array.dtype.kind in "mM":
+        since = array - array[0] if array.dtype.kind == "M" and len(array) else array
+        seconds = since.astype("timedelta64[ns]").astype(np.float64) * 1e-9
+        seconds[np.isnat(array)] = np.nan
+        return seconds, True
+    if array.dtype.kind == "c":
+        raise InputError(f"the column `{name}` holds complex numbers")
+    try:
+        return np.asarray(array, dtype=np.float64), False
+    except (TypeError, ValueError) as e:
+        raise InputError(f"the column `{name}` holds something that is no number: {e}") from None
+
+
+def _of_series(values: Any) -> Any:
+    """A pandas or Polars series as an array; gaps become NaN."""
+    if type(values).__module__.startswith("pandas") and getattr(values.dtype, "kind", "O") not in "mMO":
+        return values.to_numpy(dtype=np.float64, na_value=np.nan)
+    return values.to_numpy()

@@ -1,0 +1,45 @@
+//! What a model leaves out.
+
+use super::model::Model;
+use super::recording::Recording;
+use super::told::Told;
+use super::work::patiently;
+use crate::Error;
+use crate::diagnose::{Request, diagnose as find};
+use crate::record;
+use crate::report;
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+/// The recordings themselves.
+pub fn owned(recordings: &[PyRef<'_, Recording>]) -> Vec<record::Recording> {
+    recordings.iter().map(|r| record::Recording::clone(&r.0)).collect()
+}
+
+#[pyfunction]
+pub fn diagnose(
+    py: Python<'_>,
+    model: PyRef<'_, Model>,
+    recordings: Vec<PyRef<'_, Recording>>,
+    holdout: Vec<PyRef<'_, Recording>>,
+    seed: u64,
+) -> PyResult<Told> {
+    let model = Arc::clone(&model.0);
+    let (recordings, separate) = (owned(&recordings), owned(&holdout));
+    let (found, json) = patiently(py, move |progress| {
+        let request = Request { model: &model, recordings: &recordings, separate: &separate, seed, progress };
+        let found = find(&request)?;
+        let json =
+            serde_json::to_string_pretty(&found.answer).map_err(|e| Error::not_computed(e.to_string()))?;
+        Ok((Arc::new(found), json))
+    })?;
+    let again = Arc::clone(&found);
+    Ok(Told {
+        json,
+        warnings: found.after.warnings.iter().map(|w| w.says.clone()).collect(),
+        model: Some(Py::new(py, Model::from(found.after.model.clone()))?),
+        picture: String::new(),
+        text: Box::new(move || report::diagnosis::text(&again)),
+        html: Box::new(move || report::diagnosis::html(&found)),
+    })
+}

@@ -1,0 +1,48 @@
+//! A model fitted to recordings.
+
+use super::diagnose::owned;
+use super::model::Model;
+use super::recording::Recording;
+use super::told::Told;
+use super::work::patiently;
+use crate::cli;
+use crate::estimate::fit::{FitOptions, fit as find, holdout as run_held_out};
+use crate::report::svg::escaped;
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+#[pyfunction]
+pub fn fit(
+    py: Python<'_>,
+    model: PyRef<'_, Model>,
+    recordings: Vec<PyRef<'_, Recording>>,
+    holdout: Vec<PyRef<'_, Recording>>,
+    seed: u64,
+) -> PyResult<Told> {
+    let model = Arc::clone(&model.0);
+    let (recordings, separate) = (owned(&recordings), owned(&holdout));
+    let (fitted, json, text) = patiently(py, move |progress| {
+        let separate_holdout = !separate.is_empty();
+        let options = FitOptions { seed, separate_holdout, progress, ..FitOptions::default() };
+        let fitted = find(&model, &recordings, &options)?;
+        let held_out = run_held_out(&fitted, &recordings, &separate, &options)?;
+        let told = cli::fit::Told {
+            fit: &fitted,
+            held_out: &held_out,
+            recordings: &recordings,
+            separate: &separate,
+            seed,
+        };
+        let (json, text) = (told.json()?, told.text());
+        Ok((fitted, json, text))
+    })?;
+    let page = format!("<pre>{}</pre>", escaped(&text));
+    Ok(Told {
+        json,
+        warnings: fitted.warnings.iter().map(|w| w.says.clone()).collect(),
+        model: Some(Py::new(py, Model::from(fitted.model))?),
+        picture: String::new(),
+        text: Box::new(move || text.clone()),
+        html: Box::new(move || page.clone()),
+    })
+}

@@ -1,0 +1,53 @@
+//! The native half of the Python package `gyrospec`: one file a subject.
+//!
+//! Numbers come in as NumPy arrays and go out as such; reports go out as the JSON that the program
+//! writes, and the Python half gives their fields names. Python's lock is let go during all work.
+#![allow(missing_docs)] // what Python sees is documented in python/gyrospec/_gyrospec.pyi
+
+mod array;
+mod batch;
+mod diagnose;
+mod fault;
+mod fit;
+mod integral;
+mod model;
+mod recording;
+mod roll_error;
+mod simulate;
+mod sweep;
+mod table;
+mod told;
+mod work;
+
+use pyo3::prelude::*;
+
+/// The native module `gyrospec._gyrospec`.
+#[pymodule]
+mod _gyrospec {
+    #[pymodule_export]
+    use super::batch::integral_batch;
+    #[pymodule_export]
+    use super::diagnose::diagnose;
+    #[pymodule_export]
+    use super::fit::fit;
+    #[pymodule_export]
+    use super::integral::{Integral, integral};
+    #[pymodule_export]
+    use super::model::Model;
+    #[pymodule_export]
+    use super::recording::Recording;
+    #[pymodule_export]
+    use super::roll_error::roll_error;
+    #[pymodule_export]
+    use super::simulate::{Simulated, simulate};
+    #[pymodule_export]
+    use super::sweep::roll_error_sweep;
+    #[pymodule_export]
+    use super::table::table;
+    #[pymodule_export]
+    use super::told::Told;
+
+    /// The version of the package.
+    #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+}

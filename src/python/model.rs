@@ -1,0 +1,144 @@
+//! A model, read once and used often.
+
+use crate::error::nearest;
+use crate::model;
+use crate::units::Unit;
+use crate::{Error, Result};
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyType};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// A model of a thing: inputs, parameters, states, outputs.
+#[pyclass(frozen, eq, module = "gyrospec")]
+#[derive(PartialEq)]
+pub struct Model(pub Arc<model::Model>);
+
+impl From<model::Model> for Model {
+    fn from(model: model::Model) -> Self {
+        Self(Arc::new(model))
+    }
+}
+
+#[pymethods]
+impl Model {
+    #[staticmethod]
+    fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        Ok(py.detach(|| model::Model::read(&path))?.into())
+    }
+
+    #[staticmethod]
+    fn parse(py: Python<'_>, text: &str) -> PyResult<Self> {
+        Ok(py.detach(|| model::Model::parse(text.trim_start_matches('\u{feff}')))?.into())
+    }
+
+    #[staticmethod]
+    fn builtin(name: &str) -> PyResult<Self> {
+        Ok(model::Model::builtin(name)?.into())
+    }
+
+    #[staticmethod]
+    fn builtins() -> Vec<&'static str> {
+        model::BUILTIN.iter().map(|(name, ..)| *name).collect()
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    #[getter]
+    fn inputs(&self) -> Vec<&str> {
+        self.0.inputs.iter().map(|x| x.name.as_str()).collect()
+    }
+
+    #[getter]
+    fn states(&self) -> Vec<&str> {
+        self.0.states.iter().map(|x| x.name.as_str()).collect()
+    }
+
+    #[getter]
+    fn outputs(&self) -> Vec<&str> {
+        self.0.outputs.iter().map(|x| x.name.as_str()).collect()
+    }
+
+    #[getter]
+    fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for p in &self.0.parameters {
+            dict.set_item(&p.name, p.unit.decimal_from_si(p.value))?;
+        }
+        Ok(dict)
+    }
+
+    #[getter]
+    fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let dict = PyDict::new(py);
+        for (name, unit) in units(&self.0) {
+            dict.set_item(name, unit.text())?;
+        }
+        Ok(dict)
+    }
+
+    #[pyo3(signature = (**values))]
+    fn replace(&self, values: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        let mut model = model::Model::clone(&self.0);
+        for (name, value) in values.into_iter().flatten() {
+            set(&mut model, &name.extract::<String>()?, value.extract()?)?;
+        }
+        model.check()?;
+        Ok(model.into())
+    }
+
+    fn to_toml(&self) -> String {
+        self.0.to_toml()
+    }
+
+    fn __repr__(&self) -> String {
+        let m = &self.0;
+        format!(
+            "Model('{}', {} inputs, {} parameters, {} states, {} outputs)",
+            m.name,
+            m.inputs.len(),
+            m.parameters.len(),
+            m.states.len(),
+            m.outputs.len()
+        )
+    }
+
+    fn _repr_html_(&self) -> String {
+        format!("<pre>{}</pre>", crate::report::svg::escaped(&self.0.to_toml()))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String,))> {
+        let class: Bound<'py, PyType> = slf.get_type();
+        Ok((class.getattr("parse")?, (slf.get().to_toml(),)))
+    }
+}
+
+/// The unit of everything that has one.
+fn units(m: &model::Model) -> impl Iterator<Item = (&String, &Unit)> {
+    let inputs = m.inputs.iter().map(|x| (&x.name, &x.unit));
+    let parameters = m.parameters.iter().map(|x| (&x.name, &x.unit));
+    let definitions = m.definitions.iter().map(|x| (&x.name, &x.unit));
+    let states = m.states.iter().map(|x| (&x.name, &x.unit));
+    let outputs = m.outputs.iter().map(|x| (&x.name, &x.unit));
+    inputs.chain(parameters).chain(definitions).chain(states).chain(outputs)
+}
+
+/// Gives a parameter a value in its unit.
+fn set(model: &mut model::Model, name: &str, value: f64) -> Result<()> {
+    let names: Vec<String> = model.parameters.iter().map(|p| p.name.clone()).collect();
+    let Some(p) = model.parameters.iter_mut().find(|p| p.name == name) else {
+        let meant = nearest(name, names.iter().map(String::as_str));
+        let hint = meant.map_or_else(String::new, |n| format!("did you mean {n}? "));
+        return Err(Error::bad_input(format!("the model `{}` has no parameter `{name}`", model.name))
+            .with_hint(format!("{hint}it has {}", names.join(", "))));
+    };
+    let si = p.unit.to_si(value);
+    if !si.is_finite() || p.min.is_some_and(|min| si < min) || p.max.is_some_and(|max| si > max) {
+        return Err(Error::bad_input(format!("the value {value} of {name} lies outside its bounds")));
+    }
+    p.value = si;
+    Ok(())
+}

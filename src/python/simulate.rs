@@ -1,0 +1,108 @@
+//! A model run on a recording.
+
+use super::model::Model;
+use super::recording::Recording;
+use crate::cli::simulate as command;
+use crate::simulate::{Options, OutputSignal, Simulator, Trajectory};
+use crate::{Error, Result};
+use numpy::{IntoPyArray, PyArray1};
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+/// One run, in the units of the model.
+#[pyclass(frozen, module = "gyrospec._gyrospec")]
+pub struct Simulated {
+    simulator: Simulator,
+    ran: Trajectory,
+    warnings: Vec<String>,
+    text: String,
+}
+
+/// Time, measured, predicted, rms error and worst error of one output.
+type Output<'py> =
+    (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, f64, f64);
+
+#[pymethods]
+impl Simulated {
+    /// Names and units of the outputs that the recording measured.
+    #[getter]
+    fn outputs(&self) -> Vec<(String, String)> {
+        self.simulator.outputs().iter().map(|o| (o.name.clone(), o.unit.text().to_owned())).collect()
+    }
+
+    #[getter]
+    fn warnings(&self) -> Vec<String> {
+        self.warnings.clone()
+    }
+
+    #[getter]
+    fn solver_error(&self) -> f64 {
+        self.ran.solver_error
+    }
+
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text
+    }
+
+    fn output<'py>(&self, py: Python<'py>, number: usize) -> PyResult<Output<'py>> {
+        let unknown = || Error::usage(format!("there is no output {number}"));
+        let o = self.simulator.outputs().get(number).ok_or_else(unknown)?;
+        let predicted = &self.ran.outputs[number];
+        let (_, rms, worst) = command::errors(o, predicted);
+        Ok((
+            o.time.to_vec().into_pyarray(py),
+            in_unit(o, &o.measured).into_pyarray(py),
+            in_unit(o, predicted).into_pyarray(py),
+            rms,
+            worst,
+        ))
+    }
+
+    /// States and definitions at the given times: name, unit, values.
+    fn trace<'py>(
+        &self,
+        py: Python<'py>,
+        time: Vec<f64>,
+    ) -> PyResult<Vec<(String, String, Bound<'py, PyArray1<f64>>)>> {
+        let s = &self.simulator;
+        let trace = py.detach(|| s.trace(&s.parameters(), &s.initials(), time.into()))?;
+        let m = s.model();
+        let names = m.states.iter().map(|x| (&x.name, &x.unit));
+        let names = names.chain(m.definitions.iter().map(|x| (&x.name, &x.unit)));
+        let columns = trace.states.iter().chain(&trace.definitions);
+        Ok(names
+            .zip(columns)
+            .map(|((name, unit), si)| {
+                let values: Vec<f64> = si.iter().map(|v| unit.from_si(*v)).collect();
+                (name.clone(), unit.text().to_owned(), values.into_pyarray(py))
+            })
+            .collect())
+    }
+}
+
+fn in_unit(o: &OutputSignal, si: &[f64]) -> Vec<f64> {
+    si.iter().map(|v| o.unit.from_si(*v)).collect()
+}
+
+#[pyfunction]
+pub fn simulate(
+    py: Python<'_>,
+    model: PyRef<'_, Model>,
+    recording: PyRef<'_, Recording>,
+    tolerance: f64,
+) -> PyResult<Simulated> {
+    let (model, recording) = (Arc::clone(&model.0), Arc::clone(&recording.0));
+    let work = || -> Result<Simulated> {
+        let options = Options { tolerance, ..Options::default() };
+        if tolerance.is_nan() || tolerance <= 0.0 {
+            return Err(Error::usage("the tolerance must be a positive number, such as 1e-5"));
+        }
+        let simulator = Simulator::new(&model, &recording, &options)?;
+        let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
+        let warnings = command::warnings(&simulator, &ran);
+        let text = command::summary(&simulator, &ran);
+        Ok(Simulated { simulator, ran, warnings, text })
+    };
+    Ok(py.detach(work)?)
+}
