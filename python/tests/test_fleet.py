@@ -22,26 +22,34 @@ SHIPS = {"anna": 0.0, "berta": 3.0, "clara": 4.5}
 
 @pytest.fixture(scope="session")
 def voyages(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Three voyages of each of three ships, two of them with dry friction."""
+    """Two voyages of each of three ships, two of them with dry friction."""
     root = tmp_path_factory.mktemp("fleet")
     files = []
     for number, (ship, friction) in enumerate(SHIPS.items()):
         (root / ship).mkdir()
-        for trip in range(3):
-            columns = voyage(friction, 10 * number + trip, count=240)
+        for trip in range(2):
+            columns = voyage(friction, 10 * number + trip, count=200)
             files.append(write(root / ship / f"voyage{trip}.csv", columns))
     return files
+
+
+@pytest.fixture(scope="session")
+def alone(voyages: list[Path], tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, float]:
+    """What one process finds, and recordings a second."""
+    out = tmp_path_factory.mktemp("alone")
+    began = time.perf_counter()
+    fleet.diagnose(voyages, MODEL, out, per_part=1)
+    return out, len(voyages) / (time.perf_counter() - began)
 
 
 def rows(out: Path) -> list[dict[str, object]]:
     return [row for part in sorted(out.glob("part-*.parquet")) for row in pq.read_table(part).to_pylist()]
 
 
-def test_a_worker_that_dies_loses_nothing_and_doubles_nothing(voyages: list[Path], tmp_path: Path) -> None:
-    alone, out = tmp_path / "alone", tmp_path / "cluster"
-    began = time.perf_counter()
-    fleet.diagnose(voyages, MODEL, alone, per_part=1)
-    one_process = len(voyages) / (time.perf_counter() - began)
+def test_a_worker_that_dies_loses_nothing_and_doubles_nothing(
+    voyages: list[Path], alone: tuple[Path, float], tmp_path: Path
+) -> None:
+    out, one_process = tmp_path / "cluster", alone[1]
     with (
         LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
         Client(cluster) as client,
@@ -79,7 +87,7 @@ def test_a_worker_that_dies_loses_nothing_and_doubles_nothing(voyages: list[Path
     assert Counter(r["file"] for r in rows(out)) == Counter(str(v) for v in voyages)
     assert not list(out.glob(".*tmp"))
     # and the answers are those of one process
-    assert {r["file"]: r["report"] for r in rows(out)} == {r["file"]: r["report"] for r in rows(alone)}
+    assert {r["file"]: r["report"] for r in rows(out)} == {r["file"]: r["report"] for r in rows(alone[0])}
 
 
 def _ready() -> None:
@@ -103,24 +111,23 @@ def test_a_call_goes_on_where_another_stopped(voyages: list[Path], tmp_path: Pat
         fleet.diagnose(voyages, MODEL.replace("45.0", "44.0"), out)
 
 
-def test_the_report_says_which_mechanism_on_which_ships(voyages: list[Path], tmp_path: Path) -> None:
+def test_the_report_says_which_mechanism_on_which_ships(alone: tuple[Path, float], tmp_path: Path) -> None:
     broken = tmp_path / "dora" / "voyage0.csv"
     broken.parent.mkdir()
     broken.write_text("t [s],force [N]\n0,1\nx,2\n")
-    out = tmp_path / "out"
-    fleet.diagnose([*voyages, broken], MODEL, out)
-    told = fleet.report(out)
-    assert (told.recordings, told.ships) == (10, 4)
+    fleet.diagnose([broken], MODEL, alone[0])
+    told = fleet.report(alone[0])
+    assert (told.recordings, told.ships) == (7, 4)
     assert list(told.errors) == [str(broken)] and ":3:" in told.errors[str(broken)]
     friction = [m for m in told.mechanisms if "friction" in m.code and m.site == "state v"]
-    assert friction and set(friction[0].ships) <= {"berta", "clara"} and friction[0].recordings >= 4
+    assert friction and set(friction[0].ships) <= {"berta", "clara"} and friction[0].recordings >= 3
     assert any(a.verdict == "nothing-missing" and "anna" in a.ships for a in told.alike)
-    assert sum(len(a.files) for a in told.alike) == 9
+    assert sum(len(a.files) for a in told.alike) == 6
     for n in told.neighbours:
         assert n.file != n.other
-    assert "friction" in str(told) and "friction" in told._repr_html_() and told.to_dict()["recordings"] == 10
-    named = fleet.diagnose(voyages[:1], MODEL, tmp_path / "named", ships=lambda path: "Ship of " + Path(path).parent.name)
-    assert rows(named.out)[0]["ship"] == "Ship of anna"
+    assert "friction" in str(told) and "friction" in told._repr_html_() and told.to_dict()["recordings"] == 7
+    named = fleet.diagnose([broken], MODEL, tmp_path / "named", ships=lambda path: "Ship of " + Path(path).parent.name)
+    assert rows(named.out)[0]["ship"] == "Ship of dora"
 
 
 def test_a_sweep_is_the_sweep_in_memory(tmp_path: Path) -> None:

@@ -18,8 +18,8 @@ from .._errors import InputError, NotComputedError
 
 T = TypeVar("T")
 
-CARD = "fleet.json"
-"""What a folder holds; results of something else are refused."""
+CARD = "_fleet.json"
+"""What a folder holds; results of something else are refused. Readers of Parquet skip the name."""
 
 
 @dataclass(frozen=True)

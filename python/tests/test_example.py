@@ -1,0 +1,34 @@
+"""The example runs, and is typed."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+EXAMPLE = Path(__file__).parents[1] / "examples" / "notebook.py"
+
+
+def test_the_example_runs() -> None:
+    environment = {**os.environ, "PYTHONIOENCODING": "utf-8"}
+    done = subprocess.run([sys.executable, EXAMPLE], capture_output=True, text=True, encoding="utf-8", env=environment)
+    assert done.returncode == 0, done.stderr
+    assert "dry-friction" in done.stdout
+    assert "100000 ok" in done.stdout
+
+
+def test_the_example_and_the_package_are_typed(tmp_path: Path) -> None:
+    pytest.importorskip("mypy")
+    import gyrospec
+
+    config = Path(__file__).parents[2] / "pyproject.toml"
+    package = Path(gyrospec.__file__).parent
+    checked = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--config-file", config, "--cache-dir", tmp_path, EXAMPLE, package],
+        capture_output=True,
+        text=True,
+    )
+    assert checked.returncode == 0, checked.stdout
