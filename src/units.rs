@@ -5,10 +5,12 @@
 
 mod combine;
 mod dimension;
+mod figure;
 mod names;
 mod parse;
 
 pub use dimension::{Dimension, Ratio};
+pub use figure::{digits_within, figure, significant};
 
 use crate::Result;
 use std::fmt;

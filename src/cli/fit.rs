@@ -1,103 +1,102 @@
 //! `gyrospec fit`: a model fitted to recordings.
 
-use super::output::{Sink, print};
+use super::output::print;
 use super::progress::Meter;
+use super::task::Task;
 use super::{Outcome, warn};
 use crate::Result;
-use crate::estimate::fit::{self, Fit, FitOptions, HeldOut};
-use crate::model::Model;
+use crate::estimate::fit::{self, Fit, FitOptions};
 use crate::record::Recording;
-use std::path::PathBuf;
+use crate::report::fit::{FitReport, ResidualSpectrum, page};
+use crate::spectrum::welch;
 
 mod json;
 mod text;
 
+const HELP: &str = "\
+The last 40 % of a recording is held out, unless its spans or --holdout say otherwise.
+Exit code: 0, or 1 where the data do not tell all free parameters, or 2 where the input is wrong.
+Examples:
+  gyrospec fit model.toml log.toml
+  gyrospec fit model.toml log.toml --html fit.html --model-out fitted.toml
+  gyrospec fit model.toml day1.toml day2.toml --holdout day3.toml --json -";
+
 /// Fits the free parameters and initial states of a model to recordings, by simulation.
 #[derive(clap::Args)]
+#[command(after_help = HELP)]
 pub struct Call {
-    /// The model file.
-    model: PathBuf,
-    /// Recordings: CSV or TOML files; parameters are shared, initial states are each one's own.
-    #[arg(required = true)]
-    recordings: Vec<PathBuf>,
-    /// Recordings that are kept out of the fit and only compared afterwards.
-    #[arg(long, num_args = 1.., value_name = "RECORDING")]
-    holdout: Vec<PathBuf>,
-    /// Writes the result as JSON; `-` is standard output.
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Writes the model with the fitted values in place.
-    #[arg(long, value_name = "FILE")]
-    model_out: Option<PathBuf>,
-    /// Seed of the starts that are drawn at random.
-    #[arg(long, default_value_t = 1)]
-    seed: u64,
+    #[command(flatten)]
+    task: Task,
 }
 
-/// A fit with all that a report of it says.
-pub struct Told<'a> {
-    pub fit: &'a Fit,
-    pub held_out: &'a [HeldOut],
-    pub recordings: &'a [Recording],
-    pub separate: &'a [Recording],
-    pub seed: u64,
-}
-
+/// A fit as JSON.
 #[cfg(feature = "python")]
-impl Told<'_> {
-    /// As JSON.
-    pub fn json(&self) -> Result<String> {
-        json::render(self)
-    }
+pub fn json(report: &FitReport<'_>) -> Result<String> {
+    json::render(report)
+}
 
-    /// As words.
-    pub fn text(&self) -> String {
-        text::render(self)
-    }
+/// A fit as words.
+#[cfg(feature = "python")]
+pub fn text(report: &FitReport<'_>) -> String {
+    text::render(report)
 }
 
 pub fn run(call: &Call) -> Result<Outcome> {
-    let json = call.json.as_deref().map(Sink::open).transpose()?;
-    let model_out = call.model_out.as_deref().map(Sink::open).transpose()?;
-    let model = Model::read(&call.model)?;
-    let read =
-        |files: &[PathBuf]| files.iter().map(|f| Recording::read(f.as_path())).collect::<Result<Vec<_>>>();
-    let (recordings, separate) = (read(&call.recordings)?, read(&call.holdout)?);
-    super::record::tell_notes(recordings.iter().chain(&separate));
-    tell_twins(&recordings, &separate);
+    let outputs = call.task.open()?;
+    let inputs = call.task.read()?;
+    let (recordings, separate) = (&inputs.recordings, &inputs.separate);
+    tell_twins(recordings, separate);
     let meter = Meter::new();
     let options = FitOptions {
-        seed: call.seed,
+        seed: call.task.seed,
         separate_holdout: !separate.is_empty(),
         progress: &meter,
         ..FitOptions::default()
     };
-    let fitted = fit::fit(&model, &recordings, &options)?;
-    let held_out = fit::holdout(&fitted, &recordings, &separate, &options)?;
+    let fitted = fit::fit(&inputs.model, recordings, &options)?;
+    let held_out = fit::holdout(&fitted, recordings, separate, &options)?;
     drop(meter);
     for warning in &fitted.warnings {
         warn(&warning.says);
     }
-    let told = Told {
+    let report = FitReport {
         fit: &fitted,
         held_out: &held_out,
-        recordings: &recordings,
-        separate: &separate,
-        seed: call.seed,
+        recordings,
+        separate,
+        spectra: &spectra(&fitted),
+        seed: call.task.seed,
     };
-    if let Some(sink) = model_out {
-        sink.finish(fitted.model.to_toml().as_bytes())?;
+    if !call.task.takes_stdout() {
+        print(text::render(&report).as_bytes())?;
     }
-    match json {
-        Some(sink) => {
-            if call.json.as_deref() != Some(std::path::Path::new("-")) {
-                print(text::render(&told).as_bytes())?;
-            }
-            sink.finish(json::render(&told)?.as_bytes())?;
-        }
-        None => print(text::render(&told).as_bytes())?,
-    }
+    outputs.finish(&fitted.model, || page(&report), || json::render(&report))?;
     Ok(if fitted.unseen.is_empty() { Outcome::Done } else { Outcome::Found })
+}
+
+/// Spectra of the residuals over their longest stretches.
+pub fn spectra(fit: &Fit) -> Vec<ResidualSpectrum> {
+    let of = |(k, output): (usize, &crate::model::Output)| {
+        let own = fit.records.iter().flat_map(|r| &r.series).filter(|s| s.output == k);
+        let stretches = own.flat_map(|s| s.stretches.iter().map(move |r| (s, r.clone())));
+        let (series, range) = stretches.max_by_key(|(_, r)| r.len()).filter(|(_, r)| r.len() >= 64)?;
+        let (from, to) = (series.time[range.start], series.time[range.end - 1]);
+        let step = (to - from) / (range.len() - 1) as f64;
+        let unit = output.unit.of_differences();
+        let values: Vec<f64> =
+            series.residual[range.clone()].iter().map(|e| unit.difference_from_si(*e)).collect();
+        let measured = welch(&values, step, (range.len() / 6).clamp(32, 4096)).ok()?;
+        let points = measured.omega.iter().zip(&measured.density).skip(1);
+        Some(ResidualSpectrum {
+            output: output.name.clone(),
+            unit: if unit.text() == "1" { "s".into() } else { format!("({})²·s", unit.text()) },
+            points: points.map(|(w, s)| [*w, *s]).collect(),
+        })
+    };
+    if fit.model.states.is_empty() && fit.records.iter().all(|r| r.series.iter().all(|s| s.time.len() < 64)) {
+        return Vec::new();
+    }
+    fit.model.outputs.iter().enumerate().filter_map(of).collect()
 }
 
 /// Warns of recordings that are given twice.

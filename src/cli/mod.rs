@@ -19,6 +19,7 @@ pub mod record;
 pub mod roll_error;
 pub mod simulate;
 pub mod table;
+pub mod task;
 
 use crate::{Error, ErrorKind, Result};
 use clap::{Parser, Subcommand};

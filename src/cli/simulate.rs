@@ -3,7 +3,7 @@
 use super::Outcome;
 use super::output::Sink;
 use crate::model::Model;
-use crate::record::{Kind, Recording};
+use crate::record::{Channel, Kind, Recording};
 use crate::simulate::{Options, OutputSignal, Simulator, Trajectory};
 use crate::{Error, Result};
 use std::fmt::Write;
@@ -27,7 +27,8 @@ pub struct Call {
 pub fn run(call: &Call) -> Result<Outcome> {
     let sink = call.out.as_deref().map(Sink::open).transpose()?;
     let model = Model::read(&call.model)?;
-    let recording = Recording::read(&call.recording)?;
+    let mut recording = Recording::read(&call.recording)?;
+    predict_what_is_not_measured(&model, &mut recording);
     let options = Options { tolerance: call.tolerance, ..Options::default() };
     if call.tolerance.is_nan() || call.tolerance <= 0.0 {
         return Err(Error::usage("--tolerance must be a positive number, such as 1e-5"));
@@ -49,6 +50,20 @@ pub fn run(call: &Call) -> Result<Outcome> {
         super::output::print(summary(&simulator, &ran).as_bytes())?;
     }
     Ok(Outcome::Done)
+}
+
+/// Outputs that nobody measured are predicted at the times of the first input: their channel is a gap.
+fn predict_what_is_not_measured(model: &Model, recording: &mut Recording) {
+    let Some(first) = model.inputs.first().and_then(|i| recording.find(&i.name)) else { return };
+    let (time, table) = (first.time.clone(), first.table);
+    for o in &model.outputs {
+        if recording.find(&o.name).is_none() {
+            let gaps = vec![f64::NAN; time.len()];
+            let channel =
+                Channel { table, ..Channel::new(o.name.clone(), o.unit.clone(), time.clone(), gaps) };
+            recording.channels.push(channel);
+        }
+    }
 }
 
 /// What the user should know about the run though it went on.
@@ -130,9 +145,11 @@ pub fn errors(o: &OutputSignal, predicted: &[f64]) -> (usize, f64, f64) {
     (errors.len(), rms, errors.iter().fold(0.0f64, |m, e| m.max(e.abs())))
 }
 
-/// Six decimals, or six digits and an exponent for what is very small or large.
+/// A dash for no number; six decimals, or six digits and an exponent for what is very small or large.
 fn cell(x: f64) -> String {
-    if x != 0.0 && x.is_finite() && !(1e-3..1e7).contains(&x) {
+    if !x.is_finite() {
+        "-".into()
+    } else if x != 0.0 && !(1e-3..1e7).contains(&x) {
         format!("{x:.5e}")
     } else {
         format!("{x:.6}")

@@ -5,9 +5,9 @@ use super::model::Model;
 use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
-use crate::cli;
+use crate::cli::fit::{json, spectra, text};
 use crate::estimate::fit::{FitOptions, fit as find, holdout as run_held_out};
-use crate::report::svg::escaped;
+use crate::report::fit::{FitReport, page};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -21,22 +21,22 @@ pub fn fit(
 ) -> PyResult<Told> {
     let model = Arc::clone(&model.0);
     let (recordings, separate) = (owned(&recordings), owned(&holdout));
-    let (fitted, json, text) = patiently(py, move |progress| {
+    let (fitted, json, text, page) = patiently(py, move |progress| {
         let separate_holdout = !separate.is_empty();
         let options = FitOptions { seed, separate_holdout, progress, ..FitOptions::default() };
         let fitted = find(&model, &recordings, &options)?;
         let held_out = run_held_out(&fitted, &recordings, &separate, &options)?;
-        let told = cli::fit::Told {
+        let report = FitReport {
             fit: &fitted,
             held_out: &held_out,
             recordings: &recordings,
             separate: &separate,
+            spectra: &spectra(&fitted),
             seed,
         };
-        let (json, text) = (told.json()?, told.text());
-        Ok((fitted, json, text))
+        let (json, text, page) = (json(&report)?, text(&report), page(&report));
+        Ok((fitted, json, text, page))
     })?;
-    let page = format!("<pre>{}</pre>", escaped(&text));
     Ok(Told {
         json,
         warnings: fitted.warnings.iter().map(|w| w.says.clone()).collect(),

@@ -5,7 +5,6 @@ use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
 use crate::cli::roll_error::{Given, answer};
-use crate::report::svg::escaped;
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -37,7 +36,7 @@ pub fn roll_error(
         )
     })?;
     let text = answer.text;
-    let page = format!("{}<pre>{}</pre>", answer.svg, escaped(&text));
+    let page = answer.html;
     Ok(Told {
         json: answer.json,
         warnings: Vec::new(),

@@ -2,6 +2,9 @@
 
 pub mod braille;
 pub mod diagnosis;
+pub mod fit;
+pub mod page;
 pub mod polar;
+pub mod rolling;
 pub mod svg;
 pub mod terminal;

@@ -1,5 +1,6 @@
 //! The heading error on a compass card, as SVG.
 
+use crate::report::svg::escaped;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 
@@ -30,6 +31,18 @@ const CENTRE: (f64, f64) = (320.0, 350.0);
 const ZERO: f64 = 150.0;
 const REACH: f64 = 100.0;
 
+/// Colours and sizes of the picture where it stands alone; on a page, the page's own.
+const STYLE: &str = "text{font-family:sans-serif;fill:#555555;font-size:12px}\
+.title{font-size:18px;fill:#1a1a2e}.point{font-size:13px;fill:#333333}.ring-value{font-size:11px}\
+.rim{stroke:#ffffff;stroke-width:3px}circle,line,path{fill:none}\
+.ring,.ray{stroke:#cccccc;stroke-width:.8px}.ray{stroke:#e4e4e4}.zero{stroke:#1a1a2e;stroke-width:1.8px}\
+path.spread{fill:#4477aa;fill-opacity:.25}line.spread{stroke:#4477aa;stroke-width:1.5px}\
+path.mean{stroke:#cc3311;stroke-width:2px}circle.mean{fill:#cc3311}";
+
+/// What the strokes mean.
+const KEY: &str =
+    "bold ring: no error; outside: positive, inside: negative; shade and strokes: ± one standard deviation";
+
 /// Draws the picture; one SVG document without scripts or outside parts.
 ///
 /// ```
@@ -39,41 +52,48 @@ const REACH: f64 = 100.0;
 /// assert!(picture.starts_with("<svg") && picture.trim_end().ends_with("</svg>"));
 /// ```
 pub fn svg(picture: &Polar) -> String {
-    let largest = picture.points.iter().map(|p| p.mean.abs() + p.spread).fold(0.0, f64::max);
-    let step = round_step(largest.max(1e-9) / 3.0);
-    let scale = REACH / (3.0 * step).max(largest);
     let mut out = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {SIZE} {:.0}\" font-family=\"sans-serif\">\n\
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {SIZE} {:.0}\">\n<style>{STYLE}</style>\n\
          <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
-         <text x=\"320\" y=\"28\" font-size=\"18\" text-anchor=\"middle\" fill=\"#1a1a2e\">{}</text>\n\
-         {}",
+         <text class=\"title\" x=\"320\" y=\"28\" text-anchor=\"middle\">{}</text>\n{}",
         SIZE + 40.0,
         escaped(&picture.title),
         subtitle(&picture.subtitle)
     );
-    card(&mut out, step, scale);
-    if goes_round(&picture.points) {
-        band(&mut out, &picture.points, scale);
-        curve(&mut out, &picture.points, scale);
-    }
-    marks(&mut out, &picture.points, scale);
-    labels(&mut out, step, scale);
-    let _ = writeln!(
-        out,
-        "<text x=\"320\" y=\"665\" font-size=\"12\" text-anchor=\"middle\" fill=\"#555555\">\
-         bold ring: no error; outside: positive, inside: negative; shade and strokes: ± one standard deviation</text>\n</svg>"
-    );
+    drawing(&mut out, &picture.points);
+    let _ = writeln!(out, "<text x=\"320\" y=\"665\" text-anchor=\"middle\">{KEY}</text>\n</svg>");
     out
+}
+
+/// The picture as a figure of a page, whose style colours it.
+pub fn figure(picture: &Polar) -> String {
+    let (side, title) = (2.0 * (ZERO + REACH + 50.0), escaped(&picture.title));
+    let mut out = format!(
+        "<figure class=\"polar\"><figcaption>{title}</figcaption><svg viewBox=\"{} {} {side} {side}\" role=\"img\" aria-label=\"{title}\">\n",
+        CENTRE.0 - 0.5 * side,
+        CENTRE.1 - 0.5 * side
+    );
+    drawing(&mut out, &picture.points);
+    out + &format!("</svg><p class=\"legend\">{KEY}</p></figure>\n")
+}
+
+fn drawing(out: &mut String, points: &[Point]) {
+    let largest = points.iter().map(|p| p.mean.abs() + p.spread).fold(0.0, f64::max);
+    let step = round_step(largest.max(1e-9) / 3.0);
+    let scale = REACH / (3.0 * step).max(largest);
+    card(out, step, scale);
+    if goes_round(points) {
+        band(out, points, scale);
+        curve(out, points, scale);
+    }
+    marks(out, points, scale);
+    labels(out, step, scale);
 }
 
 /// The second line, broken behind semicolons.
 fn subtitle(text: &str) -> String {
     let line = |(k, part): (usize, &str)| {
-        format!(
-            "<text x=\"320\" y=\"{}\" font-size=\"12\" text-anchor=\"middle\" fill=\"#555555\">{}</text>\n",
-            48 + 16 * k,
-            escaped(part)
-        )
+        format!("<text x=\"320\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", 48 + 16 * k, escaped(part))
     };
     text.split("; ").enumerate().map(line).collect()
 }
@@ -97,10 +117,10 @@ fn card(out: &mut String, step: f64, scale: f64) {
     for ring in -3i32..=3 {
         let value = f64::from(ring) * step;
         let radius = ZERO + value * scale;
-        let (colour, width) = if ring == 0 { ("#1a1a2e", 1.8) } else { ("#cccccc", 0.8) };
+        let class = if ring == 0 { "zero" } else { "ring" };
         let _ = writeln!(
             out,
-            "<circle cx=\"{}\" cy=\"{}\" r=\"{radius:.1}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"{width}\"/>",
+            "<circle class=\"{class}\" cx=\"{}\" cy=\"{}\" r=\"{radius:.1}\"/>",
             CENTRE.0, CENTRE.1
         );
     }
@@ -110,8 +130,8 @@ fn card(out: &mut String, step: f64, scale: f64) {
         let (x, y) = place(heading, ZERO + REACH + 18.0);
         let _ = writeln!(
             out,
-            "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"#e4e4e4\" stroke-width=\"0.8\"/>\n\
-             <text x=\"{x:.1}\" y=\"{:.1}\" font-size=\"13\" text-anchor=\"middle\" fill=\"#333333\">{:03}°</text>",
+            "<line class=\"ray\" x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\"/>\n\
+             <text class=\"point\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{:03}°</text>",
             y + 5.0,
             k * 30
         );
@@ -126,10 +146,10 @@ fn labels(out: &mut String, step: f64, scale: f64) {
         let (x, y) = place(0.13, ZERO + value * scale);
         let y = y + 4.0;
         let text = if ring == 0 { "0".to_owned() } else { format!("{:+}", (value * 1e6).round() / 1e6) };
-        for rim in [" stroke=\"#ffffff\" stroke-width=\"3\"", ""] {
+        for rim in [" rim", ""] {
             let _ = writeln!(
                 out,
-                "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"11\" text-anchor=\"middle\" fill=\"#555555\"{rim}>{text}°</text>"
+                "<text class=\"ring-value{rim}\" x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"middle\">{text}°</text>"
             );
         }
     }
@@ -159,13 +179,13 @@ fn band(out: &mut String, points: &[Point], scale: f64) {
     let (outer, inner) = (path(edge(1.0)), path(edge(-1.0)));
     let _ = writeln!(
         out,
-        "<path d=\"{outer}Z {inner}Z\" fill=\"#4477aa\" fill-opacity=\"0.25\" fill-rule=\"evenodd\" stroke=\"none\"/>"
+        "<path class=\"spread\" d=\"{outer}Z {inner}Z\" fill-rule=\"evenodd\" stroke=\"none\"/>"
     );
 }
 
 fn curve(out: &mut String, points: &[Point], scale: f64) {
     let d = path(points.iter().map(|p| place(p.heading, ZERO + scale * p.mean)));
-    let _ = writeln!(out, "<path d=\"{d}Z\" fill=\"none\" stroke=\"#cc3311\" stroke-width=\"2\"/>");
+    let _ = writeln!(out, "<path class=\"mean\" d=\"{d}Z\"/>");
 }
 
 /// A dot on each heading with its numbers; where the dots stand apart, a stroke of ± one deviation.
@@ -178,20 +198,16 @@ fn marks(out: &mut String, points: &[Point], scale: f64) {
         if !dense {
             let _ = writeln!(
                 out,
-                "<line x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\" stroke=\"#4477aa\" stroke-width=\"1.5\"/>"
+                "<line class=\"spread\" x1=\"{x1:.1}\" y1=\"{y1:.1}\" x2=\"{x2:.1}\" y2=\"{y2:.1}\"/>"
             );
         }
         let radius = if dense { 1.2 } else { 2.5 };
         let _ = writeln!(
             out,
-            "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"#cc3311\"><title>{:.0}°: {:.4}° ± {:.4}°</title></circle>",
+            "<circle class=\"mean\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\"><title>{:.0}°: {:.4}° ± {:.4}°</title></circle>",
             p.heading.to_degrees(),
             p.mean,
             p.spread
         );
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }

@@ -283,3 +283,29 @@ fn a_browser_opens_the_page() {
         }
     }
 }
+
+/// The program's own page of `command`, made from the project's examples.
+fn page_of(command: &[&str]) -> String {
+    let run = Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .args(command)
+        .args(["--html", "-"])
+        .output()
+        .unwrap();
+    assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
+    String::from_utf8(run.stdout).unwrap()
+}
+
+#[test]
+fn a_page_of_the_rolling_error_has_its_sections() {
+    let page = page_of(&["roll-error", "examples/roll.csv"]);
+    let sections = sections(&page);
+    let names: Vec<&str> = sections.iter().map(|s| s.0.as_str()).collect();
+    assert_eq!(names, ["card", "roll", "table", "trust", "formula", "made"]);
+    // the card, and roll, correlation and spectrum of the recording
+    assert_eq!(sections[0].1.matches("<path class=\"mean\"").count(), 1);
+    assert_eq!(sections[1].1.matches("<figure>").count(), 3);
+    assert!(page.len() < 300_000 && !page.contains("NaN") && !page.contains("http"));
+    let by_latitude = page_of(&["roll-error", "--against", "latitude"]);
+    assert!(by_latitude.contains("<polygon class=\"band\"") && by_latitude.contains("latitude, °"));
+}

@@ -1,9 +1,9 @@
 //! The result of a fit as JSON; the schema is documented with the rest of the forms.
 
-use super::Told;
 use crate::estimate::Side;
 use crate::estimate::fit::{Estimate, Status};
 use crate::estimate::independent_samples;
+use crate::report::fit::FitReport;
 use crate::units::Unit;
 use crate::{Error, Result};
 use serde_json::{Value, json};
@@ -13,7 +13,7 @@ fn number(x: f64) -> Value {
     if x.is_finite() { json!(x) } else { Value::Null }
 }
 
-pub fn render(told: &Told<'_>) -> Result<String> {
+pub fn render(told: &FitReport<'_>) -> Result<String> {
     let fit = told.fit;
     let value = json!({
         "schema": "gyrospec.fit/1",
@@ -60,7 +60,7 @@ fn with_interval(mut entry: Value, values: [f64; 3], unit: &Unit) -> Value {
     entry
 }
 
-fn initial_states(told: &Told<'_>) -> Vec<Value> {
+fn initial_states(told: &FitReport<'_>) -> Vec<Value> {
     told.fit
         .initials
         .iter()
@@ -71,7 +71,7 @@ fn initial_states(told: &Told<'_>) -> Vec<Value> {
         .collect()
 }
 
-fn output(told: &Told<'_>, at: usize) -> Value {
+fn output(told: &FitReport<'_>, at: usize) -> Value {
     let output = &told.fit.model.outputs[at];
     let noise = &told.fit.noise[at];
     let unit = |x: f64| number(output.unit.difference_from_si(x));
@@ -90,7 +90,7 @@ fn output(told: &Told<'_>, at: usize) -> Value {
     })
 }
 
-fn end(told: &Told<'_>) -> &'static str {
+fn end(told: &FitReport<'_>) -> &'static str {
     use crate::estimate::End;
     match told.fit.end {
         End::Converged => "converged",

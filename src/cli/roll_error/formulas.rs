@@ -2,7 +2,7 @@
 
 use super::options::MotionOptions;
 use super::parameters::Part;
-use crate::symbolic::{FormulaRequest, formula, irregular_roll};
+use crate::symbolic::{Derived, FormulaRequest, formula, irregular_roll};
 use crate::{Error, Result};
 
 pub fn text(part: Part, motion: &MotionOptions, json: bool) -> Result<String> {
@@ -10,8 +10,7 @@ pub fn text(part: Part, motion: &MotionOptions, json: bool) -> Result<String> {
         return Err(Error::usage("a sea's fitted spectrum has no short formula")
             .with_hint("leave --sea away: the formula is for irregular roll of the form (3.3)"));
     }
-    let request = request(part)?;
-    let derived = formula(&request.derivation()?, &request.simplifier()?)?;
+    let derived = derived(part)?;
     if json {
         let value = serde_json::json!({
             "schema": "gyrospec.roll-error-formula/1",
@@ -28,6 +27,12 @@ pub fn text(part: Part, motion: &MotionOptions, json: bool) -> Result<String> {
         derived.order,
         derived.points
     ))
+}
+
+/// The mean error with letters.
+pub fn derived(part: Part) -> Result<Derived> {
+    let request = request(part)?;
+    formula(&request.derivation()?, &request.simplifier()?)
 }
 
 /// How W₁ moves x, in letters.

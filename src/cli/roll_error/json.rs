@@ -35,7 +35,7 @@ pub fn text(plan: &Plan, rows: &[&Row]) -> Result<String> {
 fn roll(plan: &Plan) -> Value {
     let Some(r) = plan.roll else { return Value::Null };
     let mut out = json!({ "A_rad2": r.variance, "mu_per_s": r.decay, "eps_rad_per_s": r.frequency });
-    if let Some(i) = &plan.intervals {
+    if let Some(i) = plan.recorded.as_ref().and_then(|a| a.intervals.as_ref()) {
         let all = [("A_rad2", Some(i.variance)), ("mu_per_s", i.decay), ("eps_rad_per_s", Some(i.frequency))];
         for (name, i) in all {
             out["intervals"][name] =

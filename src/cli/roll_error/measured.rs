@@ -5,7 +5,7 @@ use super::options::{Against, Described, RowOptions};
 use super::parameters::{Compass, Part};
 use super::table::{Case, Plan};
 use crate::gyro::{Motion, seed};
-use crate::record::Recording;
+use crate::record::{Recording, Source};
 use crate::report::terminal::{Trace, picture};
 use crate::spectrum::{
     CorrelationFit, EvenSamples, Interval, Measured, RollIntervals, autocovariance, even_samples,
@@ -17,6 +17,10 @@ use std::f64::consts::{PI, TAU};
 /// A recorded roll with its spectrum and the fit of (3.3).
 pub struct Analysis {
     pub name: String,
+    /// The files of the recording.
+    pub sources: Vec<Source>,
+    /// Time of the first sample, s.
+    pub start: f64,
     pub samples: EvenSamples,
     pub spectrum: Measured,
     pub fit: CorrelationFit,
@@ -58,6 +62,8 @@ pub fn analyse(recording: &Recording, roll: &str) -> Result<Analysis> {
     let slow_share = (1.0 - measured[0] / all).max(0.0);
     Ok(Analysis {
         name: recording.name.clone(),
+        sources: recording.sources.clone(),
+        start: channel.samples().next().map_or(0.0, |s| s.0),
         samples,
         spectrum,
         fit,
@@ -141,17 +147,34 @@ pub fn plan(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowO
     }
     Ok(Plan {
         motion_says: motion().says,
-        before: told(&analysis),
         after: tail(&m, lag),
         roll: Some(analysis.fit.roll),
-        intervals: analysis.intervals,
+        recorded: Some(analysis),
         cases,
         against: Against::Heading,
         compass,
     })
 }
 
-fn told(a: &Analysis) -> String {
+/// The recorded roll and its fit in words, with a picture of the correlation.
+pub fn told(a: &Analysis) -> String {
+    let degrees2 = |k: &f64| k.to_degrees().to_degrees();
+    let measured: Vec<f64> = a.fit.measured.iter().map(degrees2).collect();
+    let fitted: Vec<f64> = a.fit.fitted.iter().map(degrees2).collect();
+    let last = format!("{:.0} s", (measured.len() - 1) as f64 * a.samples.step);
+    format!(
+        "{}\nK(τ), deg²: o measured, · fitted\n{}\n",
+        words(a),
+        picture(
+            &[Trace { mark: 'o', values: &measured }, Trace { mark: '·', values: &fitted }],
+            (64, 13),
+            ("τ = 0", &last)
+        )
+    )
+}
+
+/// The recorded roll and its fit in words.
+pub fn words(a: &Analysis) -> String {
     let (n, step) = (a.samples.values.len(), a.samples.step);
     let roll = a.fit.roll;
     let sigma = a.deviation.to_degrees();
@@ -166,22 +189,18 @@ fn told(a: &Analysis) -> String {
         m if m < 0.15 => "a fair fit: trust the column of the measured spectrum more",
         _ => "a poor fit: this roll is not of the form (3.3); use the column of the measured spectrum",
     };
-    let degrees2 = |k: &f64| k.to_degrees().to_degrees();
-    let measured: Vec<f64> = a.fit.measured.iter().map(degrees2).collect();
-    let fitted: Vec<f64> = a.fit.fitted.iter().map(degrees2).collect();
-    let last = format!("{:.0} s", (measured.len() - 1) as f64 * step);
     format!(
         "Roll of `{}`: {n} samples {step:.4} s apart, {:.1} min; standard deviation {sigma:.3}°\n\
          {slow}highest spectral point of the roll at {:.3} rad/s (period {:.1} s), from {} segments\n\n\
-         Fit of K(τ) = A e^(−μ|τ|) (cos ετ + (μ/ε) sin ε|τ|) to the correlation function, lags 0 … {last}\n\
+         Fit of K(τ) = A e^(−μ|τ|) (cos ετ + (μ/ε) sin ε|τ|) to the correlation function, lags 0 … {:.0} s\n\
          \x20 A = {:.4e} rad² ({:.3}°)²,  μ = {:.4} 1/s,  ε = {:.4} rad/s (period {:.1} s)\n\
-         {}\x20 explains {:.1} % of it; misfit {:.1} % of K(0): {verdict}\n\n\
-         K(τ), deg²: o measured, · fitted\n{}\n",
+         {}\x20 explains {:.1} % of it; misfit {:.1} % of K(0): {verdict}\n",
         a.name,
         n as f64 * step / 60.0,
         a.peak,
         TAU / a.peak,
         a.spectrum.segments,
+        (a.fit.measured.len() - 1) as f64 * step,
         roll.variance,
         roll.variance.sqrt().to_degrees(),
         roll.decay,
@@ -190,11 +209,6 @@ fn told(a: &Analysis) -> String {
         trusted(a.intervals.as_ref()),
         100.0 * a.fit.r_squared,
         100.0 * a.fit.misfit,
-        picture(
-            &[Trace { mark: 'o', values: &measured }, Trace { mark: '·', values: &fitted }],
-            (64, 13),
-            ("τ = 0", &last)
-        )
     )
 }
 

@@ -6,6 +6,7 @@ mod free;
 mod json;
 mod measured;
 mod options;
+mod page;
 mod parameters;
 mod recording;
 mod table;
@@ -45,6 +46,9 @@ pub struct Arguments {
     /// Polar picture of the error against heading, as SVG; - is standard output.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
+    /// A report with pictures, one page that opens offline; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// One JSON object instead of text.
     #[arg(long)]
     json: bool,
@@ -57,7 +61,7 @@ const HELP: &str = "\
 Quantities are written with their unit, as 3m, 12kn, 5deg, 1.35e5N/m; without one they are in SI (latitude, heading: in degrees).
 Examples:
   gyrospec roll-error
-  gyrospec roll-error examples/roll.csv
+  gyrospec roll-error examples/roll.csv --html roll.html
   gyrospec roll-error --irregular 4deg,0.06,0.65 --latitude 60deg --svg error.svg
   gyrospec roll-error --sea jonswap --height 3m --period 8s --also pitch,heave --against latitude
   gyrospec roll-error compass.toml ship.csv --roll roll_deg:deg --json
@@ -66,9 +70,11 @@ Examples:
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
     let picture = a.svg.as_deref().map(Sink::open).transpose()?;
+    let html = a.html.as_deref().map(Sink::open).transpose()?;
+    let drawn_too = picture.is_some() || html.is_some();
     let (parameters, file) = files(a);
     let bare = parameters.is_none() && file.is_none() && !a.motion.given() && !a.rows.given();
-    if bare && !a.formula && !a.json && !a.free && picture.is_none() && a.instrument.plain() {
+    if bare && !a.formula && !a.json && !a.free && !drawn_too && a.instrument.plain() {
         output::print(examples::text()?.as_bytes())?;
         return Ok(Outcome::Done);
     }
@@ -82,7 +88,7 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
         return Ok(Outcome::Done);
     }
     let mut rows = a.rows.clone();
-    if picture.is_some() && !rows.has_headings() && rows.days()?.is_none() {
+    if drawn_too && !rows.has_headings() && rows.days()?.is_none() {
         rows.step = PICTURE_STEP;
     }
     let plan = match file {
@@ -93,13 +99,15 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
     let every = if rows.step == a.rows.step || rows.has_headings() { 1 } else { a.rows.step / rows.step };
     let result: Vec<&table::Row> = drawn.iter().step_by(every).collect();
     let text = if a.json { json::text(&plan, &result)? } else { table::text(&plan, &result) };
+    if let Some(sink) = html {
+        sink.finish(page::html(&plan, (&drawn, &result), plan.compass.part(&a.instrument)?, a)?.as_bytes())?;
+    }
     if let Some(sink) = picture {
         sink.finish(polar::svg(&plan.polar(&drawn)?).as_bytes())?;
-        if a.svg.as_deref() == Some(Path::new("-")) {
-            return Ok(Outcome::Done);
-        }
     }
-    output::print(text.as_bytes())?;
+    if ![&a.svg, &a.html].iter().any(|p| p.as_deref() == Some(Path::new("-"))) {
+        output::print(text.as_bytes())?;
+    }
     Ok(Outcome::Done)
 }
 
@@ -118,6 +126,8 @@ pub struct Answer {
     pub text: String,
     /// The polar picture; empty where the rows do not run over headings.
     pub svg: String,
+    /// The page.
+    pub html: String,
 }
 
 /// What the options of the command line ask for, of what lies in memory.
@@ -145,7 +155,8 @@ pub fn answer(options: &[String], given: &Given<'_>) -> Result<Answer> {
     } else {
         String::new()
     };
-    Ok(Answer { json: json::text(&plan, &rows)?, text: table::text(&plan, &rows), svg })
+    let html = page::html(&plan, (&drawn, &rows), plan.compass.part(&a.instrument)?, &a)?;
+    Ok(Answer { json: json::text(&plan, &rows)?, text: table::text(&plan, &rows), svg, html })
 }
 
 /// A parser's refusal without its advice on calling the program.

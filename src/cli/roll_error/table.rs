@@ -1,11 +1,12 @@
 //! The table of errors: mean ± spread against heading, latitude or sea state.
 
 use super::Arguments;
+use super::measured::{self, Analysis};
 use super::options::{Against, Described, RowOptions};
 use super::parameters::Compass;
 use crate::gyro::{HeadingError, Instrument, MonteCarlo, Simulated, seed};
 use crate::report::polar::{Point, Polar};
-use crate::spectrum::{Roll, RollIntervals};
+use crate::spectrum::Roll;
 use crate::{Error, Result};
 use rayon::prelude::*;
 use std::fmt::Write;
@@ -26,13 +27,11 @@ pub struct Case {
 pub struct Plan {
     pub compass: Compass,
     pub motion_says: String,
-    /// Text before the table: the analysis of a recording.
-    pub before: String,
+    /// The recorded roll, where the motion is one.
+    pub recorded: Option<Analysis>,
     pub after: String,
     /// The irregular roll of the form (3.3), where the motion is one.
     pub roll: Option<Roll>,
-    /// 95 % intervals of its numbers, where it was fitted.
-    pub intervals: Option<RollIntervals>,
     pub cases: Vec<Case>,
     pub against: Against,
 }
@@ -58,13 +57,17 @@ impl Plan {
         let cases = cases(&compass, &roll, a, rows)?;
         let after = tail(&compass.instrument(&a.instrument)?, &described)?;
         let roll = a.motion.irregular_roll(&roll)?;
-        let (before, intervals, against) = (String::new(), None, rows.against);
-        Ok(Self { compass, motion_says, before, after, roll, intervals, cases, against })
+        Ok(Self { compass, motion_says, recorded: None, after, roll, cases, against: rows.against })
     }
 
     /// Computes the rows, with so many days simulated beside each.
     pub fn evaluate(&self, days: Option<usize>, seed: u64) -> Result<Vec<Row>> {
         self.cases.par_iter().map(|case| case.evaluate(days, seed)).collect()
+    }
+
+    /// Whether the rows go around the card.
+    pub fn goes_round(&self) -> bool {
+        self.against == Against::Heading && self.cases.len() > 8
     }
 
     /// The polar picture of the rows, where they run over headings.
@@ -159,12 +162,12 @@ fn tail(instrument: &Instrument, described: &Described) -> Result<String> {
 }
 
 /// A number without a sign on its zero.
-fn plain(degrees: f64) -> f64 {
+pub fn plain(degrees: f64) -> f64 {
     if degrees.abs() < 5e-6 { 0.0 } else { degrees }
 }
 
 pub fn text(plan: &Plan, rows: &[&Row]) -> String {
-    let mut out = plan.before.clone();
+    let mut out = plan.recorded.as_ref().map_or_else(String::new, measured::told);
     let s = &plan.compass.sphere;
     let place = match plan.against {
         Against::Latitude => format!("heading {:.0}°", plan.cases[0].heading.to_degrees()),

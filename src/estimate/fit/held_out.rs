@@ -31,19 +31,25 @@ pub fn held_out(
             together.sort_by(|a, b| a.from.total_cmp(&b.from));
             let record = setup::record(&fit.model, recording, number, &together, options)?;
             let initials = fit.records.get(number).map_or(record.initials.clone(), |r| r.initials.clone());
-            series.extend(run(&fit.model, &record, &initials, &|t| spans.holds_out(t))?);
+            series.extend(of(number, run(&fit.model, &record, &initials, &|t| spans.holds_out(t))?));
         }
         for span in apart {
-            series.extend(alone(&fit.model, recording, number, &[span], options)?);
+            series.extend(of(number, alone(&fit.model, recording, number, &[span], options)?));
         }
     }
-    for recording in separate {
+    for (k, recording) in separate.iter().enumerate() {
         let whole =
             setup::spans(&fit.model, recording, &FitOptions { separate_holdout: true, ..options.clone() });
         let spans = if whole.holdout.is_empty() { whole.fit } else { whole.holdout };
-        series.extend(alone(&fit.model, recording, recordings.len(), &spans, options)?);
+        let own = alone(&fit.model, recording, recordings.len(), &spans, options)?;
+        series.extend(of(recordings.len() + k, own));
     }
     Ok(pooled(&fit.model, &series))
+}
+
+/// Series with the number of their recording.
+fn of(recording: usize, series: Vec<Series>) -> impl Iterator<Item = (usize, Series)> {
+    series.into_iter().map(move |s| (recording, s))
 }
 
 /// A record of its own: its free initial states are fitted, nothing else.
@@ -111,11 +117,12 @@ fn part(track: &Track, predicted: &[f64], wanted: &dyn Fn(f64) -> bool) -> Serie
     series
 }
 
-fn pooled(model: &Model, series: &[Series]) -> Vec<HeldOut> {
+fn pooled(model: &Model, series: &[(usize, Series)]) -> Vec<HeldOut> {
     (0..model.outputs.len())
         .map(|output| {
-            let own: Vec<Series> = series.iter().filter(|s| s.output == output).cloned().collect();
-            HeldOut { output, rmse: root_mean_square(own.iter()), series: own }
+            let own = series.iter().filter(|s| s.1.output == output).cloned();
+            let (recordings, series): (Vec<usize>, Vec<Series>) = own.unzip();
+            HeldOut { output, rmse: root_mean_square(series.iter()), series, recordings }
         })
         .collect()
 }

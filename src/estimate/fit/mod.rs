@@ -19,7 +19,7 @@ mod simulated;
 mod warnings;
 
 pub use options::{Effort, FitOptions, Progress, Silent, Weighting};
-pub use outcome::{Estimate, Fit, HeldOut, InitialEstimate, RecordFit, Series, Status, Warning};
+pub use outcome::{Beside, Estimate, Fit, HeldOut, InitialEstimate, RecordFit, Series, Status, Warning};
 
 use crate::Result;
 use crate::estimate::least_squares::{Minimum, minimise};

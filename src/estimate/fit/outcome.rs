@@ -5,6 +5,7 @@ use crate::estimate::identify::Direction;
 use crate::estimate::least_squares::End;
 use crate::estimate::noise::NoiseModel;
 use crate::model::Model;
+use crate::record::Channel;
 use crate::units::Unit;
 use std::ops::Range;
 
@@ -81,10 +82,40 @@ impl Series {
         self.stretches.iter().map(|r| &self.sensitivities[unknown][r.clone()]).collect()
     }
 
+    /// The samples of the output's channel beside the predictions; a gap where a stretch ends.
+    pub fn beside(&self, channel: &Channel) -> Vec<Beside> {
+        let mut all = Vec::with_capacity(self.time.len() + self.stretches.len());
+        for stretch in &self.stretches {
+            for i in stretch.clone() {
+                let (time, residual) = (self.time[i], self.residual[i]);
+                let at = channel.time.partition_point(|t| *t < time);
+                let measured = channel.values.get(at).copied().unwrap_or(f64::NAN);
+                all.push(Beside { time, measured, predicted: measured - residual, residual });
+            }
+            if let Some(last) = all.last().copied() {
+                all.push(Beside { measured: f64::NAN, predicted: f64::NAN, residual: f64::NAN, ..last });
+            }
+        }
+        all
+    }
+
     /// Σ residual² and the number of samples.
     pub fn energy(&self) -> (f64, usize) {
         (self.residual.iter().map(|e| e * e).sum(), self.residual.len())
     }
+}
+
+/// A sample beside its prediction; SI, not finite in a gap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Beside {
+    /// s of the recording's clock, or row number.
+    pub time: f64,
+    /// Measured.
+    pub measured: f64,
+    /// Predicted; of an output that wraps, on the turn of the measured value.
+    pub predicted: f64,
+    /// Measured less predicted.
+    pub residual: f64,
 }
 
 /// The fitted part of one recording.
@@ -153,4 +184,6 @@ pub struct HeldOut {
     pub rmse: f64,
     /// Residuals, one series a held-out span or record.
     pub series: Vec<Series>,
+    /// Which recording each series is of, counted over the fitted and then the separate ones.
+    pub recordings: Vec<usize>,
 }

@@ -3,11 +3,8 @@
 use super::html::title;
 use crate::diagnose::answer::{Answer, Stretch};
 use crate::diagnose::pictures::{Course, Pictures};
+use crate::report::page::with_unit;
 use crate::report::svg::{Layer, Picture, escaped};
-
-fn with_unit(name: &str, unit: &str) -> String {
-    if unit == "1" { name.to_string() } else { format!("{name}, {unit}") }
-}
 
 fn pairs(spans: &[Stretch]) -> Vec<[f64; 2]> {
     spans.iter().map(|s| [s.from, s.to]).collect()

@@ -7,17 +7,9 @@ use crate::diagnose::Diagnosis;
 use crate::diagnose::answer::{Answer, Verdict};
 use crate::diagnose::catalogue;
 use crate::diagnose::pictures::Pictures;
+use crate::report::page::{self, Page, Section};
 use crate::report::svg::escaped;
-use std::fmt::Write;
-
-const STYLE: &str = include_str!("style.css");
-
-/// A part of the page: its name, its heading, its content; left out where it has none.
-struct Section {
-    name: &'static str,
-    heading: &'static str,
-    content: String,
-}
+use std::path::Path;
 
 /// The page of a diagnosis.
 pub fn html(d: &Diagnosis) -> String {
@@ -26,43 +18,33 @@ pub fn html(d: &Diagnosis) -> String {
 
 /// The page of an answer about a model, with its pictures.
 pub fn page(model: &str, a: &Answer, pictures: &Pictures) -> String {
-    let sections = sections(a, pictures);
-    let title = escaped(&format!("{}: {}", model, headline(a.verdict).to_lowercase()));
-    let mut page = format!(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width,initial-scale=1\"><meta name=\"color-scheme\" content=\"light dark\"><link rel=\"icon\" href=\"data:,\"><title>{title}</title><style>\n{STYLE}</style></head><body>\n<header><p class=\"note\">Diagnosis of the model “{}”</p><h1 id=\"verdict\">{}</h1><p class=\"lead\">{}</p></header>\n<nav>",
-        escaped(model),
-        escaped(&sentence(a)),
-        escaped(&a.says)
-    );
-    for s in &sections {
-        let _ = write!(page, "<a href=\"#{}\">{}</a> ", s.name, s.heading);
-    }
-    page.push_str("</nav>\n<main>");
-    for s in &sections {
-        let _ = write!(page, "\n<section id=\"{}\"><h2>{}</h2>{}</section>", s.name, s.heading, s.content);
-    }
-    page + "</main></body></html>\n"
+    let page = Page {
+        kind: format!("Diagnosis of the model “{model}”"),
+        title: format!("{model}: {}", headline(a.verdict).to_lowercase()),
+        verdict: sentence(a),
+        lead: a.says.clone(),
+        sections: sections(a, pictures),
+    };
+    page.html()
 }
 
 fn sections(a: &Answer, pictures: &Pictures) -> Vec<Section> {
-    let section = |name, heading, content| Section { name, heading, content };
-    let mut all = vec![
-        section("findings", "What was found", tables::findings(a)),
-        section("faults", "Where the data are at fault", figures::faults(pictures)),
-        section("laws", "The law, seen in the recording", figures::laws(pictures, a)),
-        section("courses", "Recording and model", figures::courses(pictures)),
-        section("residuals", "What the model leaves over time", figures::residuals(pictures, a)),
-        section("spectra", "What it leaves in frequency", figures::spectra(pictures, a)),
-        section("proof", "Proof on what was held out", tables::proof(a)),
-        section("sites", "What was considered", tables::tried(pictures, a)),
-        section("unexplained", "What no name explains", figures::unexplained(a)),
-        section("parameters", "Parameters before and after", tables::parameters(a)),
-        section("visible", "What would have been seen", tables::visible(a)),
-        section("next", "What would tell next", next(a)),
-        section("made", "How this was made", tables::made(a)),
-    ];
-    all.retain(|s| !s.content.is_empty());
-    all
+    let inputs = a.made.inputs.iter().map(|i| (Path::new(&i.file), i.sha256.as_str()));
+    vec![
+        Section::new("findings", "What was found", tables::findings(a)),
+        Section::new("faults", "Where the data are at fault", figures::faults(pictures)),
+        Section::new("laws", "The law, seen in the recording", figures::laws(pictures, a)),
+        Section::new("courses", "Recording and model", figures::courses(pictures)),
+        Section::new("residuals", "What the model leaves over time", figures::residuals(pictures, a)),
+        Section::new("spectra", "What it leaves in frequency", figures::spectra(pictures, a)),
+        Section::new("proof", "Proof on what was held out", tables::proof(a)),
+        Section::new("sites", "What was considered", tables::tried(pictures, a)),
+        Section::new("unexplained", "What no name explains", figures::unexplained(a)),
+        Section::new("parameters", "Parameters before and after", tables::parameters(a)),
+        Section::new("visible", "What would have been seen", tables::visible(a)),
+        Section::new("next", "What would tell next", next(a)),
+        page::made(&a.made.program, a.made.seed, inputs),
+    ]
 }
 
 /// The verdict in one sentence.

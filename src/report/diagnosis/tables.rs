@@ -1,43 +1,11 @@
 //! The tables of the page.
 
-use super::text::figure;
 use crate::diagnose::answer::{Answer, Verdict};
 use crate::diagnose::pictures::{Pictures, Standing};
+use crate::report::page::{estimate, head, interval, quantity, table};
 use crate::report::svg::escaped;
+use crate::units::figure;
 use std::fmt::Write;
-
-/// A table; heads that begin with `#` stand over numbers. Cells are HTML.
-fn table(heads: &[&str], rows: &[Vec<String>]) -> String {
-    if rows.is_empty() {
-        return String::new();
-    }
-    let class = |i: usize| if heads[i].starts_with('#') { " class=\"n\"" } else { "" };
-    let mut out = String::from("<div class=\"scroll\"><table><thead><tr>");
-    for (i, h) in heads.iter().enumerate() {
-        let _ = write!(out, "<th{}>{}</th>", class(i), h.trim_start_matches('#'));
-    }
-    out.push_str("</tr></thead><tbody>");
-    for row in rows {
-        out.push_str("<tr>");
-        for (i, cell) in row.iter().enumerate() {
-            let _ = write!(out, "<td{}>{cell}</td>", class(i));
-        }
-        out.push_str("</tr>");
-    }
-    out + "</tbody></table></div>"
-}
-
-fn unit(text: &str) -> String {
-    if text == "1" { String::new() } else { format!(" {}", escaped(text)) }
-}
-
-fn interval(low: f64, high: f64) -> String {
-    if low.is_finite() && high.is_finite() {
-        format!("{} to {}", figure(low), figure(high))
-    } else {
-        "–".into()
-    }
-}
 
 /// A chance as people read it.
 fn chance(p: f64) -> String {
@@ -62,9 +30,10 @@ pub fn findings(a: &Answer) -> String {
                 .parameters
                 .iter()
                 .map(|p| {
-                    let band = interval(p.low, p.high);
+                    let (value, band) = estimate(p.value, p.low, p.high);
                     let band = if band == "–" { String::new() } else { format!(" ({band})") };
-                    format!("{} = {}{}{band}", escaped(&p.name), figure(p.value), unit(&p.unit))
+                    let unit = if p.unit == "1" { "" } else { &p.unit };
+                    format!("{} = {value}{band} {}", escaped(&p.name), escaped(unit))
                 })
                 .collect();
             let ties = if f.ties.is_empty() {
@@ -105,13 +74,8 @@ pub fn proof(a: &Answer) -> String {
         .proof
         .iter()
         .map(|p| {
-            let output = format!(
-                "{}{}",
-                escaped(&p.output),
-                if p.unit == "1" { String::new() } else { format!(", {}", escaped(&p.unit)) }
-            );
             vec![
-                output,
+                head(&p.output, &p.unit),
                 figure(p.fit_before),
                 figure(p.fit_after),
                 format!("<b>{}</b>", figure(p.holdout_before)),
@@ -185,14 +149,7 @@ pub fn parameters(a: &Answer) -> String {
     let rows: Vec<Vec<String>> = a
         .parameters
         .iter()
-        .map(|p| {
-            let name = format!(
-                "{}{}",
-                escaped(&p.name),
-                if p.unit == "1" { String::new() } else { format!(", {}", escaped(&p.unit)) }
-            );
-            vec![name, figure(p.before), figure(p.after), interval(p.low, p.high)]
-        })
+        .map(|p| vec![head(&p.name, &p.unit), figure(p.before), figure(p.after), interval(p.low, p.high)])
         .collect();
     table(&["parameter", "#before", "#after", "#95 % interval after"], &rows)
 }
@@ -206,9 +163,7 @@ pub fn visible(a: &Answer) -> String {
         .detection
         .smallest_visible
         .iter()
-        .map(|v| {
-            vec![escaped(&v.code), escaped(&v.parameter), format!("{}{}", figure(v.value), unit(&v.unit))]
-        })
+        .map(|v| vec![escaped(&v.code), escaped(&v.parameter), quantity(v.value, &v.unit)])
         .collect();
     let table =
         table(&["mechanism", "parameter", "#smallest size that this recording would have shown"], &rows);
@@ -217,20 +172,4 @@ pub fn visible(a: &Answer) -> String {
     } else {
         format!("<p class=\"note\">Smaller effects may be there unseen.</p>{table}")
     }
-}
-
-/// Program, seed and inputs.
-pub fn made(a: &Answer) -> String {
-    let rows: Vec<Vec<String>> = a
-        .made
-        .inputs
-        .iter()
-        .map(|i| vec![escaped(&i.file), format!("<code>{}</code>", escaped(&i.sha256))])
-        .collect();
-    format!(
-        "<p>{}, seed {}. The same inputs and seed give the same bytes.</p>{}",
-        escaped(&a.made.program),
-        a.made.seed,
-        table(&["file", "SHA-256"], &rows)
-    )
 }

@@ -2,6 +2,8 @@
 
 use crate::diagnose::Diagnosis;
 use crate::diagnose::answer::{Answer, Verdict};
+use crate::report::page::estimate;
+use crate::units::figure;
 use std::fmt::Write;
 
 /// The verdict in one line.
@@ -14,19 +16,6 @@ pub fn headline(verdict: Verdict) -> &'static str {
         Verdict::DataFault => "THE DATA ARE AT FAULT",
         Verdict::NotIdentifiable => "THIS RECORDING CANNOT TELL",
     }
-}
-
-/// A figure with four digits.
-pub fn figure(x: f64) -> String {
-    if !x.is_finite() {
-        return "-".into();
-    }
-    let size = x.abs();
-    if size != 0.0 && !(1e-3..1e6).contains(&size) {
-        return format!("{x:.3e}");
-    }
-    let decimals = if size == 0.0 { 0 } else { (3 - size.log10().floor() as i32).max(0) as usize };
-    format!("{x:.decimals$}")
 }
 
 /// The whole report as text: the verdict first.
@@ -58,12 +47,10 @@ fn findings(out: &mut String, a: &Answer) {
             .parameters
             .iter()
             .map(|p| {
-                let interval = if p.low.is_finite() && p.high.is_finite() {
-                    format!(" ({} to {})", figure(p.low), figure(p.high))
-                } else {
-                    String::new()
-                };
-                format!("{} = {}{interval} {}", p.name, figure(p.value), p.unit)
+                let (value, band) = estimate(p.value, p.low, p.high);
+                let band = if band == "–" { String::new() } else { format!(" ({band})") };
+                let unit = if p.unit == "1" { "" } else { &p.unit };
+                format!("{} = {value}{band} {unit}", p.name).trim_end().to_string()
             })
             .collect();
         let _ =
@@ -105,16 +92,8 @@ fn parameters(out: &mut String, a: &Answer) {
     }
     let _ = writeln!(out, "\n  {:<16} {:>12} {:>12}   95 % interval", "parameter", "before", "after");
     for p in &a.parameters {
-        let _ = writeln!(
-            out,
-            "  {:<16} {:>12} {:>12}   {} to {} {}",
-            p.name,
-            figure(p.before),
-            figure(p.after),
-            figure(p.low),
-            figure(p.high),
-            p.unit
-        );
+        let (after, band) = estimate(p.after, p.low, p.high);
+        let _ = writeln!(out, "  {:<16} {:>12} {after:>12}   {band} {}", p.name, figure(p.before), p.unit);
     }
 }
 

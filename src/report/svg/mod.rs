@@ -8,6 +8,7 @@
 //! ```
 
 mod axis;
+mod thin;
 
 pub use axis::{Scale, tick_text, ticks};
 
@@ -15,7 +16,7 @@ use axis::Axis;
 use std::fmt::Write;
 
 /// Width and height of a picture in its own units.
-const SIZE: (f64, f64) = (720.0, 280.0);
+const SIZE: (f64, f64) = (720.0, 320.0);
 /// Room left, top, right and bottom of the frame.
 const MARGIN: [f64; 4] = [78.0, 32.0, 14.0, 56.0];
 
@@ -229,7 +230,7 @@ fn layer(svg: &mut String, layer: &Layer, x: &Axis, y: &Axis) {
             // A point that is no number ends a stretch of the line.
             for stretch in points.split(|p| !p[1].is_finite()).filter(|s| !s.is_empty()) {
                 let _ = write!(svg, "<polyline class=\"{class}\" points=\"");
-                for (a, b) in stretch.iter().filter_map(|p| at(*p)) {
+                for (a, b) in thin::thinned(stretch.iter().filter_map(|p| at(*p)).collect()) {
                     let _ = write!(svg, "{a:.1},{b:.1} ");
                 }
                 svg.push_str("\"/>");

@@ -1,0 +1,233 @@
+//! A fit as one page with pictures.
+
+use crate::estimate::Direction;
+use crate::estimate::fit::{Beside, Estimate, Fit, HeldOut, InitialEstimate, Series, Status};
+use crate::model::Output;
+use crate::record::{Kind, Recording};
+use crate::report::page::{self, Page, Section, head, table, with_unit};
+use crate::report::svg::{Layer, Picture, escaped};
+use crate::units::{Unit, figure};
+use std::path::Path;
+
+/// Recordings that are drawn, at most, of the fitted and of the separate ones each.
+const DRAWN: usize = 3;
+
+/// A fit with all that a report of it says.
+pub struct FitReport<'a> {
+    /// The fitted model.
+    pub fit: &'a Fit,
+    /// What it does where it was not fitted.
+    pub held_out: &'a [HeldOut],
+    /// The recordings that were fitted.
+    pub recordings: &'a [Recording],
+    /// Recordings that were held out whole.
+    pub separate: &'a [Recording],
+    /// Spectra of the residuals, by output.
+    pub spectra: &'a [ResidualSpectrum],
+    /// Seed.
+    pub seed: u64,
+}
+
+/// The spectrum of what an output leaves over.
+pub struct ResidualSpectrum {
+    /// The output.
+    pub output: String,
+    /// Unit of the density.
+    pub unit: String,
+    /// rad/s and density.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// One output on one recording, fitted and held-out parts together, in order of time.
+struct Course<'a> {
+    output: &'a Output,
+    title: String,
+    trials: bool,
+    held: Vec<[f64; 2]>,
+    samples: Vec<Beside>,
+}
+
+/// The page of a fit.
+pub fn page(r: &FitReport<'_>) -> String {
+    let courses = courses(r);
+    let drawn = |draw: fn(&Course<'_>) -> String| courses.iter().map(draw).collect::<String>();
+    let inputs = r.recordings.iter().chain(r.separate).flat_map(|r| &r.sources);
+    let program = concat!("gyrospec ", env!("CARGO_PKG_VERSION"));
+    let page = Page {
+        kind: format!("Fit of the model “{}”", r.fit.model.name),
+        title: format!("{}: fit", r.fit.model.name),
+        verdict: sentence(r),
+        lead: lead(r),
+        sections: vec![
+            Section::new("courses", "Recording and model", drawn(course)),
+            Section::new("residuals", "What the model leaves over time", drawn(residual)),
+            Section::new("spectra", "What it leaves in frequency", r.spectra.iter().map(spectrum).collect()),
+            Section::new("parameters", "Parameters", parameters(r)),
+            Section::new("errors", "Free-run error", errors(r)),
+            Section::new("unseen", "What these data do not tell", r.fit.unseen.iter().map(unseen).collect()),
+            Section::new("warnings", "Warnings", warnings(r.fit)),
+            page::made(program, r.seed, inputs.map(|s| (Path::new(&s.file), s.sha256.as_str()))),
+        ],
+    };
+    page.html()
+}
+
+fn difference(output: &Output, si: f64) -> String {
+    let unit = output.unit.of_differences();
+    page::quantity(unit.difference_from_si(si), unit.text())
+}
+
+fn sentence(r: &FitReport<'_>) -> String {
+    let follows = |(k, output): (usize, &Output)| {
+        let held = r.held_out.get(k).map(|h| h.rmse).filter(|e| e.is_finite());
+        let held = held.map_or(String::new(), |e| format!(" (held out: {})", difference(output, e)));
+        format!("{} to {}{held}", output.name, difference(output, r.fit.rmse[k]))
+    };
+    let all: Vec<String> = r.fit.model.outputs.iter().enumerate().map(follows).collect();
+    format!("The fitted model follows {}.", all.join(", "))
+}
+
+fn lead(r: &FitReport<'_>) -> String {
+    let names: Vec<&str> = r.recordings.iter().map(|r| r.name.as_str()).collect();
+    let mut text = format!(
+        "Root mean square of measured less simulated, the model running free on its inputs alone. Fitted to {}.",
+        names.join(", ")
+    );
+    if !r.fit.unseen.is_empty() {
+        text += " Not all parameters can be told from these data: see below.";
+    }
+    text
+}
+
+fn courses<'a>(r: &FitReport<'a>) -> Vec<Course<'a>> {
+    let fitted = r.recordings.iter().enumerate().take(DRAWN);
+    let separate = r.separate.iter().enumerate().map(|(k, s)| (r.recordings.len() + k, s)).take(DRAWN);
+    let mut all = Vec::new();
+    for (number, recording) in fitted.chain(separate) {
+        for (k, output) in r.fit.model.outputs.iter().enumerate() {
+            all.extend(joined(r, (number, recording), (k, output)));
+        }
+    }
+    all
+}
+
+fn joined<'a>(
+    r: &FitReport<'a>,
+    (number, recording): (usize, &Recording),
+    (k, output): (usize, &'a Output),
+) -> Option<Course<'a>> {
+    let channel = recording.find(&output.name)?;
+    let own = r.fit.records.get(number).filter(|_| number < r.recordings.len());
+    let fitted = own.into_iter().flat_map(|f| &f.series).filter(|s| s.output == k);
+    let held = r.held_out.get(k).into_iter().flat_map(|h| h.series.iter().zip(&h.recordings));
+    let held: Vec<&Series> = held.filter(|(_, of)| **of == number).map(|(s, _)| s).collect();
+    let mut samples: Vec<Beside> =
+        fitted.chain(held.iter().copied()).flat_map(|s| s.beside(channel)).collect();
+    samples.sort_by(|a, b| a.time.total_cmp(&b.time));
+    let ends = |s: &Series| -> Vec<[f64; 2]> {
+        s.stretches.iter().map(|r| [s.time[r.start], s.time[r.end - 1]]).collect()
+    };
+    (!samples.is_empty()).then(|| Course {
+        output,
+        title: format!("{} in “{}”", output.name, recording.name),
+        trials: recording.kind == Kind::Trials,
+        held: held.into_iter().flat_map(ends).collect(),
+        samples,
+    })
+}
+
+impl Course<'_> {
+    fn picture(&self, title: &str, y: &str) -> Picture {
+        Picture::new(title, if self.trials { "trial (row)" } else { "time, s" }, y).with(Layer::span(
+            "held",
+            "held out",
+            self.held.clone(),
+        ))
+    }
+
+    fn layer(&self, class: &'static str, name: &str, of: impl Fn(&Beside) -> f64) -> Layer {
+        let points = self.samples.iter().map(|s| [s.time, of(s)]).collect();
+        if self.trials { Layer::dots(class, name, points) } else { Layer::line(class, name, points) }
+    }
+}
+
+fn course(c: &Course<'_>) -> String {
+    let unit = &c.output.unit;
+    c.picture(&c.title, &with_unit(&c.output.name, unit.text()))
+        .with(c.layer("measured", "measured", |s| unit.from_si(s.measured)))
+        .with(c.layer("after", "fitted model", |s| unit.from_si(s.predicted)))
+        .draw()
+}
+
+fn residual(c: &Course<'_>) -> String {
+    let unit = c.output.unit.of_differences();
+    c.picture(&format!("{}: measured less model", c.title), &with_unit("residual", unit.text()))
+        .with(c.layer("after", "residual", |s| unit.difference_from_si(s.residual)))
+        .draw()
+}
+
+fn spectrum(s: &ResidualSpectrum) -> String {
+    let y = format!("power density, {}", s.unit);
+    Picture::new(&format!("{}: power of the residual, fitted part", s.output), "angular frequency, rad/s", &y)
+        .logarithmic()
+        .with(Layer::line("after", "residual", s.points.clone()))
+        .draw()
+}
+
+fn parameters(r: &FitReport<'_>) -> String {
+    let several = r.recordings.len() > 1;
+    let initial = |i: &InitialEstimate| {
+        let of = if several { format!(" of {}", r.recordings[i.recording].name) } else { String::new() };
+        row(&format!("{}(0){of}", i.state), [i.value, i.low, i.high], &i.unit, None)
+    };
+    let rows: Vec<Vec<String>> =
+        r.fit.parameters.iter().map(parameter).chain(r.fit.initials.iter().map(initial)).collect();
+    table(&["parameter", "#value", "#95 % interval"], &rows)
+}
+
+fn parameter(p: &Estimate) -> Vec<String> {
+    let remark = match p.status {
+        Status::Fitted => None,
+        Status::AtBound(_) => Some("at its bound"),
+        Status::Fixed => Some("fixed"),
+        Status::Constant => Some("given by the recording"),
+    };
+    row(&p.name, [p.value, p.low, p.high], &p.unit, remark)
+}
+
+fn row(name: &str, values: [f64; 3], unit: &Unit, remark: Option<&str>) -> Vec<String> {
+    let [value, low, high] = values.map(|x| unit.from_si(x));
+    let (mut shown, mut interval) = page::estimate(value, low, high);
+    match remark {
+        Some("fixed") => (shown, interval) = (format!("{value}"), "fixed".into()),
+        Some(remark) => interval = remark.into(),
+        None if interval == "–" => interval = "cannot be told from these data".into(),
+        None => {}
+    }
+    vec![head(name, unit.text()), shown, interval]
+}
+
+fn errors(r: &FitReport<'_>) -> String {
+    let row = |(k, output): (usize, &Output)| {
+        let unit = output.unit.of_differences();
+        let shown = |si: f64| figure(unit.difference_from_si(si));
+        let held = r.held_out.get(k).map_or(f64::NAN, |h| h.rmse);
+        vec![head(&output.name, unit.text()), shown(r.fit.rmse[k]), shown(held)]
+    };
+    let rows: Vec<Vec<String>> = r.fit.model.outputs.iter().enumerate().map(row).collect();
+    table(&["output", "#fitted", "#held out"], &rows)
+}
+
+fn unseen(d: &Direction) -> String {
+    let names: Vec<String> = d.weights.iter().map(|(name, _)| escaped(name)).collect();
+    match names.as_slice() {
+        [one] => format!("<p>{one} leaves no trace in what is measured.</p>"),
+        several => {
+            format!("<p>{} apart: changes in them cancel in what is measured.</p>", several.join(" and "))
+        }
+    }
+}
+
+fn warnings(fit: &Fit) -> String {
+    fit.warnings.iter().map(|w| format!("<p>{}</p>", escaped(&w.says))).collect()
+}

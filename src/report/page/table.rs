@@ -1,0 +1,69 @@
+//! Tables of a page.
+
+use crate::report::svg::escaped;
+use crate::units::{digits_within, figure, significant};
+use std::fmt::Write;
+
+/// Rows that may stand as cards.
+const CARDS: usize = 6;
+
+/// A table; heads that begin with `#` stand over numbers. Cells are HTML; no rows, no table.
+pub fn table(heads: &[&str], rows: &[Vec<String>]) -> String {
+    if rows.is_empty() {
+        return String::new();
+    }
+    let class = |i: usize| if heads[i].starts_with('#') { " class=\"n\"" } else { "" };
+    let word = |i: usize| heads[i].trim_start_matches('#');
+    // On a phone the rows of a short, wide table stand as cards, each cell under its head.
+    let cards = heads.len() > 4 && rows.len() <= CARDS && heads.iter().all(|h| !h.is_empty());
+    let mut out = String::from("<div class=\"scroll\"><table");
+    out.push_str(if cards { " class=\"cards\"><thead><tr>" } else { "><thead><tr>" });
+    for i in 0..heads.len() {
+        let _ = write!(out, "<th{}>{}</th>", class(i), word(i));
+    }
+    out.push_str("</tr></thead><tbody>");
+    for row in rows {
+        out.push_str("<tr>");
+        for (i, cell) in row.iter().enumerate() {
+            let head = if cards { format!(" data-head=\"{}\"", word(i)) } else { String::new() };
+            let _ = write!(out, "<td{}{head}>{cell}</td>", class(i));
+        }
+        out.push_str("</tr>");
+    }
+    out + "</tbody></table></div>"
+}
+
+/// A name with its unit, for the first cell of a row.
+pub fn head(name: &str, unit: &str) -> String {
+    escaped(&super::with_unit(name, unit))
+}
+
+/// A number with its unit.
+pub fn quantity(value: f64, unit: &str) -> String {
+    if unit == "1" { figure(value) } else { format!("{} {}", figure(value), escaped(unit)) }
+}
+
+/// Two ends of an interval; a dash where it has none.
+pub fn interval(low: f64, high: f64) -> String {
+    if low.is_finite() && high.is_finite() {
+        format!("{} to {}", figure(low), figure(high))
+    } else {
+        "–".into()
+    }
+}
+
+/// A value and its 95 % interval with the digits that the interval's width deserves.
+///
+/// ```
+/// use gyrospec::report::page::estimate;
+/// assert_eq!(estimate(4.000_02, 3.999_8, 4.000_2), ("4.00002".into(), "3.99980 to 4.00020".into()));
+/// assert_eq!(estimate(4.0, f64::NAN, 5.0).1, "–");
+/// ```
+pub fn estimate(value: f64, low: f64, high: f64) -> (String, String) {
+    if !(high - low).is_finite() || !value.is_finite() {
+        return (figure(value), "–".into());
+    }
+    let digits = digits_within(value, high - low);
+    let shown = |x: f64| significant(x, digits);
+    (shown(value), format!("{} to {}", shown(low), shown(high)))
+}

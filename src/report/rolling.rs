@@ -1,0 +1,176 @@
+//! The rolling error of a gyrocompass as one page with pictures.
+
+use crate::report::page::{self, Page, Section, table};
+use crate::report::polar::{self, Polar};
+use crate::report::svg::{Layer, Picture, escaped};
+use crate::units::{figure, significant};
+use std::path::Path;
+
+/// Everything that the page says.
+pub struct Rolling<'a> {
+    /// The kind of gyrosphere.
+    pub instrument: &'a str,
+    /// Where its numbers come from.
+    pub compass: &'a str,
+    /// The motion in words.
+    pub motion: &'a str,
+    /// What the rows run over, with its unit, such as `heading, °`.
+    pub against: &'a str,
+    /// The errors.
+    pub rows: Vec<Row>,
+    /// The compass card, where the rows run around it.
+    pub card: Option<Polar>,
+    /// The recorded roll, where there is one.
+    pub recorded: Option<Recorded<'a>>,
+    /// What of the numbers to trust, in paragraphs.
+    pub trust: &'a str,
+    /// The mean error as a formula, where one is kept.
+    pub formula: Option<String>,
+    /// Files with their SHA-256.
+    pub inputs: Vec<(&'a Path, &'a str)>,
+    /// Seed of the simulation.
+    pub seed: u64,
+}
+
+/// One error, degrees.
+pub struct Row {
+    /// What the rows run over, in its unit.
+    pub value: f64,
+    /// Mean.
+    pub mean: f64,
+    /// Standard deviation.
+    pub spread: f64,
+    /// The part of it by the swing of the gyrosphere.
+    pub swing: f64,
+    /// The part of it by products of motions.
+    pub products: f64,
+    /// The mean by quadrature over the measured spectrum.
+    pub measured: Option<f64>,
+}
+
+/// A recorded roll and its fit.
+pub struct Recorded<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// s and degrees.
+    pub roll: Vec<[f64; 2]>,
+    /// Lag in s and correlation in square degrees.
+    pub correlation: Vec<[f64; 2]>,
+    /// The same by the fit.
+    pub correlation_fit: Vec<[f64; 2]>,
+    /// rad/s and density in square degrees times seconds.
+    pub spectrum: Vec<[f64; 2]>,
+    /// The same by the fit.
+    pub spectrum_fit: Vec<[f64; 2]>,
+    /// The fit in words, a line each.
+    pub says: &'a str,
+}
+
+/// The page.
+pub fn page(r: &Rolling<'_>) -> String {
+    let program = concat!("gyrospec ", env!("CARGO_PKG_VERSION"));
+    let page = Page {
+        kind: format!("Rolling error of a gyrocompass: {}", r.instrument),
+        title: "Rolling error of a gyrocompass".into(),
+        verdict: sentence(r),
+        lead: format!("Motion: {}. Compass: {}.", r.motion, r.compass),
+        sections: vec![
+            Section::new("card", "The error", errors(r)),
+            Section::new("roll", "The recorded roll", r.recorded.as_ref().map_or(String::new(), recorded)),
+            Section::new("table", "The numbers", rows(r)),
+            Section::new("trust", "What to trust", paragraphs(r.trust)),
+            Section::new(
+                "formula",
+                "The mean as a formula",
+                r.formula.as_deref().map_or(String::new(), formula),
+            ),
+            page::made(program, r.seed, r.inputs.iter().copied()),
+        ],
+    };
+    page.html()
+}
+
+/// Degrees with their sign and four decimals.
+fn degrees(x: f64) -> String {
+    let sign = if x < 0.0 { "−" } else { "+" };
+    if x.abs() < 5e-5 { "0°".into() } else { format!("{sign}{:.4}°", x.abs()) }
+}
+
+fn sentence(r: &Rolling<'_>) -> String {
+    let worst = r.rows.iter().max_by(|a, b| a.mean.abs().total_cmp(&b.mean.abs()));
+    let Some(w) = worst else { return "There is nothing to compute.".into() };
+    let (what, unit) = r.against.split_once(", ").unwrap_or((r.against, ""));
+    format!(
+        "On this roll the compass is off by {}{}° in the mean at {what} {}{}{unit}, and swings by ±{}° about it.",
+        if w.mean < 0.0 { "−" } else { "+" },
+        significant(w.mean.abs(), 3),
+        figure(w.value),
+        if unit == "°" { "" } else { " " },
+        significant(w.spread, 3)
+    )
+}
+
+fn errors(r: &Rolling<'_>) -> String {
+    if let Some(card) = &r.card {
+        return polar::figure(card);
+    }
+    let of = |f: fn(&Row) -> f64| r.rows.iter().map(|x| [x.value, f(x)]).collect::<Vec<_>>();
+    let band = r.rows.iter().map(|x| [x.value, x.mean - x.spread, x.mean + x.spread]).collect();
+    let band = Layer::Ribbon { class: "band", name: "± one standard deviation".into(), points: band };
+    let mean = of(|x| x.mean);
+    let dots = if mean.len() < 30 { mean.clone() } else { Vec::new() };
+    Picture::new("mean error of heading", r.against, "error, °")
+        .with(band)
+        .with(Layer::line("after", "mean", mean))
+        .with(Layer::dots("after", "", dots))
+        .draw()
+}
+
+fn recorded(r: &Recorded<'_>) -> String {
+    let name = r.name;
+    let roll = Picture::new(&format!("roll in “{name}”"), "time, s", "roll, °").with(Layer::line(
+        "after",
+        "",
+        r.roll.clone(),
+    ));
+    let correlation = Picture::new("correlation of the roll", "lag, s", "K(τ), (°)²")
+        .with(Layer::line("measured", "measured", r.correlation.clone()))
+        .with(Layer::line("after", "fit A e^(−μ|τ|)(cos ετ + (μ/ε) sin ε|τ|)", r.correlation_fit.clone()));
+    let spectrum = Picture::new("spectrum of the roll", "angular frequency, rad/s", "S(ω), (°)²·s")
+        .logarithmic()
+        .with(Layer::line("measured", "measured", r.spectrum.clone()))
+        .with(Layer::line("after", "fit", r.spectrum_fit.clone()));
+    let pictures = roll.draw() + &correlation.draw() + &spectrum.draw();
+    pictures + &format!("<p class=\"note\">{}</p>", escaped(r.says).replace('\n', "<br>"))
+}
+
+fn rows(r: &Rolling<'_>) -> String {
+    let measured = r.rows.iter().any(|x| x.measured.is_some());
+    let cells = |x: &Row| {
+        let mut cells = vec![
+            figure(x.value),
+            degrees(x.mean),
+            format!("±{:.4}°", x.spread),
+            format!("{:.4}°", x.swing),
+            format!("{:.4}°", x.products),
+        ];
+        if measured {
+            cells.push(x.measured.map_or("–".into(), degrees));
+        }
+        cells
+    };
+    let first = format!("#{}", r.against);
+    let mut heads = vec![first.as_str(), "#mean", "#spread", "#of it by swing", "#by products"];
+    if measured {
+        heads.push("#mean by measured spectrum");
+    }
+    table(&heads, &r.rows.iter().map(cells).collect::<Vec<_>>())
+}
+
+fn paragraphs(text: &str) -> String {
+    if text.trim().is_empty() { String::new() } else { format!("<p>{}</p>", escaped(text.trim())) }
+}
+
+fn formula(text: &str) -> String {
+    format!("<pre class=\"scroll\">{}</pre>", escaped(text.trim()))
+}

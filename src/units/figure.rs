@@ -1,0 +1,55 @@
+//! Numbers as people write them.
+
+/// A number with four significant digits and no needless zeros; `–` where there is none.
+///
+/// ```
+/// use gyrospec::units::figure;
+/// assert_eq!([figure(25.0), figure(0.012345), figure(1.35e8)], ["25", "0.01234", "1.35e8"]);
+/// assert_eq!(figure(f64::NAN), "–");
+/// ```
+pub fn figure(x: f64) -> String {
+    if !x.is_finite() {
+        return "–".into();
+    }
+    let size = x.abs();
+    if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        let text = format!("{x:.3e}");
+        let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+        return format!("{}e{power}", without_zeros(mantissa));
+    }
+    let decimals = if size == 0.0 { 0 } else { (3 - size.log10().floor() as i32).max(0) as usize };
+    without_zeros(&format!("{x:.decimals$}")).to_string()
+}
+
+fn without_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
+/// A number with so many significant digits, without a power of ten where it is of a common size.
+///
+/// ```
+/// use gyrospec::units::significant;
+/// assert_eq!([significant(95.108_9, 4), significant(1.35e8, 3)], ["95.11", "1.35e8"]);
+/// ```
+pub fn significant(x: f64, digits: usize) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return format!("{x}");
+    }
+    let decade = x.abs().log10().floor() as i32;
+    if (-4..7).contains(&decade) {
+        let places = (digits as i32 - 1 - decade).max(0) as usize;
+        format!("{x:.places$}")
+    } else {
+        format!("{x:.*e}", digits.saturating_sub(1))
+    }
+}
+
+/// The significant digits that a value deserves whose 95 % interval is so wide: two of the interval,
+/// and six without one.
+pub fn digits_within(value: f64, width: f64) -> usize {
+    if width.is_finite() && width > 0.0 {
+        ((value.abs().max(width) / width).log10().ceil() as i32 + 2).clamp(2, 12) as usize
+    } else {
+        6
+    }
+}
