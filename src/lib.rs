@@ -44,4 +44,9 @@ pub mod cli;
 #[cfg(feature = "python")]
 pub mod python;
 
+/// What the README shows of the library runs as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
+
 pub use error::{Error, ErrorKind, Result};

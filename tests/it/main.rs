@@ -18,3 +18,4 @@ mod report;
 mod roll_error;
 mod simulate;
 mod symbolic;
+mod transcript;

@@ -15,7 +15,7 @@ pub fn table(heads: &[&str], rows: &[Vec<String>]) -> String {
     let class = |i: usize| if heads[i].starts_with('#') { " class=\"n\"" } else { "" };
     let word = |i: usize| heads[i].trim_start_matches('#');
     // On a phone the rows of a short, wide table stand as cards, each cell under its head.
-    let cards = heads.len() > 4 && rows.len() <= CARDS && heads.iter().all(|h| !h.is_empty());
+    let cards = heads.len() > 3 && rows.len() <= CARDS && heads.iter().all(|h| !h.is_empty());
     let mut out = String::from("<div class=\"scroll\"><table");
     out.push_str(if cards { " class=\"cards\"><thead><tr>" } else { "><thead><tr>" });
     for i in 0..heads.len() {
