@@ -69,7 +69,7 @@ def viscous() -> dict[str, np.ndarray]:
 @pytest.fixture(scope="session")
 def dry() -> dict[str, np.ndarray]:
     """The same with dry friction of 3 N."""
-    return voyage(3.0, 10, count=240)
+    return voyage(3.0, 2)
 
 
 @pytest.fixture(scope="session")

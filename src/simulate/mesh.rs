@@ -102,6 +102,10 @@ impl Mesh {
             time = merged(&time, &shifted.collect::<Vec<f64>>());
         }
         time = merged(&time, &others.iter().copied().filter(inside).collect::<Vec<f64>>());
+        // a time that agrees with the end of the span gives way to it: the last output may lie there
+        if let Some(last) = time.last_mut() {
+            *last = span.1;
+        }
         let mut mesh = Self { columns: columns.len(), time, ..Self::default() };
         mesh.fill(samples, columns);
         mesh

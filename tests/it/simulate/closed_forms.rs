@@ -339,3 +339,24 @@ fn every_built_in_model_runs_in_irregular_roll_at_ten_hertz() {
         }
     }
 }
+
+#[test]
+fn outputs_and_inputs_whose_clocks_differ_by_rounding_are_predicted_to_the_end() {
+    let model = r#"
+        name = "integrator"
+        [inputs]
+        u = { unit = "m/s" }
+        [states]
+        x = { rate = "u", unit = "m", initial = 0 }
+        [outputs]
+        y = { equals = "x", unit = "m" }
+    "#;
+    let coarse = times(20.0, 0.05);
+    for share in [0.0, 1e-15, 1e-14, 3e-14, 1e-13] {
+        let fine: Vec<f64> = coarse.iter().take(240).map(|t| t * (1.0 + share)).collect();
+        let r = recording(vec![channel("u", "m/s", &coarse, |t| t), channel("y", "m", &fine, |_| 0.0)]);
+        let got = outputs(&simulator(model, &r));
+        assert_eq!(got.len(), fine.len());
+        assert!(worst(&fine, &got, |t| 0.5 * t * t) < 1e-9, "{share}");
+    }
+}
