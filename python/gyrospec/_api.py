@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _gyrospec as native
-from ._errors import UsageError, Warning
-from ._inputs import Floats, ModelLike, RecordingLike, as_model, as_recordings
+from ._errors import InputError, UsageError, Warning
+from ._inputs import Floats, ModelLike, RecordingLike, as_model, as_recordings, listed
 from ._results import Diagnosis, Fit, IntegralBatch, RollError, Simulation
 
 Quantity: TypeAlias = float | str
@@ -40,6 +40,8 @@ def table(orders: int | str | range | tuple[int, int], format: str = "markdown")
         if orders.step != 1 or not orders:
             raise UsageError(f"{orders} is no range of orders one after the other")
         orders = (orders[0], orders[-1])
+    if not isinstance(orders, (int, str, tuple)):
+        raise TypeError(f"orders are 7, '1..10', (1, 10) or a range, not {type(orders).__name__}")
     text = "..".join(str(n) for n in orders) if isinstance(orders, tuple) else str(orders)
     return native.table(text, format)
 
@@ -75,7 +77,7 @@ def fit(
     Without spans and without `holdout` the last 40 % of each recording are held out.
     """
     fitted, held = _lists(recordings, holdout, units, time)
-    told = native.fit(as_model(model), fitted, held, seed)
+    told = native.fit(as_model(model), fitted, held, _seed(seed))
     _warn(told.warnings)
     return Fit._of(told)
 
@@ -94,7 +96,7 @@ def diagnose(
     The same inputs and seed give the same answer as `gyrospec diagnose`.
     """
     fitted, held = _lists(recordings, holdout, units, time)
-    told = native.diagnose(as_model(model), fitted, held, seed)
+    told = native.diagnose(as_model(model), fitted, held, _seed(seed))
     _warn(told.warnings)
     return Diagnosis._of(told)
 
@@ -167,7 +169,10 @@ def roll_error_sweep(**columns: ArrayLike) -> Floats:
     if not columns:
         raise UsageError("give a column at least, such as heading=np.radians(range(0, 360, 15))")
     names = list(columns)
-    spread = np.broadcast_arrays(*(np.asarray(columns[n], dtype=np.float64) for n in names))
+    try:
+        spread = np.broadcast_arrays(*(np.asarray(columns[n], dtype=np.float64) for n in names))
+    except ValueError as e:
+        raise InputError(f"the columns do not fit together: {e}") from None
     shape = spread[0].shape
     flat = {n: np.ravel(a) for n, a in zip(names, spread, strict=True)}
     return native.roll_error_sweep(flat).reshape(shape)
@@ -178,7 +183,7 @@ def _single(
 ) -> native.Recording:
     if isinstance(given, (list, tuple)):
         raise TypeError("one recording is wanted, not several")
-    return as_recordings(given, units, time)[0]
+    return as_recordings([given], units, time)[0]
 
 
 def _lists(
@@ -187,10 +192,17 @@ def _lists(
     units: Mapping[str, str] | None,
     time: str | ArrayLike | None,
 ) -> tuple[list[native.Recording], list[native.Recording]]:
-    fitted = as_recordings(recordings, units, time)
-    if not fitted:
+    first, held = listed(recordings), listed(holdout)
+    if not first:
         raise UsageError("give one recording at least")
-    return fitted, [] if holdout is None else as_recordings(holdout, units, time)
+    read = as_recordings([*first, *held], units, time)
+    return read[: len(first)], read[len(first) :]
+
+
+def _seed(seed: int) -> int:
+    if not 0 <= seed < 2**64:
+        raise UsageError(f"the seed {seed} is no number from 0 to 2**64 - 1")
+    return seed
 
 
 def _words(value: object) -> str:

@@ -11,7 +11,7 @@ from typing import Any, Protocol, TypeAlias, cast, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._errors import InputError, UnitsError, UsageError, Warning
+from ._errors import FileError, InputError, UnitsError, UsageError, Warning
 from ._gyrospec import Model, Recording
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -41,6 +41,8 @@ def as_model(given: ModelLike) -> Model:
         return Model.parse(given)
     if not isinstance(given, (str, os.PathLike)):
         raise TypeError(f"a model is a path, a model file's text or a Model, not {type(given).__name__}")
+    if isinstance(given, str) and not os.path.exists(given) and given in Model.builtins():
+        raise FileError(f"{given}: no such file\nhelp: the model that comes along is Model.builtin({given!r})")
     return Model.read(given)
 
 
@@ -97,20 +99,28 @@ def recording(
         {
             "fit": [(float(a), float(b)) for a, b in fit],
             "holdout": [(float(a), float(b)) for a, b in holdout],
-            "constants": [(n, float(v), unit) for n, (v, unit) in (constants or {}).items()],
+            "constants": [_constant(n, c) for n, c in (constants or {}).items()],
         },
     )
 
 
+def listed(given: RecordingLike | Sequence[RecordingLike] | None) -> list[RecordingLike]:
+    """One recording, several or none."""
+    if given is None:
+        return []
+    return list(given) if isinstance(given, (list, tuple)) else [cast(RecordingLike, given)]
+
+
 def as_recordings(
-    given: RecordingLike | Sequence[RecordingLike],
+    given: list[RecordingLike],
     units: Mapping[str, str] | None = None,
     time: str | ArrayLike | None = None,
 ) -> list[Recording]:
-    """One recording or several; `units` and `time` are those of frames among them."""
-    if isinstance(given, (list, tuple)):
-        return [_one(r, units, time) for r in given]
-    return [_one(cast(RecordingLike, given), units, time)]
+    """Recordings; `units` and `time` are those of frames among them."""
+    said = units is not None or time is not None
+    if said and all(isinstance(r, (Recording, str, os.PathLike)) for r in given):
+        raise UsageError("units and time are for frames: a file, and a Recording, says them itself")
+    return [_one(r, units, time) for r in given]
 
 
 def _one(given: RecordingLike, units: Mapping[str, str] | None, time: str | ArrayLike | None) -> Recording:
@@ -155,6 +165,8 @@ def _channels(columns: dict[str, Any], units: dict[str, str]) -> dict[str, tuple
     for column, values in columns.items():
         bare, unit = _split(column)
         unit = units.pop(column, None) or units.pop(bare, None) or unit
+        if unit is not None and bare in channels:
+            raise InputError(f"two columns have the name `{bare}`")
         if unit is not None:
             channels[bare] = (unit, _doubles(column, values)[0])
     for unknown in units:
@@ -171,6 +183,12 @@ def _known(option: str, names: Iterable[str], channels: Mapping[str, object]) ->
     for unknown in all_names - set(channels):
         raise InputError(f"{option} names `{unknown}`, but there is no such channel\n{_nearest(unknown, channels)}")
     return all_names
+
+
+def _constant(name: str, given: tuple[float, str]) -> tuple[str, float, str]:
+    if not (isinstance(given, (tuple, list)) and len(given) == 2 and isinstance(given[1], str)):
+        raise InputError(f"the constant `{name}` is {given!r}\nhelp: give its value and unit, (46.5, 'deg')")
+    return name, float(given[0]), given[1]
 
 
 def _find(name: str, columns: Mapping[str, object]) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from html import escape
 from typing import Any, ClassVar, TypeVar
 
@@ -209,7 +209,7 @@ class Made:
     inputs: list[InputFile]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Diagnosis(_Report):
     """What a model leaves out, and the proof."""
 
@@ -224,6 +224,10 @@ class Diagnosis(_Report):
     next_experiment: str | None
     parameters: list[ParameterChange]
     made: Made
+
+    def __repr__(self) -> str:
+        found = ", ".join(f"{f.code} at {f.site.kind} {f.site.name}" for f in self.findings)
+        return f"Diagnosis({self.verdict}{': ' if found else ''}{found})"
 
     @property
     def model_out(self) -> Model:
@@ -293,7 +297,7 @@ class Direction:
     relative_deviation: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Fit(_Report):
     """A model fitted to recordings."""
 
@@ -307,6 +311,10 @@ class Fit(_Report):
     end: str
     simulations: int
     made: Made
+
+    def __repr__(self) -> str:
+        values = (f"{p.name} = {p.value:.6g} {p.unit}" for p in self.parameters)
+        return f"Fit({self.model}: {', '.join(values)})"
 
     @property
     def model_out(self) -> Model:
@@ -347,7 +355,7 @@ class RollErrorRow:
     simulated: dict[str, float] | None = None
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class RollError(_Report):
     """Mean and spread of the heading error of a gyrocompass on a rolling ship."""
 
@@ -370,7 +378,15 @@ class RollError(_Report):
 
     def column(self, name: str) -> Floats:
         """A field of all rows as an array: `mean_deg`, `spread_deg`, `heading_deg` …"""
+        names = [f.name for f in fields(RollErrorRow)]
+        if name not in names:
+            raise KeyError(f"{name}: a row has {', '.join(names)}")
         return np.array([getattr(row, name) for row in self.rows], dtype=np.float64)
+
+    def __repr__(self) -> str:
+        worst = max(self.rows, key=lambda r: abs(r.mean_deg))
+        told = f"largest mean {worst.mean_deg:.4g}° ± {worst.spread_deg:.2g}° on heading {worst.heading_deg:g}°"
+        return f"RollError({self.instrument}; {self.motion}: {len(self.rows)} rows, {told})"
 
     def _repr_html_(self) -> str:
         name = self.against
@@ -381,7 +397,7 @@ class RollError(_Report):
 
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class SimulatedOutput:
     """An output beside what measured it, in its unit; NaN where there is none."""
 
@@ -393,8 +409,12 @@ class SimulatedOutput:
     rms_error: float
     worst_error: float
 
+    def __repr__(self) -> str:
+        told = f"{len(self.time)} samples, rms error {self.rms_error:.6g}, worst {self.worst_error:.6g}"
+        return f"SimulatedOutput({self.name} [{self.unit}]: {told})"
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Simulation:
     """A model run on a recording."""
 
@@ -447,6 +467,9 @@ class Simulation:
 
     def __str__(self) -> str:
         return self._simulated.text
+
+    def __repr__(self) -> str:
+        return f"Simulation({', '.join(map(repr, self.outputs))})"
 
     def _repr_html_(self) -> str:
         rows = [(o.name, f"{o.rms_error:.6g}", f"{o.worst_error:.6g}", o.unit) for o in self.outputs]

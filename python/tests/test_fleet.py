@@ -97,11 +97,11 @@ def _ready() -> None:
 def test_a_call_goes_on_where_another_stopped(voyages: list[Path], tmp_path: Path) -> None:
     out = tmp_path / "out"
     first = fleet.diagnose(voyages[:2], MODEL, out, per_part=1)
-    assert (first.rows_made, first.parts_found) == (2, 0)
+    assert (first.rows_made, first.rows_found) == (2, 0)
     before = {p.name: p.stat().st_mtime_ns for p in out.glob("part-*")}
     (out / ".part-left.parquet.tmp").write_bytes(b"cut off")
     both = fleet.diagnose(voyages[:3], MODEL, out, per_part=2)
-    assert (both.rows_made, both.parts_found) == (1, 2)
+    assert (both.rows_made, both.rows_found) == (1, 2)
     assert before.items() <= {p.name: p.stat().st_mtime_ns for p in out.glob("part-*")}.items()
     assert not list(out.glob(".*tmp"))
     assert fleet.diagnose(voyages[:3], MODEL, out).rows_made == 0
@@ -137,7 +137,7 @@ def test_a_sweep_is_the_sweep_in_memory(tmp_path: Path) -> None:
     assert done.rows_made == 24 * 40 * 2 and done.parts_made == 4
     next(out.glob("part-*")).unlink()
     again = fleet.roll_error(grid, out, rows_per_part=500)
-    assert (again.parts_made, again.parts_found) == (1, 3)
+    assert (again.parts_made, again.rows_made + again.rows_found) == (1, done.rows_made)
     table = pq.read_table(out).sort_by("row")
     heading, lag, decay = np.meshgrid(*[np.asarray(v) for v in grid.values()], indexing="ij")
     wanted = gyrospec.roll_error_sweep(heading=heading, T=lag, mu=decay).ravel()

@@ -78,6 +78,7 @@ def test_gaps_dates_and_whole_numbers_are_read() -> None:
         ({"units": UNITS, "wraps": ["force"]}, gyrospec.UnitsError, "no angle"),
         ({"units": UNITS, "hold": ["forse"]}, gyrospec.InputError, "did you mean `force`"),
         ({"units": UNITS, "fit": [(0, 10)], "holdout": [(5, 12)]}, gyrospec.InputError, "both fitted and held out"),
+        ({"units": UNITS, "constants": {"lat": 46.5}}, gyrospec.InputError, "value and unit"),
         ({"units": UNITS, "kind": "trial"}, gyrospec.UsageError, "'time' or 'trials'"),
     ],
 )
@@ -98,6 +99,14 @@ def test_bad_columns_are_refused(viscous: Columns) -> None:
             gyrospec.recording({**viscous, "force": column}, units=UNITS)
     with pytest.raises(gyrospec.InputError, match="rise"):
         gyrospec.recording({**viscous, "t": viscous["t"][::-1]}, units=UNITS)
+    with pytest.raises(gyrospec.InputError, match="two columns"):
+        gyrospec.recording({"t [s]": [0.0, 1.0], "a [m]": [1.0, 2.0], "a [cm]": [1.0, 2.0]})
+    with pytest.raises(gyrospec.UsageError, match="seed"):
+        gyrospec.fit(MODEL, viscous, units=UNITS, seed=-1)
+    with pytest.raises(gyrospec.UsageError, match="says them itself"):
+        gyrospec.fit(MODEL, gyrospec.recording(viscous, units=UNITS), units=UNITS)
+    with pytest.raises(gyrospec.FileError, match="Model.builtin"):
+        gyrospec.simulate("gyrosphere", viscous, units=UNITS)
     with pytest.raises(gyrospec.FileError, match="nowhere.csv"):
         gyrospec.recording("nowhere.csv")
     with pytest.raises(OSError):

@@ -12,27 +12,32 @@ pub struct Integral(Answer);
 
 #[pymethods]
 impl Integral {
+    /// The integral.
     #[getter]
     fn value(&self) -> f64 {
         self.0.value
     }
 
+    /// abs(value - exact) <= error_bound for the doubles given, guaranteed.
     #[getter]
     fn error_bound(&self) -> f64 {
         self.0.error_bound
     }
 
+    /// Relative change of the value by relative changes of the coefficients.
     #[getter]
     fn condition(&self) -> f64 {
         self.0.condition
     }
 
+    /// The method that gave the value.
     #[getter]
     fn method(&self) -> String {
         let name = serde_json::to_value(self.0.method).unwrap_or_default();
         name.as_str().unwrap_or_default().to_owned()
     }
 
+    /// The fields by name, as `gyrospec integral --json` has them.
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
         dict.set_item("status", "ok")?;
@@ -43,6 +48,7 @@ impl Integral {
         Ok(dict)
     }
 
+    /// The line that `gyrospec integral --json` prints.
     fn to_json(&self) -> String {
         let mut answer = serde_json::json!({ "status": "ok" });
         answer["value"] = self.0.value.into();
@@ -74,6 +80,18 @@ impl Integral {
     }
 }
 
+/// The spectral integral I_n, within two units in the last place of the exact value.
+///
+/// I_n = 1/(2 pi) * integral of G(jw)/(H(jw) H(-jw)) over all w, the variance of noise behind a filter.
+///
+/// h: a0 a1 ... an of H(s) = a0 s^n + ... + an.
+/// g: b0 ... b(n-1) of the even G(s) = b0 s^(2n-2) + b1 s^(2n-4) + ... + b(n-1).
+/// c: instead of g, C with G(s) = C(s) C(-s), highest power first.
+///
+/// Raises InputError, UnstableError, ImaginaryAxisError, OutOfRangeError.
+///
+/// >>> integral([1, 2, 3], [0, 1]).value   # b1/(2 a1 a2)
+/// 0.08333333333333333
 #[pyfunction]
 #[pyo3(signature = (h, g=None, *, c=None))]
 pub fn integral(

@@ -9,7 +9,7 @@ use pyo3::types::{PyDict, PyType};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// A model of a thing: inputs, parameters, states, outputs.
+/// A model: inputs, parameters, definitions, states, outputs; read once, used often.
 #[pyclass(frozen, eq, module = "gyrospec")]
 #[derive(PartialEq)]
 pub struct Model(pub Arc<model::Model>);
@@ -22,46 +22,55 @@ impl From<model::Model> for Model {
 
 #[pymethods]
 impl Model {
+    /// Reads a model file.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         Ok(py.detach(|| model::Model::read(&path))?.into())
     }
 
+    /// Reads the text of a model file.
     #[staticmethod]
     fn parse(py: Python<'_>, text: &str) -> PyResult<Self> {
         Ok(py.detach(|| model::Model::parse(text.trim_start_matches('\u{feff}')))?.into())
     }
 
+    /// One of the models that come along; `Model.builtins()` lists them.
     #[staticmethod]
     fn builtin(name: &str) -> PyResult<Self> {
         Ok(model::Model::builtin(name)?.into())
     }
 
+    /// Names of the models that come along.
     #[staticmethod]
     fn builtins() -> Vec<&'static str> {
         model::BUILTIN.iter().map(|(name, ..)| *name).collect()
     }
 
+    /// Its name.
     #[getter]
     fn name(&self) -> &str {
         &self.0.name
     }
 
+    /// Names of the measured signals that drive it.
     #[getter]
     fn inputs(&self) -> Vec<&str> {
         self.0.inputs.iter().map(|x| x.name.as_str()).collect()
     }
 
+    /// Names of its states.
     #[getter]
     fn states(&self) -> Vec<&str> {
         self.0.states.iter().map(|x| x.name.as_str()).collect()
     }
 
+    /// Names of the measured signals that it predicts.
     #[getter]
     fn outputs(&self) -> Vec<&str> {
         self.0.outputs.iter().map(|x| x.name.as_str()).collect()
     }
 
+    /// Values of the parameters, in their units.
     #[getter]
     fn parameters<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
@@ -71,6 +80,7 @@ impl Model {
         Ok(dict)
     }
 
+    /// The unit of every input, parameter, definition, state and output.
     #[getter]
     fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
@@ -80,6 +90,7 @@ impl Model {
         Ok(dict)
     }
 
+    /// The same model with other values of parameters, in their units.
     #[pyo3(signature = (**values))]
     fn replace(&self, values: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
         let mut model = model::Model::clone(&self.0);
@@ -90,6 +101,7 @@ impl Model {
         Ok(model.into())
     }
 
+    /// The model as a file.
     fn to_toml(&self) -> String {
         self.0.to_toml()
     }

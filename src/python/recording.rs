@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Channels on one clock.
+/// Measured signals on one clock, or a table of steady trials.
 #[pyclass(frozen, module = "gyrospec")]
 pub struct Recording(pub Arc<record::Recording>);
 
@@ -32,6 +32,7 @@ struct Known {
 
 #[pymethods]
 impl Recording {
+    /// Reads a CSV file, an NMEA 0183 log, or a TOML file that names its tables.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         Ok(Self(Arc::new(py.detach(|| record::Recording::read(&path))?)))
@@ -57,21 +58,25 @@ impl Recording {
         Ok(Self(Arc::new(made(name, kind, channels, known)?)))
     }
 
+    /// Its name in reports.
     #[getter]
     fn name(&self) -> &str {
         &self.0.name
     }
 
+    /// "time" or "trials".
     #[getter]
     fn kind(&self) -> &'static str {
         if self.0.kind == Kind::Trials { "trials" } else { "time" }
     }
 
+    /// Names of its channels.
     #[getter]
     fn channels(&self) -> Vec<&str> {
         self.0.channels.iter().map(|c| c.name.as_str()).collect()
     }
 
+    /// The unit of each channel.
     #[getter]
     fn units<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let dict = PyDict::new(py);
@@ -81,16 +86,19 @@ impl Recording {
         Ok(dict)
     }
 
+    /// Its files, each with its SHA-256; what came from memory stands in angle brackets.
     #[getter]
     fn sources(&self) -> Vec<(String, &str)> {
         self.0.sources.iter().map(|s| (s.file.display().to_string(), s.sha256.as_str())).collect()
     }
 
+    /// What was noticed while it was read.
     #[getter]
     fn notes(&self) -> Vec<String> {
         self.0.notes.iter().map(ToString::to_string).collect()
     }
 
+    /// Times in s (row numbers of trials) and values of a channel in its unit; NaN is a gap.
     fn channel<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Samples<'py>> {
         let c = self.0.channel(name)?;
         let values: Vec<f64> = c.values.iter().map(|v| c.unit.from_si(*v)).collect();

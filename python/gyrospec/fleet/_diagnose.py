@@ -92,7 +92,7 @@ def diagnose(
     tasks = [(digest(*(row[0] for row in g)), (folder, text, seed, g)) for g in groups]
     made, failures = do(client, make_part, tasks)
     finish(folder, failures)
-    return Progress(folder, len(made), len(named) - len(wanted), sum(made))
+    return Progress(folder, len(made), sum(made), len(named) - len(wanted))
 
 
 def make_part(folder: Path, model: str, seed: int, group: list[tuple[str, str, str]]) -> int:

@@ -28,11 +28,9 @@ class Progress:
 
     out: Path
     parts_made: int
-    parts_found: int
-    """Parts, or for a diagnosis recordings, that an earlier call had done already."""
     rows_made: int
-    failures: tuple[str, ...] = ()
-    """Parts that could not be made, in words; call again to try them again."""
+    rows_found: int
+    """Rows that an earlier call had made already."""
 
 
 def digest(*things: str) -> str:
@@ -115,6 +113,8 @@ def do(
     Not more than some hundreds of tasks are with the scheduler at a time, so that a sweep of any
     length fits into its memory.
     """
+    if client is not None and not hasattr(client, "submit"):
+        raise TypeError(f"a client is a dask.distributed.Client or None, not {type(client).__name__}")
     if client is None:
         return [work(*arguments) for _, arguments in tasks], []
     from distributed import as_completed
@@ -128,7 +128,7 @@ def do(
         for name, arguments in waiting:
             # a name that no other call has: a failure of before is not remembered
             key = f"gyrospec-{name}-{uuid.uuid4().hex}"
-            flowing.add(client.submit(work, *arguments, key=key, retries=2))
+            flowing.add(client.submit(on_worker, work, *arguments, key=key, retries=2))
             return
 
     for _ in range(AHEAD):
@@ -140,6 +140,15 @@ def do(
             failures.append(f"{future.key}: {future.exception()!r}")
         submit()
     return done, failures
+
+
+def on_worker(work: Callable[..., int], *arguments: Any) -> int:
+    """Does a task with as many threads as Dask gives the worker, so that workers do not crowd each other."""
+    from distributed import get_worker
+
+    # read once, when the native half first shares work between threads
+    os.environ.setdefault("RAYON_NUM_THREADS", str(get_worker().state.nthreads))
+    return work(*arguments)
 
 
 AHEAD = 256

@@ -91,9 +91,10 @@ class FleetReport:
         for m in self.mechanisms:
             lines.append(f"  {m.code} at {m.site}: {m.recordings} recordings, ships {_short(m.ships)}")
             if m.parameter:
+                between = f"between ships ±{m.between_ships:.2g}, " if len(m.ships) > 1 else ""
                 lines.append(
                     f"      {m.parameter} = {m.median:.4g} [{m.low:.4g} … {m.high:.4g}] {m.unit}, "
-                    f"between ships ±{m.between_ships:.2g}, in one recording ±{m.uncertainty:.2g}"
+                    f"{between}in one recording ±{m.uncertainty:.2g}"
                 )
         lines.append("\nAlike")
         for a in self.alike:

@@ -45,7 +45,7 @@ def roll_error(
     folder = open_folder(out, card)
     names = digest(native.VERSION, repr(hashes), repr(product))
     # sent once, not with every part
-    shared = axes if client is None else client.scatter(axes, broadcast=True)
+    shared = client.scatter(axes, broadcast=True) if hasattr(client, "scatter") else axes
     starts = range(0, count, max(1, rows_per_part))
     wanted = []
     for start in starts:
@@ -55,7 +55,7 @@ def roll_error(
             wanted.append((name, (folder, name, shared, product, start, stop)))
     made, failures = do(client, make_part, wanted)
     finish(folder, failures)
-    return Progress(folder, len(made), len(starts) - len(wanted), sum(made))
+    return Progress(folder, len(made), sum(made), count - sum(made))
 
 
 def make_part(folder: Path, name: str, axes: Axes, product: bool, start: int, stop: int) -> int:
