@@ -1,6 +1,7 @@
 //! One opaque error for the whole crate: what is wrong, where, and what to do.
 
 use std::fmt;
+use std::io::BufRead;
 use std::path::{Path, PathBuf};
 
 /// The result of everything that can fail here.
@@ -129,6 +130,24 @@ impl Error {
         self
     }
 
+    /// Shows the line of the file that the error names, with the word at its column underlined; the error as
+    /// it is where it shows something already, or where the line is no text.
+    #[must_use]
+    pub fn with_line_of_file(self) -> Self {
+        let (Some(file), Some(line), Some(column)) = (self.file(), self.line(), self.column()) else {
+            return self;
+        };
+        let text = std::fs::File::open(file).ok().and_then(|f| {
+            let mut lines = std::io::BufReader::new(f).lines();
+            lines.nth(line.checked_sub(1)?)?.ok()
+        });
+        let Some(text) = text.filter(|_| self.0.excerpt.is_none()) else { return self };
+        let start = column.saturating_sub(1);
+        let rest = text.chars().skip(start);
+        let word = rest.take_while(|c| c.is_alphanumeric() || "_.-".contains(*c)).count();
+        self.with_excerpt(text, start, word)
+    }
+
     /// Says what to do.
     #[must_use]
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
@@ -238,6 +257,7 @@ fn excerpt(text: &str, start: usize, length: usize) -> (String, usize, usize) {
 ///
 /// ```
 /// assert_eq!(gyrospec::error::nearest("rol", ["roll", "pitch"]), Some("roll"));
+/// assert_eq!(gyrospec::error::nearest("dge", ["degC", "deg"]), Some("deg"));
 /// assert_eq!(gyrospec::error::nearest("yy1", ["u", "y1"]), Some("y1"));
 /// assert_eq!(gyrospec::error::nearest("xyzzy", ["roll", "pitch"]), None);
 /// ```
@@ -250,8 +270,8 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .map(|(_, k)| k)
 }
 
-/// 0 to 1; one slip of the keyboard is near enough even in a short name.
+/// 0 to 1, and 1 more where they differ by one slip of the keyboard, which is nearest even in a short name.
 fn likeness(name: &str, known: &str) -> f64 {
     let slip = name.len().min(known.len()) > 1 && strsim::damerau_levenshtein(name, known) == 1;
-    strsim::jaro_winkler(name, known).max(if slip { 0.75 } else { 0.0 })
+    strsim::jaro_winkler(name, known) + if slip { 1.0 } else { 0.0 }
 }

@@ -46,7 +46,10 @@ The file:
   [[formulas.limits]]                       says, symbol, to, becomes, given = [relations]
   [[formulas.identities]]                   says, zero (in which `printed` stands for the formula)
   [[formulas.examples]]                     says, values = { … } in the units above, result = \"…\", unit
-`gyrospec audit --example` prints a whole file. Exit code 1: something is wrong.";
+`gyrospec audit --example` prints a whole file. Exit code 1: something is wrong.
+Examples:
+  gyrospec audit --seed --wrong
+  gyrospec audit --example > formulas.toml";
 
 #[derive(Clone, Copy, ValueEnum)]
 enum Format {

@@ -8,6 +8,9 @@ use std::path::Path;
 
 /// Prints completions for a shell.
 #[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  gyrospec completions bash > gyrospec.bash\n  gyrospec completions fish > gyrospec.fish"
+)]
 pub struct Completions {
     /// The shell.
     shell: clap_complete::Shell,
@@ -15,6 +18,9 @@ pub struct Completions {
 
 /// Prints the manual page; `gyrospec man | man -l -` shows it.
 #[derive(clap::Args)]
+#[command(
+    after_help = "Examples:\n  gyrospec man > gyrospec.1\n  gyrospec man diagnose > gyrospec-diagnose.1"
+)]
 pub struct Man {
     /// Subcommand whose page is wanted; without it, that of the whole program.
     command: Option<String>,

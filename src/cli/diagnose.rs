@@ -1,5 +1,6 @@
 //! `gyrospec diagnose`: what a model leaves out.
 
+use super::colour::paint;
 use super::output::print;
 use super::progress::Meter;
 use super::task::Task;
@@ -43,7 +44,10 @@ pub fn run(call: &Call) -> Result<Outcome> {
         warn(&warning.says);
     }
     if !call.task.takes_stdout() {
-        print(diagnosis::text(&found).as_bytes())?;
+        let text = diagnosis::text(&found);
+        let (verdict, rest) = text.split_once('\n').unwrap_or((&text, ""));
+        let style = if found.answer.verdict == Verdict::NothingMissing { "1;32" } else { "1;33" };
+        print(format!("{}\n{rest}", paint(verdict, style, &std::io::stdout())).as_bytes())?;
     }
     let json = || match serde_json::to_string_pretty(&found.answer) {
         Ok(text) => Ok(text + "\n"),

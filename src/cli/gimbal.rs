@@ -26,7 +26,10 @@ pub struct GimbalCall {
 const HELP: &str = "\
 Names in [parameters], as { value = …, unit = \"…\" }: Ix1 … Iz3 (moments of inertia of bodies 1 to 3), H, Omega,
 cx, cy (springs), dx, dy (damping), Qx, Qy (white torque noise, N^2*m^2*s), sigma, omega0, zeta (random base rates:
-standard deviation, prevailing frequency, damping ratio).";
+standard deviation, prevailing frequency, damping ratio).
+Examples:
+  gyrospec gimbal
+  gyrospec gimbal --corner 5 --json";
 
 /// What the file says.
 struct Given {

@@ -10,9 +10,16 @@ use serde::{Deserialize, Serialize};
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 
+const HELP: &str = "\
+Examples:
+  gyrospec integral --h \"1 2 3\" --g \"0 1\"          # 1/12
+  gyrospec integral --h \"1 1\" --c \"1\" --json
+  gyrospec integral --h \"1 2 3\" --g \"0 1\" --check
+  gyrospec integral --batch cases.jsonl";
+
 /// I_n = (1/2π) ∫ G(jω)/(H(jω)H(−jω)) dω, exact to the last place.
 #[derive(Args)]
-#[command(after_help = "Example: gyrospec integral --h \"1 2 3\" --g \"0 1\"   gives 1/12")]
+#[command(after_help = HELP)]
 pub struct Arguments {
     /// Coefficients a0 a1 … an of H, highest power first, between spaces or commas
     #[arg(long, allow_hyphen_values = true, required_unless_present = "batch")]

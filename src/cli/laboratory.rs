@@ -8,9 +8,14 @@ use crate::record::Recording;
 use crate::{Error, ErrorKind, Result};
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
+const HELP: &str = "\
+Examples:
+  gyrospec laboratory --cases 20 --seed 1                # minutes
+  gyrospec laboratory model.toml log.toml --cases 50     # your own model, inputs and noise";
 
 /// Conceals effects in made recordings, diagnoses them from their files, and says how often it was right.
 #[derive(clap::Args)]
+#[command(after_help = HELP)]
 pub struct Call {
     /// A model file; without it, the laboratory's own axis.
     model: Option<PathBuf>,

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
 pub mod audit;
+pub mod colour;
 pub mod completions;
 pub mod diagnose;
 pub mod explain;
@@ -23,6 +24,7 @@ pub mod task;
 
 use crate::{Error, ErrorKind, Result};
 use clap::{Parser, Subcommand};
+use colour::paint;
 use std::process::ExitCode;
 
 /// How a subcommand that did its work ended.
@@ -34,8 +36,14 @@ pub enum Outcome {
     Found,
 }
 
+const HELP: &str = "\
+`gyrospec COMMAND --help` says more, with examples. To begin:
+  gyrospec new model > model.toml                            a model to edit
+  gyrospec new recording log.csv > log.toml                  say what the columns are
+  gyrospec diagnose model.toml log.toml --html report.html   what does the model leave out?";
+
 #[derive(Parser)]
-#[command(name = "gyrospec", version, about, arg_required_else_help = true)]
+#[command(name = "gyrospec", version, about, arg_required_else_help = true, after_help = HELP)]
 pub struct Cli {
     #[command(subcommand)]
     command: Command,
@@ -115,13 +123,13 @@ pub fn main() -> ExitCode {
     match run(cli) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Found) => ExitCode::from(1),
-        Err(e) => fail(&e),
+        Err(e) => fail(&e.with_line_of_file()),
     }
 }
 
 /// Says something that a user should know, on standard error.
 pub fn warn(says: &str) {
-    eprintln!("warning: {says}");
+    eprintln!("{}: {says}", paint("warning", "1;33", &std::io::stderr()));
 }
 
 fn fail(e: &Error) -> ExitCode {
@@ -130,6 +138,6 @@ fn fail(e: &Error) -> ExitCode {
         ErrorKind::NotComputed | ErrorKind::Unstable | ErrorKind::ImaginaryAxis | ErrorKind::OutOfRange => 3,
         _ => 2,
     };
-    eprintln!("error: {e}");
+    eprintln!("{}: {e}", paint("error", "1;31", &std::io::stderr()));
     ExitCode::from(code)
 }

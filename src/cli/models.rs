@@ -6,9 +6,14 @@ use crate::Result;
 use crate::model::{BUILTIN, Model};
 use clap::Subcommand;
 use std::fmt::Write;
+const HELP: &str = "\
+Examples:
+  gyrospec models
+  gyrospec models show gyrosphere";
 
 /// Arguments of `gyrospec models`.
 #[derive(clap::Args)]
+#[command(after_help = HELP)]
 pub struct Call {
     #[command(subcommand)]
     what: Option<What>,

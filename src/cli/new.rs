@@ -9,9 +9,14 @@ use std::path::PathBuf;
 
 /// A model that simulates as it stands, with a word on every line.
 pub const MODEL: &str = include_str!("new/model.toml");
+const HELP: &str = "\
+Examples:
+  gyrospec new model > my.toml
+  gyrospec new recording ship.csv > ship.toml";
 
 /// Prints a file to start from.
 #[derive(clap::Args)]
+#[command(after_help = HELP)]
 pub struct Call {
     #[command(subcommand)]
     what: What,

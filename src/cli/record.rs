@@ -36,7 +36,10 @@ A TOML recording joins tables of different rates and gives units where headers d
   lat = { value = 46.5, unit = "deg" }
 
 kind = "trials" at the top makes each row a steady trial, without time.
-Exit code: 0, or 1 where a fault is sure, or 2 where the file cannot be read."#;
+Exit code: 0, or 1 where a fault is sure, or 2 where the file cannot be read.
+Examples:
+  gyrospec record log.toml
+  gyrospec record log.csv --json"#;
 
 /// Shows what is in a recording: channels, units, rates, gaps, faults, spectral peaks.
 #[derive(clap::Args)]

@@ -8,9 +8,15 @@ use crate::simulate::{Options, OutputSignal, Simulator, Trajectory};
 use crate::{Error, Result};
 use std::fmt::Write;
 use std::path::PathBuf;
+const HELP: &str = "\
+Examples:
+  gyrospec simulate model.toml log.toml
+  gyrospec simulate model.toml log.toml --out predicted.csv
+  gyrospec simulate model.toml examples/roll.csv --out -       # an output that nobody measured is predicted";
 
 /// Arguments of `gyrospec simulate`.
 #[derive(clap::Args)]
+#[command(after_help = HELP)]
 pub struct Call {
     /// The model file.
     model: PathBuf,
@@ -62,6 +68,10 @@ fn predict_what_is_not_measured(model: &Model, recording: &mut Recording) {
             let channel =
                 Channel { table, ..Channel::new(o.name.clone(), o.unit.clone(), time.clone(), gaps) };
             recording.channels.push(channel);
+            super::warn(&format!(
+                "the recording has no channel `{}`: it is predicted at the times of `{}`, and compared with nothing",
+                o.name, model.inputs[0].name
+            ));
         }
     }
 }
@@ -142,7 +152,7 @@ pub fn errors(o: &OutputSignal, predicted: &[f64]) -> (usize, f64, f64) {
     let pairs = o.measured.iter().zip(predicted).filter(|(y, f)| y.is_finite() && f.is_finite());
     let errors: Vec<f64> = pairs.map(|(y, f)| o.unit.difference_from_si(residual(*y, *f, o.wraps))).collect();
     let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
-    (errors.len(), rms, errors.iter().fold(0.0f64, |m, e| m.max(e.abs())))
+    (errors.len(), rms, errors.iter().fold(f64::NAN, |m, e| m.max(e.abs())))
 }
 
 /// A dash for no number; six decimals, or six digits and an exponent for what is very small or large.

@@ -6,9 +6,14 @@ use crate::{Error, Result};
 use clap::{Args, ValueEnum};
 use std::ops::RangeInclusive;
 use std::path::PathBuf;
+const HELP: &str = "\
+Examples:
+  gyrospec table --orders 1..4 --format markdown
+  gyrospec table --orders 7 --format rust --out i7.rs";
 
 /// Print I_n with letters: numerator and denominator for H = a0 s^n + … + an, G = b0 s^(2n-2) + … + b(n-1).
 #[derive(Args)]
+#[command(after_help = HELP)]
 pub struct Table {
     /// Orders to print: one (7) or a range with both ends (1..10); from 1 to 14.
     #[arg(long, required_unless_present = "folder")]

@@ -4,6 +4,7 @@ use crate::estimate::Direction;
 use crate::estimate::fit::{Beside, Estimate, Fit, HeldOut, InitialEstimate, Series, Status};
 use crate::model::Output;
 use crate::record::{Kind, Recording};
+use crate::report::closer;
 use crate::report::page::{self, Page, Section, head, table, with_unit};
 use crate::report::svg::{Layer, Picture, escaped};
 use crate::units::{Unit, figure};
@@ -124,6 +125,7 @@ fn joined<'a>(
     let mut samples: Vec<Beside> =
         fitted.chain(held.iter().copied()).flat_map(|s| s.beside(channel)).collect();
     samples.sort_by(|a, b| a.time.total_cmp(&b.time));
+    let samples = without_seams(samples);
     let ends = |s: &Series| -> Vec<[f64; 2]> {
         s.stretches.iter().map(|r| [s.time[r.start], s.time[r.end - 1]]).collect()
     };
@@ -136,6 +138,17 @@ fn joined<'a>(
     })
 }
 
+/// A gap between neighbours is only the seam of a fitted and a held-out part: the line goes on.
+fn without_seams(samples: Vec<Beside>) -> Vec<Beside> {
+    let is_seam = |i: usize| -> bool {
+        let [before, last, gap, next] =
+            [i.wrapping_sub(2), i.wrapping_sub(1), i, i + 1].map(|k| samples.get(k));
+        let (Some(b), Some(l), Some(g), Some(n)) = (before, last, gap, next) else { return false };
+        !g.measured.is_finite() && n.time - l.time <= 1.5 * (l.time - b.time)
+    };
+    (0..samples.len()).filter(|i| !is_seam(*i)).map(|i| samples[i]).collect()
+}
+
 impl Course<'_> {
     fn picture(&self, title: &str, y: &str) -> Picture {
         Picture::new(title, if self.trials { "trial (row)" } else { "time, s" }, y).with(Layer::span(
@@ -145,24 +158,41 @@ impl Course<'_> {
         ))
     }
 
-    fn layer(&self, class: &'static str, name: &str, of: impl Fn(&Beside) -> f64) -> Layer {
-        let points = self.samples.iter().map(|s| [s.time, of(s)]).collect();
+    fn points(&self, of: impl Fn(&Beside) -> f64) -> Vec<[f64; 2]> {
+        self.samples.iter().map(|s| [s.time, of(s)]).collect()
+    }
+
+    fn layer(&self, class: &'static str, name: &str, points: Vec<[f64; 2]>) -> Layer {
         if self.trials { Layer::dots(class, name, points) } else { Layer::line(class, name, points) }
+    }
+
+    fn drawn(&self, title: &str, part: impl Fn(Vec<[f64; 2]>) -> Vec<[f64; 2]>) -> String {
+        let unit = &self.output.unit;
+        let measured = part(self.points(|s| unit.from_si(s.measured)));
+        let fitted = part(self.points(|s| unit.from_si(s.predicted)));
+        self.picture(title, &with_unit(&self.output.name, unit.text()))
+            .with(self.layer("measured", "measured", measured))
+            .with(self.layer("after", "fitted model", fitted))
+            .draw()
     }
 }
 
+/// The whole, and where measurement and model part most.
 fn course(c: &Course<'_>) -> String {
-    let unit = &c.output.unit;
-    c.picture(&c.title, &with_unit(&c.output.name, unit.text()))
-        .with(c.layer("measured", "measured", |s| unit.from_si(s.measured)))
-        .with(c.layer("after", "fitted model", |s| unit.from_si(s.predicted)))
-        .draw()
+    let whole = c.drawn(&c.title, |points| points);
+    match closer::span(&c.points(|s| s.residual)).filter(|_| !c.trials) {
+        None => whole,
+        Some(span) => {
+            let title = format!("{}: a closer look, where they part most", c.title);
+            whole + &c.drawn(&title, |points| closer::within(&points, span))
+        }
+    }
 }
 
 fn residual(c: &Course<'_>) -> String {
     let unit = c.output.unit.of_differences();
     c.picture(&format!("{}: measured less model", c.title), &with_unit("residual", unit.text()))
-        .with(c.layer("after", "residual", |s| unit.difference_from_si(s.residual)))
+        .with(c.layer("after", "residual", c.points(|s| unit.difference_from_si(s.residual))))
         .draw()
 }
 

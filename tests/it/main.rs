@@ -8,6 +8,7 @@ mod formula;
 mod fuzz;
 mod gyro;
 mod gyro_time;
+mod help;
 mod house;
 mod integral;
 mod integral_command;

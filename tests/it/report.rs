@@ -266,21 +266,30 @@ fn a_browser_opens_the_page() {
         eprintln!("SKIPPED: no Chromium on this machine, pages were not opened in a browser");
         return;
     };
+    let verdicts =
+        [Verdict::Named, Verdict::NothingMissing, Verdict::Tie, Verdict::Unknown, Verdict::DataFault];
+    for verdict in verdicts {
+        opens(&browser, &format!("{verdict:?}"), &made(verdict));
+    }
+    opens(&browser, "roll-error", &page_of(&["roll-error", "examples/roll.csv"]));
+    opens(&browser, "fit", &page_of(&["fit", "examples/clinometer.toml", "examples/clinometer.csv"]));
+}
+
+/// Opens a page and looks for script errors, requests, flat pictures, overflow and every section.
+fn opens(browser: &str, name: &str, page: &str) {
     let folder = tempfile::tempdir().unwrap();
-    for verdict in [Verdict::Named, Verdict::NothingMissing, Verdict::Tie, Verdict::DataFault] {
-        let file = folder.path().join(format!("{verdict:?}.html"));
-        // A witness that only this test adds: it writes into the page what went wrong while loading.
-        let witness = "<script>window.onerror=m=>document.title='WRONG '+m;addEventListener('load',()=>{\
-            const asked=performance.getEntriesByType('resource').length;\
-            const flat=[...document.querySelectorAll('figure>svg')].filter(s=>s.getBoundingClientRect().height<60).length;\
-            document.body.dataset.seen=`asked ${asked} flat ${flat} wide ${document.documentElement.scrollWidth>innerWidth}`})</script>";
-        std::fs::write(&file, made(verdict).replace("<head>", &format!("<head>{witness}"))).unwrap();
-        let (dom, log) = opened(&browser, &file, &folder.path().join(format!("{verdict:?}")));
-        assert!(dom.contains("data-seen=\"asked 0 flat 0 wide false\""), "{verdict:?}: {log}\n{dom:.2000}");
-        assert!(!dom.contains("<title>WRONG") && !log.contains("CONSOLE"), "{verdict:?}: {log}");
-        for (name, _) in sections(&made(verdict)) {
-            assert!(dom.contains(&format!("<section id=\"{name}\"")), "{verdict:?}: {name}");
-        }
+    let file = folder.path().join("page.html");
+    // A witness that only this test adds: it writes into the page what went wrong while loading.
+    let witness = "<script>window.onerror=m=>document.title='WRONG '+m;addEventListener('load',()=>{\
+        const asked=performance.getEntriesByType('resource').length;\
+        const flat=[...document.querySelectorAll('figure>svg')].filter(s=>s.getBoundingClientRect().height<60).length;\
+        document.body.dataset.seen=`asked ${asked} flat ${flat} wide ${document.documentElement.scrollWidth>innerWidth}`})</script>";
+    std::fs::write(&file, page.replace("<head>", &format!("<head>{witness}"))).unwrap();
+    let (dom, log) = opened(browser, &file, &folder.path().join("profile"));
+    assert!(dom.contains("data-seen=\"asked 0 flat 0 wide false\""), "{name}: {log}\n{dom:.2000}");
+    assert!(!dom.contains("<title>WRONG") && !log.contains("CONSOLE"), "{name}: {log}");
+    for (section, _) in sections(page) {
+        assert!(dom.contains(&format!("<section id=\"{section}\"")), "{name}: {section}");
     }
 }
 
@@ -308,4 +317,25 @@ fn a_page_of_the_rolling_error_has_its_sections() {
     assert!(page.len() < 300_000 && !page.contains("NaN") && !page.contains("http"));
     let by_latitude = page_of(&["roll-error", "--against", "latitude"]);
     assert!(by_latitude.contains("<polygon class=\"band\"") && by_latitude.contains("latitude, °"));
+}
+
+#[test]
+fn a_page_of_a_fit_has_its_sections() {
+    let page = page_of(&["fit", "examples/clinometer.toml", "examples/clinometer.csv"]);
+    let sections = sections(&page);
+    let names: Vec<&str> = sections.iter().map(|s| s.0.as_str()).collect();
+    assert_eq!(names, ["courses", "residuals", "spectra", "parameters", "errors", "made"]);
+    // the whole recording, and a closer look; the held-out part is marked in the whole
+    assert_eq!(sections[0].1.matches("<figure>").count(), 2);
+    assert!(
+        sections[0].1.contains("<rect class=\"held\" x=") && page.len() < 300_000 && !page.contains("NaN")
+    );
+}
+
+#[test]
+fn sentences_lose_needless_zeros() {
+    let mut a = answer(Verdict::DataFault);
+    a.says = "needle is stuck at 5.125000 deg from 25.000000 s to 249.250000 s in 3.0.10".into();
+    let page = page("axis", &a, &pictures(Verdict::DataFault));
+    assert!(page.contains("needle is stuck at 5.125 deg from 25 s to 249.25 s in 3.0.10"), "{page:.3000}");
 }

@@ -94,7 +94,7 @@ fn matches(shown: &[String], said: &[&str]) -> bool {
 }
 
 /// Runs a command in a shell that finds the program; its exit code, and all that it said.
-fn typed(command: &str, folder: &Path) -> (i32, String) {
+pub fn typed(command: &str, folder: &Path) -> (i32, String) {
     let program = PathBuf::from(env!("CARGO_BIN_EXE_gyrospec"));
     let mut path = vec![program.parent().unwrap().to_path_buf()];
     path.extend(std::env::split_paths(&std::env::var_os("PATH").unwrap_or_default()));
@@ -108,8 +108,8 @@ fn typed(command: &str, folder: &Path) -> (i32, String) {
     (run.status.code().unwrap_or(-1), said.into_owned())
 }
 
-/// Plays a document in an empty folder with the project's examples; what went another way than shown.
-fn played(document: &Path) -> String {
+/// An empty folder with the project's examples in it.
+pub fn with_examples() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let examples = folder.path().join("examples");
     std::fs::create_dir(&examples).unwrap();
@@ -119,6 +119,12 @@ fn played(document: &Path) -> String {
             std::fs::copy(entry.path(), examples.join(entry.file_name())).unwrap();
         }
     }
+    folder
+}
+
+/// Plays a document in an empty folder with the project's examples; what went another way than shown.
+fn played(document: &Path) -> String {
+    let folder = with_examples();
     let mut wrong = String::new();
     let mut typed_at_all = 0;
     for part in parts(&std::fs::read_to_string(document).unwrap()) {

@@ -66,7 +66,7 @@ Examples:
   gyrospec roll-error --sea jonswap --height 3m --period 8s --also pitch,heave --against latitude
   gyrospec roll-error compass.toml ship.csv --roll roll_deg:deg --json
   gyrospec roll-error --free
-  gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --heading 45deg --simulate 40";
+  gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --heading 45deg --simulate 4";
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
     let picture = a.svg.as_deref().map(Sink::open).transpose()?;

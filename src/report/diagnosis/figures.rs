@@ -2,7 +2,8 @@
 
 use super::html::title;
 use crate::diagnose::answer::{Answer, Stretch};
-use crate::diagnose::pictures::{Course, Pictures};
+use crate::diagnose::pictures::{Course, Law, Pictures};
+use crate::report::closer;
 use crate::report::page::with_unit;
 use crate::report::svg::{Layer, Picture, escaped};
 
@@ -27,17 +28,27 @@ fn heading(c: &Course) -> String {
     if c.recording.is_empty() { c.output.clone() } else { format!("{} in “{}”", c.output, c.recording) }
 }
 
-/// Recording against model, before and after.
+/// Recording against model, before and after: the whole, and where they part most.
 pub fn courses(p: &Pictures) -> String {
-    let picture = |c: &Course| {
-        Picture::new(&heading(c), clock(p), &with_unit(&c.output, &c.unit))
-            .with(Layer::span("held", "held out", pairs(&c.held)))
-            .with(series(p, "measured", "measured", &c.measured))
-            .with(series(p, "before", "model as given", &c.before))
-            .with(series(p, "after", "with what was found", if changed(c) { &c.after } else { &[] }))
-            .draw()
-    };
-    p.courses.iter().map(picture).collect()
+    let mut out = String::new();
+    for c in &p.courses {
+        out += &course(p, c, &heading(c), |points| points.to_vec());
+        if let Some(span) = closer::span(&c.residual_before).filter(|_| !p.trials) {
+            let title = format!("{}: a closer look, where they part most", heading(c));
+            out += &course(p, c, &title, |points| closer::within(points, span));
+        }
+    }
+    out
+}
+
+fn course(p: &Pictures, c: &Course, title: &str, part: impl Fn(&[[f64; 2]]) -> Vec<[f64; 2]>) -> String {
+    let after = if changed(c) { part(&c.after) } else { Vec::new() };
+    Picture::new(title, clock(p), &with_unit(&c.output, &c.unit))
+        .with(Layer::span("held", "held out", pairs(&c.held)))
+        .with(series(p, "measured", "measured", &part(&c.measured)))
+        .with(series(p, "before", "model as given", &part(&c.before)))
+        .with(series(p, "after", "with what was found", &after))
+        .draw()
 }
 
 /// Whether the findings moved the prediction at all.
@@ -93,24 +104,40 @@ pub fn spectra(p: &Pictures, a: &Answer) -> String {
 pub fn laws(p: &Pictures, a: &Answer) -> String {
     let mut out = String::new();
     for l in &p.laws {
-        let curve: Vec<[f64; 2]> = l.curve.iter().map(|c| [c[0], c[1]]).collect();
-        let band: Vec<[f64; 3]> = l.curve.iter().map(|c| [c[0], c[2], c[3]]).collect();
+        out += &law(l);
         let says = a.findings.iter().find(|f| f.code == l.code && f.term == l.term).map(|f| f.says.as_str());
-        out += &Picture::new(
-            &format!("{} against {}", title(&l.code), if l.signal == "t" { "time" } else { &l.signal }),
-            &with_unit(&l.signal, &l.signal_unit),
-            &with_unit(&l.effect, &l.effect_unit),
-        )
-        .with(Layer::dots("measured", "from the recording", l.samples.clone()))
-        .with(Layer::Ribbon { class: "band", name: "its 95 % band".into(), points: band })
-        .with(Layer::line("after", &format!("fitted: {}", l.term), curve))
-        .with(Layer::Bars { class: "mean", name: "means with 95 %".into(), points: l.means.clone() })
-        .draw();
         if let Some(says) = says {
             out += &format!("<p class=\"note\">{}.</p>", escaped(says.trim_end_matches('.')));
         }
     }
     out
+}
+
+fn law(l: &Law) -> String {
+    let curve: Vec<[f64; 2]> = l.curve.iter().map(|c| [c[0], c[1]]).collect();
+    let band: Vec<[f64; 3]> = l.curve.iter().map(|c| [c[0], c[2], c[3]]).collect();
+    let name = format!("fitted: {}", l.term);
+    let picture = Picture::new(
+        &format!("{} against {}", title(&l.code), if l.signal == "t" { "time" } else { &l.signal }),
+        &with_unit(&l.signal, &l.signal_unit),
+        &with_unit(&l.effect, &l.effect_unit),
+    )
+    .with(Layer::dots("measured", "from the recording", l.samples.clone()));
+    // What has a memory is no function of the signal: its values are dots, and have no band.
+    let drawn = if zigzags(&curve) {
+        picture.with(Layer::dots("after", &name, curve))
+    } else {
+        let band = Layer::Ribbon { class: "band", name: "its 95 % band".into(), points: band };
+        picture.with(band).with(Layer::line("after", &name, curve))
+    };
+    drawn.with(Layer::Bars { class: "mean", name: "means with 95 %".into(), points: l.means.clone() }).draw()
+}
+
+/// Whether a curve turns at every fifth point and more.
+fn zigzags(curve: &[[f64; 2]]) -> bool {
+    let rises: Vec<f64> = curve.windows(2).map(|w| w[1][1] - w[0][1]).collect();
+    let turns = rises.windows(2).filter(|r| r[0] * r[1] < 0.0).count();
+    turns > 4 && 5 * turns > curve.len()
 }
 
 /// Channels with faults, and where they sit.
@@ -141,4 +168,18 @@ pub fn unexplained(a: &Answer) -> String {
         escaped(&u.signal),
         u.p_value
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::zigzags;
+
+    #[test]
+    fn a_step_and_a_wave_are_curves_and_a_comb_is_none() {
+        let of = |f: fn(f64) -> f64| -> Vec<[f64; 2]> {
+            (0..60).map(|i| f64::from(i) * 0.1).map(|x| [x, f(x)]).collect()
+        };
+        assert!(!zigzags(&of(|x| (x - 3.0).signum())) && !zigzags(&of(|x| (2.0 * x).sin())));
+        assert!(zigzags(&of(|x| (31.0 * x).sin())));
+    }
 }

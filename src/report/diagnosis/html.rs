@@ -9,6 +9,7 @@ use crate::diagnose::catalogue;
 use crate::diagnose::pictures::Pictures;
 use crate::report::page::{self, Page, Section};
 use crate::report::svg::escaped;
+use crate::units::without_needless_zeros;
 use std::path::Path;
 
 /// The page of a diagnosis.
@@ -22,16 +23,21 @@ pub fn page(model: &str, a: &Answer, pictures: &Pictures) -> String {
         kind: format!("Diagnosis of the model “{model}”"),
         title: format!("{model}: {}", headline(a.verdict).to_lowercase()),
         verdict: sentence(a),
-        lead: a.says.clone(),
+        lead: without_needless_zeros(&a.says),
         sections: sections(a, pictures),
     };
     page.html()
 }
 
 fn sections(a: &Answer, pictures: &Pictures) -> Vec<Section> {
+    let sure = !matches!(a.verdict, Verdict::Unknown | Verdict::NotIdentifiable);
     let inputs = a.made.inputs.iter().map(|i| (Path::new(&i.file), i.sha256.as_str()));
     vec![
-        Section::new("findings", "What was found", tables::findings(a)),
+        Section::new(
+            "findings",
+            if sure { "What was found" } else { "What it resembles" },
+            tables::findings(a),
+        ),
         Section::new("faults", "Where the data are at fault", figures::faults(pictures)),
         Section::new("laws", "The law, seen in the recording", figures::laws(pictures, a)),
         Section::new("courses", "Recording and model", figures::courses(pictures)),

@@ -4,7 +4,7 @@ use crate::diagnose::answer::{Answer, Verdict};
 use crate::diagnose::pictures::{Pictures, Standing};
 use crate::report::page::{estimate, head, interval, quantity, table};
 use crate::report::svg::escaped;
-use crate::units::figure;
+use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
 
 /// A chance as people read it.
@@ -46,7 +46,7 @@ pub fn findings(a: &Answer) -> String {
                 format!(
                     "<b>{}</b><br>{}<br><code>{}</code>{ties}",
                     escaped(&f.code),
-                    escaped(&f.says),
+                    escaped(&without_needless_zeros(&f.says)),
                     escaped(&f.term)
                 ),
                 escaped(&format!("{} {}", f.site.kind, f.site.name)),

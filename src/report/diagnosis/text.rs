@@ -3,7 +3,7 @@
 use crate::diagnose::Diagnosis;
 use crate::diagnose::answer::{Answer, Verdict};
 use crate::report::page::estimate;
-use crate::units::figure;
+use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
 
 /// The verdict in one line.
@@ -21,7 +21,7 @@ pub fn headline(verdict: Verdict) -> &'static str {
 /// The whole report as text: the verdict first.
 pub fn text(d: &Diagnosis) -> String {
     let a = &d.answer;
-    let mut out = format!("{}\n\n{}\n", headline(a.verdict), wrapped(&a.says));
+    let mut out = format!("{}\n\n{}\n", headline(a.verdict), wrapped(&without_needless_zeros(&a.says)));
     findings(&mut out, a);
     proof(&mut out, a);
     parameters(&mut out, a);
@@ -39,8 +39,9 @@ fn findings(out: &mut String, a: &Answer) {
     if a.findings.is_empty() {
         return;
     }
-    let _ =
-        writeln!(out, "\n  {:<22} {:<22} {:>6}   values with 95 % intervals", "finding", "where", "share");
+    let sure = !matches!(a.verdict, Verdict::Unknown | Verdict::NotIdentifiable);
+    let head = if sure { "finding" } else { "it resembles" };
+    let _ = writeln!(out, "\n  {:<22} {:<22} {:>6}   values with 95 % intervals", head, "where", "share");
     for f in &a.findings {
         let site = format!("{} {}", f.site.kind, f.site.name);
         let values: Vec<String> = f
@@ -53,8 +54,8 @@ fn findings(out: &mut String, a: &Answer) {
                 format!("{} = {value}{band} {unit}", p.name).trim_end().to_string()
             })
             .collect();
-        let _ =
-            writeln!(out, "  {:<22} {site:<22} {:>4.0} %   {}", f.code, 100.0 * f.share, values.join(", "));
+        let share = if f.share > 0.0 { format!("{:.0} %", 100.0 * f.share) } else { "–".into() };
+        let _ = writeln!(out, "  {:<22} {site:<22} {share:>6}   {}", f.code, values.join(", "));
         let _ = writeln!(out, "      {}", f.term);
         if !f.ties.is_empty() {
             let _ = writeln!(out, "      fits as well: {}", f.ties.join(", "));
