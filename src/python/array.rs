@@ -16,7 +16,7 @@ pub fn row(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
 pub fn column<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArray1<'py, f64>> {
     given
         .extract()
-        .or_else(|_| as_doubles(given)?.extract().map_err(PyErr::from))
+        .or_else(|_| as_doubles(given)?.extract())
         .map_err(|_| no_numbers(name, "a row of real numbers", given))
 }
 
@@ -24,7 +24,7 @@ pub fn column<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonly
 pub fn rows<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArray2<'py, f64>> {
     given
         .extract()
-        .or_else(|_| as_doubles(given)?.extract().map_err(PyErr::from))
+        .or_else(|_| as_doubles(given)?.extract())
         .map_err(|_| no_numbers(name, "a table of real numbers with one problem a row", given))
 }
 

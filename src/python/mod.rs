@@ -3,6 +3,7 @@
 //! Numbers come in as NumPy arrays and go out as such; reports go out as the JSON that the program
 //! writes, and the Python half gives their fields names. Python's lock is let go during all work.
 #![allow(missing_docs)] // what Python sees is documented in python/gyrospec/_gyrospec.pyi
+#![allow(clippy::needless_pass_by_value)] // arguments come out of Python objects as values
 
 mod array;
 mod batch;

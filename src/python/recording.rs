@@ -47,12 +47,11 @@ impl Recording {
         known: Known,
     ) -> PyResult<Self> {
         let kind = if time.is_some() { Kind::Time } else { Kind::Trials };
-        let time: Arc<[f64]> = match &time {
-            Some((values, unit)) => seconds(&array::column("the time", values)?, unit)?.into(),
-            None => {
-                let first = columns.first().map_or(Ok(0), |c| c.2.len())?;
-                (0..first).map(|i| i as f64).collect()
-            }
+        let time: Arc<[f64]> = if let Some((values, unit)) = &time {
+            seconds(&array::column("the time", values)?, unit)?.into()
+        } else {
+            let rows = columns.first().map_or(Ok(0), |c| c.2.len())?;
+            (0..rows).map(|i| i as f64).collect()
         };
         let channels = columns.iter().map(|c| channel(c, &time)).collect::<PyResult<Vec<_>>>()?;
         Ok(Self(Arc::new(made(name, kind, channels, known)?)))

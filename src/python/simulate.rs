@@ -22,6 +22,9 @@ pub struct Simulated {
 type Output<'py> =
     (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, f64, f64);
 
+/// Name, unit and values of a state or a definition.
+type Signal<'py> = (String, String, Bound<'py, PyArray1<f64>>);
+
 #[pymethods]
 impl Simulated {
     /// Names and units of the outputs that the recording measured.
@@ -60,11 +63,7 @@ impl Simulated {
     }
 
     /// States and definitions at the given times: name, unit, values.
-    fn trace<'py>(
-        &self,
-        py: Python<'py>,
-        time: Vec<f64>,
-    ) -> PyResult<Vec<(String, String, Bound<'py, PyArray1<f64>>)>> {
+    fn trace<'py>(&self, py: Python<'py>, time: Vec<f64>) -> PyResult<Vec<Signal<'py>>> {
         let s = &self.simulator;
         let trace = py.detach(|| s.trace(&s.parameters(), &s.initials(), time.into()))?;
         let m = s.model();

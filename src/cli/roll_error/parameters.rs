@@ -120,7 +120,7 @@ pub fn has_parameters(path: &Path) -> bool {
 pub fn read(path: Option<&Path>, options: &InstrumentOptions) -> Result<Compass> {
     let mut f = Filling::of_paper();
     let base = path.map(|p| f.read(p)).transpose()?.flatten();
-    f.compass(base, options).map_err(|e| if let Some(p) = path { e.with_file(p) } else { e })
+    f.compass(base.as_deref(), options).map_err(|e| if let Some(p) = path { e.with_file(p) } else { e })
 }
 
 /// Reads the compass from the text of such a file.
@@ -128,7 +128,7 @@ pub fn read(path: Option<&Path>, options: &InstrumentOptions) -> Result<Compass>
 pub fn of_text(text: &str, options: &InstrumentOptions) -> Result<Compass> {
     let mut f = Filling::of_paper();
     let base = f.read_text(text)?;
-    f.compass(base, options)
+    f.compass(base.as_deref(), options)
 }
 
 impl Filling {
@@ -146,7 +146,7 @@ impl Filling {
     }
 
     /// The compass, with what the options say of it.
-    fn compass(mut self, base: Option<String>, options: &InstrumentOptions) -> Result<Compass> {
+    fn compass(mut self, base: Option<&str>, options: &InstrumentOptions) -> Result<Compass> {
         let set = |option: &Option<String>, name: &str, si: &str, place: &mut f64| -> Result<()> {
             if let Some(text) = option {
                 *place = quantity(name, text, si)?;
@@ -171,7 +171,7 @@ impl Filling {
         };
         let part = self.part()?;
         let instrument_name = elastic(part, options)?.name().to_owned();
-        let says = self.says(base.as_deref().unwrap_or("the paper"));
+        let says = self.says(base.unwrap_or("the paper"));
         Ok(Compass { sphere: self.sphere, speed, roll, says, instrument_name, part })
     }
 
