@@ -14,10 +14,9 @@ import time
 from collections.abc import Callable
 from typing import Any
 
+import gyrospec
 import numpy as np
 from numpy.typing import NDArray
-
-import gyrospec
 
 Rows = NDArray[np.float64]
 
@@ -26,7 +25,7 @@ def filters(order: int, rows: int) -> tuple[Rows, Rows, Rows]:
     """Well damped filters H, numerators C, and G = C(s)C(−s) for C of one coefficient."""
     rng = np.random.default_rng(1)
     h = np.ones((rows, 1))
-    for k in range(order // 2):
+    for _ in range(order // 2):
         w, z = rng.uniform(0.3, 3, rows), rng.uniform(0.2, 0.9, rows)
         h = times(h, np.column_stack([np.ones(rows), 2 * z * w, w * w]))
     if order % 2:
@@ -105,7 +104,9 @@ def main() -> None:
     lists = first_h.tolist(), first_g.tolist()
     print("one call                                  µs")
     print(f"  a Python function that does nothing  {1e6 * seconds(lambda: abs(-1.0)):6.2f}")
-    print(f"  integral, from arrays                {1e6 * seconds(lambda: gyrospec.integral(first_h, first_g)):6.2f}")
+    print(
+        f"  integral, from arrays                {1e6 * seconds(lambda: gyrospec.integral(first_h, first_g)):6.2f}"
+    )
     print(f"  integral, from lists                 {1e6 * seconds(lambda: gyrospec.integral(*lists)):6.2f}")
     one = a.rows / seconds(lambda: gyrospec.integral_batch(h, g), 0.1)
     inside = 1e6 * seconds(lambda: gyrospec.integral_batch(h[:4000], g[:4000], fast=False)) / 4000
@@ -126,7 +127,11 @@ def main() -> None:
         told(name, rate, base, values, exact)
     for name, fast in (("integral_batch", True), ("integral_batch, fast=False", False)):
         rows = a.rows if fast else min(a.rows, 50_000)
-        rate = one if fast else rows / seconds(lambda: gyrospec.integral_batch(h[:rows], g[:rows], fast=False), 0.1)  # noqa: B023
+        rate = (
+            one
+            if fast
+            else rows / seconds(lambda: gyrospec.integral_batch(h[:rows], g[:rows], fast=False), 0.1)
+        )  # noqa: B023
         values = gyrospec.integral_batch(h[: len(some)], g[: len(some)], fast=fast).value
         told(name, rate, base or rate, values, exact)
 

@@ -5,9 +5,8 @@
 # %%
 from __future__ import annotations
 
-import numpy as np
-
 import gyrospec
+import numpy as np
 
 # %% [markdown]
 # ## The variance behind a filter
@@ -94,7 +93,9 @@ print(f"rms error {before.rms_error:.2f} deg/s before, {better.rms_error:.2f} af
 
 # %%
 error = gyrospec.roll_error(irregular=("4deg", 0.06, 0.65), latitude=60)
-for heading, mean, spread in zip(*(error.column(c) for c in ("heading_deg", "mean_deg", "spread_deg")), strict=True):
+for heading, mean, spread in zip(
+    *(error.column(c) for c in ("heading_deg", "mean_deg", "spread_deg")), strict=True
+):
     if heading % 45 == 0:
         print(f"{heading:5.0f}°  {mean:8.4f}° ± {spread:.4f}°")
 
@@ -106,4 +107,7 @@ lag = np.linspace(0.05, 2.0, 1000)[:, None]
 frequency = np.linspace(0.3, 1.5, 1000)[None, :]
 sweep = gyrospec.roll_error_sweep(T=lag, eps=frequency, A=np.radians(2) ** 2)
 worst = np.unravel_index(np.nanargmax(np.abs(sweep)), sweep.shape)
-print(f"largest: {np.degrees(sweep[worst]):.2f}° at T = {lag[worst[0], 0]:.2f} s, eps = {frequency[0, worst[1]]:.2f} rad/s")
+print(
+    f"largest: {np.degrees(sweep[worst]):.2f}° at T = {lag[worst[0], 0]:.2f} s, "
+    f"eps = {frequency[0, worst[1]]:.2f} rad/s"
+)

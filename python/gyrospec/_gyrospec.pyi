@@ -7,6 +7,23 @@ from typing import Any, TypeAlias, final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+__all__ = [
+    "VERSION",
+    "Integral",
+    "Model",
+    "Recording",
+    "Simulated",
+    "Told",
+    "diagnose",
+    "fit",
+    "integral",
+    "integral_batch",
+    "roll_error",
+    "roll_error_sweep",
+    "simulate",
+    "table",
+]
+
 VERSION: str
 
 _Floats: TypeAlias = NDArray[np.float64]
@@ -50,7 +67,9 @@ def integral(h: _Row, g: _Row | None = None, *, c: _Row | None = None) -> Integr
     0.08333333333333333
     """
 
-def integral_batch(h: ArrayLike, g: ArrayLike, *, fast: bool = True) -> tuple[_Floats, _Floats, NDArray[np.uint8]]: ...
+def integral_batch(
+    h: ArrayLike, g: ArrayLike, *, fast: bool = True
+) -> tuple[_Floats, _Floats, NDArray[np.uint8]]: ...
 def table(orders: str, format: str) -> str: ...
 def roll_error(
     compass: Model | str | os.PathLike[str] | None, recording: Recording | None, options: Sequence[str]
@@ -58,7 +77,9 @@ def roll_error(
 def roll_error_sweep(columns: Mapping[str, ArrayLike]) -> _Floats: ...
 def simulate(model: Model, recording: Recording, tolerance: float) -> Simulated: ...
 def fit(model: Model, recordings: Sequence[Recording], holdout: Sequence[Recording], seed: int) -> Told: ...
-def diagnose(model: Model, recordings: Sequence[Recording], holdout: Sequence[Recording], seed: int) -> Told: ...
+def diagnose(
+    model: Model, recordings: Sequence[Recording], holdout: Sequence[Recording], seed: int
+) -> Told: ...
 
 @final
 class Model:
@@ -98,7 +119,7 @@ class Model:
         """The same model with other values of parameters, in their units."""
     def to_toml(self) -> str:
         """The model as a file."""
-    def __eq__(self, other: object) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
     def _repr_html_(self) -> str: ...
 
 @final
@@ -121,7 +142,7 @@ class Recording:
         """Its name in reports."""
     @property
     def kind(self) -> str:
-        """"time" or "trials"."""
+        """ "time" or "trials"."""
     @property
     def channels(self) -> list[str]:
         """Names of its channels."""

@@ -42,7 +42,9 @@ def as_model(given: ModelLike) -> Model:
     if not isinstance(given, (str, os.PathLike)):
         raise TypeError(f"a model is a path, a model file's text or a Model, not {type(given).__name__}")
     if isinstance(given, str) and not os.path.exists(given) and given in Model.builtins():
-        raise FileError(f"{given}: no such file\nhelp: the model that comes along is Model.builtin({given!r})")
+        raise FileError(
+            f"{given}: no such file\nhelp: the model that comes along is Model.builtin({given!r})"
+        )
     return Model.read(given)
 
 
@@ -79,7 +81,9 @@ def recording(
     if isinstance(data, (str, os.PathLike)):
         given = (units, time, name, wraps, hold, fit, holdout, constants)
         if any(x is not None and not (isinstance(x, tuple) and x == ()) for x in given) or kind != "time":
-            raise UsageError("a file says its units and spans itself: give the path alone, or a frame's columns")
+            raise UsageError(
+                "a file says its units and spans itself: give the path alone, or a frame's columns"
+            )
         read = Recording.read(data)
         for note in read.notes:
             warnings.warn(note, Warning, stacklevel=3)
@@ -170,7 +174,9 @@ def _channels(columns: dict[str, Any], units: dict[str, str]) -> dict[str, tuple
         if unit is not None:
             channels[bare] = (unit, _doubles(column, values)[0])
     for unknown in units:
-        raise InputError(f"units names `{unknown}`, but there is no such column\n{_nearest(unknown, columns)}")
+        raise InputError(
+            f"units names `{unknown}`, but there is no such column\n{_nearest(unknown, columns)}"
+        )
     if not channels:
         raise UnitsError(
             "no column has a unit\nhelp: give units={'roll': 'deg', ...}, or name the columns 'roll [deg]'"
@@ -181,7 +187,9 @@ def _channels(columns: dict[str, Any], units: dict[str, str]) -> dict[str, tuple
 def _known(option: str, names: Iterable[str], channels: Mapping[str, object]) -> set[str]:
     all_names = {names} if isinstance(names, str) else set(names)
     for unknown in all_names - set(channels):
-        raise InputError(f"{option} names `{unknown}`, but there is no such channel\n{_nearest(unknown, channels)}")
+        raise InputError(
+            f"{option} names `{unknown}`, but there is no such channel\n{_nearest(unknown, channels)}"
+        )
     return all_names
 
 

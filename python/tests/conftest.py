@@ -56,7 +56,9 @@ UNITS = {"t": "s", "force": "N", "position": "mm"}
 def write(path: Path, columns: dict[str, np.ndarray]) -> Path:
     """As a CSV file with units in its header."""
     head = ",".join(f"{n} [{UNITS[n]}]" for n in columns)
-    np.savetxt(path, np.column_stack(list(columns.values())), delimiter=",", header=head, comments="", fmt="%.17g")
+    np.savetxt(
+        path, np.column_stack(list(columns.values())), delimiter=",", header=head, comments="", fmt="%.17g"
+    )
     return path
 
 

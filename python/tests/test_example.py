@@ -14,7 +14,9 @@ EXAMPLE = Path(__file__).parents[1] / "examples" / "notebook.py"
 
 def test_the_example_runs() -> None:
     environment = {**os.environ, "PYTHONIOENCODING": "utf-8"}
-    done = subprocess.run([sys.executable, EXAMPLE], capture_output=True, text=True, encoding="utf-8", env=environment)
+    done = subprocess.run(
+        [sys.executable, EXAMPLE], capture_output=True, text=True, encoding="utf-8", env=environment
+    )
     assert done.returncode == 0, done.stderr
     assert "dry-friction" in done.stdout
     assert "100000 ok" in done.stdout
@@ -27,8 +29,23 @@ def test_the_example_and_the_package_are_typed(tmp_path: Path) -> None:
     config = Path(__file__).parents[2] / "pyproject.toml"
     package = Path(gyrospec.__file__).parent
     checked = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--config-file", config, "--cache-dir", tmp_path, EXAMPLE, package],
+        [
+            sys.executable,
+            "-m",
+            "mypy",
+            "--strict",
+            "--config-file",
+            config,
+            "--cache-dir",
+            tmp_path,
+            EXAMPLE,
+            package,
+        ],
         capture_output=True,
         text=True,
     )
+    assert checked.returncode == 0, checked.stdout
+    # and the stubs say what the native half is
+    stubs = [sys.executable, "-m", "mypy.stubtest", "gyrospec._gyrospec"]
+    checked = subprocess.run(stubs, capture_output=True, text=True, cwd=tmp_path)
     assert checked.returncode == 0, checked.stdout

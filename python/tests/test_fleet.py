@@ -126,7 +126,9 @@ def test_the_report_says_which_mechanism_on_which_ships(alone: tuple[Path, float
     for n in told.neighbours:
         assert n.file != n.other
     assert "friction" in str(told) and "friction" in told._repr_html_() and told.to_dict()["recordings"] == 7
-    named = fleet.diagnose([broken], MODEL, tmp_path / "named", ships=lambda path: "Ship of " + Path(path).parent.name)
+    named = fleet.diagnose(
+        [broken], MODEL, tmp_path / "named", ships=lambda path: "Ship of " + Path(path).parent.name
+    )
     assert rows(named.out)[0]["ship"] == "Ship of dora"
 
 

@@ -27,7 +27,10 @@ def lyapunov(h: np.ndarray, c: np.ndarray) -> float:
 
 def stable(rng: np.random.Generator, n: int) -> np.ndarray:
     """A polynomial with roots in the left half plane."""
-    pairs = [np.poly1d([1.0, 2 * z * w, w * w]) for z, w in zip(rng.uniform(0.1, 0.9, n // 2), rng.uniform(0.3, 3, n // 2))]
+    pairs = [
+        np.poly1d([1.0, 2 * z * w, w * w])
+        for z, w in zip(rng.uniform(0.1, 0.9, n // 2), rng.uniform(0.3, 3, n // 2), strict=True)
+    ]
     product = np.poly1d([1.0, rng.uniform(0.3, 3)] if n % 2 else [1.0])
     for p in pairs:
         product = product * p
@@ -63,7 +66,9 @@ def test_the_value_is_the_quadrature_of_mpmath() -> None:
     assert gyrospec.integral(h, g).value == pytest.approx(float(wanted), rel=1e-14)
 
 
-@pytest.mark.parametrize("kind", [list, tuple, np.array, lambda x: np.array(x, dtype=np.float32), lambda x: np.array(x, dtype=int)])
+@pytest.mark.parametrize(
+    "kind", [list, tuple, np.array, lambda x: np.array(x, dtype=np.float32), lambda x: np.array(x, dtype=int)]
+)
 def test_any_row_of_numbers_is_taken(kind: object) -> None:
     assert gyrospec.integral(kind([1, 2, 3]), kind([0, 1])).value == 1 / 12  # type: ignore[operator]
     assert gyrospec.integral(np.array([1.0, 9, 2, 9, 3])[::2], [0, 1]).value == 1 / 12
@@ -127,7 +132,11 @@ def test_a_batch_refuses_shapes_that_do_not_fit() -> None:
 def test_tables_are_those_of_the_program() -> None:
     tables = json.loads(gyrospec.table("1..3", "json"))
     assert [t["n"] for t in tables["orders"]] == [1, 2, 3]
-    assert tables == json.loads(gyrospec.table((1, 3), "json")) == json.loads(gyrospec.table(range(1, 4), "json"))
+    assert (
+        tables
+        == json.loads(gyrospec.table((1, 3), "json"))
+        == json.loads(gyrospec.table(range(1, 4), "json"))
+    )
     names = {f"a{i}": v for i, v in enumerate([1.0, 2.0, 3.0])} | {"b0": 0.5, "b1": 1.5}
 
     def value(terms: list[dict[str, object]]) -> float:

@@ -42,7 +42,11 @@ def test_frames_of_all_kinds_give_the_recording_of_the_file(tmp_path: Path, visc
         gyrospec.recording(pd.DataFrame(viscous), units=UNITS),
         gyrospec.recording(pl.DataFrame(viscous), units=UNITS),
         gyrospec.recording(headed),
-        gyrospec.recording({n: viscous[n] for n in ("force", "position")}, units={"force": "N", "position": "mm"}, time=viscous["t"]),
+        gyrospec.recording(
+            {n: viscous[n] for n in ("force", "position")},
+            units={"force": "N", "position": "mm"},
+            time=viscous["t"],
+        ),
     ]
     for frame in frames:
         for name in ("force", "position"):
@@ -60,10 +64,14 @@ def test_gaps_dates_and_whole_numbers_are_read() -> None:
     made = gyrospec.recording(frame, units={"roll": "deg"})
     assert made.channel("roll")[0].tolist() == [0.0, 1.5, 3.0]
     assert np.array_equal(made.channel("roll")[1], [1.0, np.nan, 3.0], equal_nan=True)
-    polars = gyrospec.recording(pl.DataFrame({"t": [0, 1, 2], "roll": [1, None, 3]}), units={"t": "min", "roll": "deg"})
+    polars = gyrospec.recording(
+        pl.DataFrame({"t": [0, 1, 2], "roll": [1, None, 3]}), units={"t": "min", "roll": "deg"}
+    )
     assert polars.channel("roll")[0].tolist() == [0.0, 60.0, 120.0]
     assert np.array_equal(polars.channel("roll")[1], [1.0, np.nan, 3.0], equal_nan=True)
-    wrapped = gyrospec.recording({"t": [0.0, 1.0], "k": [359.0, 1.0]}, units={"t": "s", "k": "deg"}, wraps=["k"])
+    wrapped = gyrospec.recording(
+        {"t": [0.0, 1.0], "k": [359.0, 1.0]}, units={"t": "s", "k": "deg"}, wraps=["k"]
+    )
     assert wrapped.channel("k")[1] == pytest.approx([359.0, 361.0])
 
 
@@ -77,12 +85,18 @@ def test_gaps_dates_and_whole_numbers_are_read() -> None:
         ({"units": UNITS, "time": "tt"}, gyrospec.InputError, "no column `tt`"),
         ({"units": UNITS, "wraps": ["force"]}, gyrospec.UnitsError, "no angle"),
         ({"units": UNITS, "hold": ["forse"]}, gyrospec.InputError, "did you mean `force`"),
-        ({"units": UNITS, "fit": [(0, 10)], "holdout": [(5, 12)]}, gyrospec.InputError, "both fitted and held out"),
+        (
+            {"units": UNITS, "fit": [(0, 10)], "holdout": [(5, 12)]},
+            gyrospec.InputError,
+            "both fitted and held out",
+        ),
         ({"units": UNITS, "constants": {"lat": 46.5}}, gyrospec.InputError, "value and unit"),
         ({"units": UNITS, "kind": "trial"}, gyrospec.UsageError, "'time' or 'trials'"),
     ],
 )
-def test_what_is_wrong_with_a_frame_is_said(viscous: Columns, change: dict, error: type[Exception], says: str) -> None:  # type: ignore[type-arg]
+def test_what_is_wrong_with_a_frame_is_said(
+    viscous: Columns, change: dict, error: type[Exception], says: str
+) -> None:  # type: ignore[type-arg]
     with pytest.raises(error, match=says):
         gyrospec.recording(viscous, **change)
 
@@ -147,6 +161,7 @@ def test_a_fit_finds_the_numbers_that_made_the_recording(viscous: Columns) -> No
     assert fitted.model_out.parameters["k"] == pytest.approx(fitted["k"].value)
     assert fitted.to_dict()["schema"] == "gyrospec.fit/1"
     assert "position" in fitted._repr_html_()
+    assert fitted.html().startswith("<!doctype html>") and "<svg" in fitted.html()
 
 
 def test_a_diagnosis_names_what_was_left_out(model_file: Path, dry: Columns, tmp_path: Path) -> None:
@@ -170,8 +185,8 @@ def test_a_diagnosis_names_what_was_left_out(model_file: Path, dry: Columns, tmp
 
 
 def test_numbers_that_are_null_are_nan() -> None:
-    from gyrospec._results import Value
     from gyrospec._reading import read
+    from gyrospec._results import Value
 
     value = read(Value, {"name": "a", "value": 1, "low": None, "high": 2, "unit": "m", "added": 1})
     assert np.isnan(value.low) and value.value == 1.0
@@ -203,7 +218,9 @@ def test_an_interrupt_is_answered(model_file: Path, dry: Columns, tmp_path: Path
         "print('ready', flush=True)\n"
         f"gyrospec.diagnose({str(model_file)!r}, [{str(recording)!r}] * 8)\n"
     )
-    child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    child = subprocess.Popen(
+        [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
     try:
         assert child.stdout is not None
         child.stdout.readline()

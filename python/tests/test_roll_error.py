@@ -16,7 +16,9 @@ def closed(heading: float, a: float, mu: float, eps: float, lever: float, lat: f
     a, mu, eps, t = (mpmath.mpf(x) for x in (a, mu, eps, T))
     b2 = mu**2 + eps**2
     moment = a * b2 * (2 * mu + b2 * t) / (t * (t**2 * eps**2 + (1 + mu * t) ** 2))
-    return float(-(P * lever) ** 2 * moment * mpmath.sin(2 * heading) / (2 * G**2 * H * U * C0 * mpmath.cos(lat)))
+    return float(
+        -((P * lever) ** 2) * moment * mpmath.sin(2 * heading) / (2 * G**2 * H * U * C0 * mpmath.cos(lat))
+    )
 
 
 def test_a_sweep_is_the_closed_form() -> None:
@@ -32,7 +34,9 @@ def test_a_sweep_is_the_closed_form() -> None:
 
 
 def test_one_compass_with_the_options_of_the_program() -> None:
-    found = gyrospec.roll_error(heading=[30, "45deg"], latitude=60, lever="3m", irregular=(np.sqrt(0.03), 0.1, 0.8))
+    found = gyrospec.roll_error(
+        heading=[30, "45deg"], latitude=60, lever="3m", irregular=(np.sqrt(0.03), 0.1, 0.8)
+    )
     assert found.column("heading_deg").tolist() == pytest.approx([30.0, 45.0])
     for row in found.rows:
         wanted = np.degrees(closed(np.radians(row.heading_deg), 0.03, 0.1, 0.8, 3.0, np.radians(60)))
@@ -41,8 +45,11 @@ def test_one_compass_with_the_options_of_the_program() -> None:
     whole = gyrospec.roll_error(irregular="4deg,0.06,0.65")
     assert "<svg" in whole.svg and "<svg" in whole._repr_html_()
     assert len(whole.rows) == 24
+    assert whole.html().startswith("<!doctype html>")
     assert whole.to_dict()["schema"] == "gyrospec.roll-error/1"
-    by_latitude = gyrospec.roll_error(sea="jonswap", height="3m", period=8, also=["pitch", "heave"], against="latitude")
+    by_latitude = gyrospec.roll_error(
+        sea="jonswap", height="3m", period=8, also=["pitch", "heave"], against="latitude"
+    )
     assert by_latitude.rows[1].latitude_deg == 5.0
 
 
@@ -51,7 +58,9 @@ def test_a_compass_is_a_model_or_a_name_and_the_roll_a_frame() -> None:
     assert gyrospec.roll_error(model, heading=45).rows == gyrospec.roll_error("gyrosphere", heading=45).rows
     rng = np.random.default_rng(1)
     t = 0.25 * np.arange(4800)
-    roll = sum(np.sin(w * t + p) for w, p in zip(rng.normal(0.7, 0.05, 60), rng.uniform(0, 6.28, 60), strict=True))
+    roll = sum(
+        np.sin(w * t + p) for w, p in zip(rng.normal(0.7, 0.05, 60), rng.uniform(0, 6.28, 60), strict=True)
+    )
     found = gyrospec.roll_error(model, {"t": t, "roll": roll}, units={"t": "s", "roll": "deg"}, heading=45)
     assert found.roll is not None and found.roll["eps_rad_per_s"] == pytest.approx(0.7, abs=0.05)
     assert found.rows[0].measured_spectrum_mean_deg is not None

@@ -1,0 +1,109 @@
+"""What a fit tells."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from html import escape
+
+from .._gyrospec import Model
+from ._report import Made, Report, Value, table
+
+
+@dataclass(frozen=True)
+class FittedParameter(Value):
+    """A parameter after the fit, and what became of it."""
+
+    status: str
+
+
+@dataclass(frozen=True)
+class FittedInitial:
+    """A fitted initial state."""
+
+    recording: str
+    state: str
+    value: float
+    low: float
+    high: float
+    unit: str
+
+
+@dataclass(frozen=True)
+class Residual:
+    """What the fit leaves of an output."""
+
+    deviation: float
+    averaged_samples: int
+    autoregression: list[float]
+    independent_share: float
+
+
+@dataclass(frozen=True)
+class FittedOutput:
+    """An output after the fit, in its unit."""
+
+    output: str
+    unit: str
+    rmse_fit: float
+    rmse_holdout: float
+    residual: Residual
+
+
+@dataclass(frozen=True)
+class Weight:
+    """A part of a direction."""
+
+    name: str
+    weight: float
+
+
+@dataclass(frozen=True)
+class Direction:
+    """Changes of parameters that the recording cannot tell apart."""
+
+    direction: list[Weight]
+    relative_deviation: float
+
+
+@dataclass(frozen=True, repr=False)
+class Fit(Report):
+    """A model fitted to recordings."""
+
+    schema: str
+    model: str
+    parameters: list[FittedParameter]
+    initial_states: list[FittedInitial]
+    outputs: list[FittedOutput]
+    not_identifiable: list[Direction]
+    warnings: list[str]
+    end: str
+    simulations: int
+    made: Made
+
+    def __repr__(self) -> str:
+        values = (f"{p.name} = {p.value:.6g} {p.unit}" for p in self.parameters)
+        return f"Fit({self.model}: {', '.join(values)})"
+
+    @property
+    def model_out(self) -> Model:
+        """The model with the fitted values in it."""
+        assert self._model is not None
+        return self._model
+
+    def __getitem__(self, name: str) -> FittedParameter:
+        for p in self.parameters:
+            if p.name == name:
+                return p
+        raise KeyError(f"{name}: the model has {', '.join(p.name for p in self.parameters)}")
+
+    def _repr_html_(self) -> str:
+        rows = [
+            (p.name, f"{p.value:.6g}", f"{p.low:.4g} … {p.high:.4g}", p.unit, p.status)
+            for p in self.parameters
+        ]
+        outputs = [(o.output, f"{o.rmse_fit:.4g}", f"{o.rmse_holdout:.4g}", o.unit) for o in self.outputs]
+        return (
+            f"<p>{escape(self.model)}</p>"
+            + table(("parameter", "value", "95 % interval", "unit", ""), rows)
+            + table(("output", "rms error, fitted", "held out", "unit"), outputs)
+        )

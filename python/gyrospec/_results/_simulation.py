@@ -1,0 +1,92 @@
+"""What a simulation tells."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._gyrospec import Simulated
+from .._inputs import Floats
+from ._report import number, table
+
+
+@dataclass(frozen=True, repr=False)
+class SimulatedOutput:
+    """An output beside what measured it, in its unit; NaN where there is none."""
+
+    name: str
+    unit: str
+    time: Floats
+    measured: Floats
+    predicted: Floats
+    rms_error: float
+    worst_error: float
+
+    def __repr__(self) -> str:
+        told = f"{len(self.time)} samples, rms error {self.rms_error:.6g}, worst {self.worst_error:.6g}"
+        return f"SimulatedOutput({self.name} [{self.unit}]: {told})"
+
+
+@dataclass(frozen=True, repr=False)
+class Simulation:
+    """A model run on a recording."""
+
+    outputs: list[SimulatedOutput]
+    warnings: list[str]
+    solver_error: float
+    _simulated: Simulated = field(repr=False, compare=False)
+
+    @classmethod
+    def _of(cls, ran: Simulated) -> Simulation:
+        outputs = [SimulatedOutput(name, unit, *ran.output(i)) for i, (name, unit) in enumerate(ran.outputs)]
+        return cls(outputs, ran.warnings, ran.solver_error, ran)
+
+    def __getitem__(self, name: str) -> SimulatedOutput:
+        for output in self.outputs:
+            if output.name == name:
+                return output
+        raise KeyError(f"{name}: there are {', '.join(o.name for o in self.outputs)}")
+
+    def __iter__(self) -> Iterator[SimulatedOutput]:
+        return iter(self.outputs)
+
+    def trace(self, time: Floats | list[float] | None = None) -> dict[str, NDArray[np.float64]]:
+        """All states and definitions at rising times in s, by default those of the first output."""
+        at = self.outputs[0].time if time is None else np.asarray(time, dtype=np.float64)
+        columns = {name: values for name, _, values in self._simulated.trace(at)}
+        return {"time": at, **columns}
+
+    def to_dict(self) -> dict[str, Any]:
+        """Outputs as dicts of lists; numbers that are not finite are None."""
+        listed = [
+            {
+                "output": o.name,
+                "unit": o.unit,
+                "rms_error": number(o.rms_error),
+                "worst_error": number(o.worst_error),
+                "time": o.time.tolist(),
+                "measured": [number(x) for x in o.measured.tolist()],
+                "predicted": [number(x) for x in o.predicted.tolist()],
+            }
+            for o in self.outputs
+        ]
+        return {"outputs": listed, "solver_error": number(self.solver_error), "warnings": self.warnings}
+
+    def to_json(self) -> str:
+        """The same as JSON."""
+        return json.dumps(self.to_dict())
+
+    def __str__(self) -> str:
+        return self._simulated.text
+
+    def __repr__(self) -> str:
+        return f"Simulation({', '.join(map(repr, self.outputs))})"
+
+    def _repr_html_(self) -> str:
+        rows = [(o.name, f"{o.rms_error:.6g}", f"{o.worst_error:.6g}", o.unit) for o in self.outputs]
+        return table(("output", "rms error", "worst error", "unit"), rows)
