@@ -1,8 +1,10 @@
 //! `gyrospec laboratory`: how often the diagnosis finds what was concealed.
 
 use super::output::print;
+use super::progress::Meter;
 use super::{Outcome, warn};
 use crate::diagnose::laboratory::{self, Case, Scenario};
+use crate::estimate::fit::Progress;
 use crate::model::Model;
 use crate::record::Recording;
 use crate::{Error, ErrorKind, Result};
@@ -45,10 +47,13 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let text = serde_json::to_vec_pretty(&cases).map_err(broken)?;
     std::fs::write(&sealed, &text).map_err(|e| Error::io(&sealed, &e))?;
     let seal: String = Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect();
-    print(format!("{} recordings made; the truth is sealed, SHA-256 {seal}\n\n", call.cases).as_bytes())?;
+    let made = if call.cases == 1 { "1 recording".to_string() } else { format!("{} recordings", call.cases) };
+    print(format!("{made} made; the truth is sealed, SHA-256 {seal}\n\n").as_bytes())?;
     drop(cases);
     let mut answers = Vec::new();
+    let meter = Meter::new();
     for number in 0..call.cases {
+        meter.says("diagnosing", Some(number as f64 / call.cases as f64));
         match laboratory::examine(folder.path(), number, call.seed) {
             Ok(answer) => answers.push(Some(answer)),
             Err(e) => {
@@ -57,6 +62,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
             }
         }
     }
+    drop(meter);
     let opened = std::fs::read(&sealed).map_err(|e| Error::io(&sealed, &e))?;
     let cases: Vec<Case> = serde_json::from_slice(&opened).map_err(broken)?;
     let kept: Vec<(Case, laboratory::Outcome)> = cases

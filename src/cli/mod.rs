@@ -52,6 +52,26 @@ pub struct Cli {
 /// The subcommands; one line each, the work is in the file of that name.
 #[derive(Subcommand)]
 enum Command {
+    /// A model or recording file to start from.
+    New(new::Call),
+    /// What is in a recording.
+    Record(record::Record),
+    /// Simulate a model on a recording.
+    Simulate(simulate::Call),
+    /// Fit a model to recordings.
+    Fit(fit::Call),
+    /// Find what a model leaves out, and prove it.
+    Diagnose(diagnose::Call),
+    /// What can be missing: the pages of the catalogue.
+    Explain(explain::Explain),
+    /// How often the diagnosis finds what was concealed.
+    Laboratory(laboratory::Call),
+    /// The models that the program brings along.
+    Models(models::Call),
+    /// Mean and spread of the rolling error of a gyrocompass.
+    RollError(Box<roll_error::Arguments>),
+    /// A gyroscope in a rotating gimbal as a sensor of slow rates.
+    Gimbal(gimbal::GimbalCall),
     /// The spectral integral I_n, exact to the last place.
     Integral(integral::Arguments),
     /// A mean value as a formula in your own letters.
@@ -60,26 +80,6 @@ enum Command {
     Audit(audit::Audit),
     /// Tables of I_n with letters.
     Table(table::Table),
-    /// Find what a model leaves out, and prove it.
-    Diagnose(diagnose::Call),
-    /// What can be missing: the pages of the catalogue.
-    Explain(explain::Explain),
-    /// How often the diagnosis finds what was concealed.
-    Laboratory(laboratory::Call),
-    /// Fit a model to recordings.
-    Fit(fit::Call),
-    /// What is in a recording.
-    Record(record::Record),
-    /// Simulate a model on a recording.
-    Simulate(simulate::Call),
-    /// The models that the program brings along.
-    Models(models::Call),
-    /// A gyroscope in a rotating gimbal as a sensor of slow rates.
-    Gimbal(gimbal::GimbalCall),
-    /// Mean and spread of the rolling error of a gyrocompass.
-    RollError(Box<roll_error::Arguments>),
-    /// A model or recording file to start from.
-    New(new::Call),
     /// Completions for a shell.
     Completions(completions::Completions),
     /// The manual page.
@@ -87,6 +87,16 @@ enum Command {
     /// Version and licence.
     About,
 }
+
+const ABOUT: &str = concat!(
+    "gyrospec ",
+    env!("CARGO_PKG_VERSION"),
+    "\n",
+    env!("CARGO_PKG_DESCRIPTION"),
+    "\nLicence: ",
+    env!("CARGO_PKG_LICENSE"),
+    ", as you prefer\n"
+);
 
 fn run(cli: Cli) -> Result<Outcome> {
     match cli.command {
@@ -106,7 +116,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::New(call) => return new::run(&call),
         Command::Completions(call) => return completions::completions(&call),
         Command::Man(call) => return completions::man(&call),
-        Command::About => output::print(concat!("gyrospec ", env!("CARGO_PKG_VERSION"), "\n").as_bytes())?,
+        Command::About => output::print(ABOUT.as_bytes())?,
     }
     Ok(Outcome::Done)
 }

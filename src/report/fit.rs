@@ -125,7 +125,7 @@ fn joined<'a>(
     let mut samples: Vec<Beside> =
         fitted.chain(held.iter().copied()).flat_map(|s| s.beside(channel)).collect();
     samples.sort_by(|a, b| a.time.total_cmp(&b.time));
-    let samples = without_seams(samples);
+    let samples = without_seams(&samples);
     let ends = |s: &Series| -> Vec<[f64; 2]> {
         s.stretches.iter().map(|r| [s.time[r.start], s.time[r.end - 1]]).collect()
     };
@@ -139,7 +139,7 @@ fn joined<'a>(
 }
 
 /// A gap between neighbours is only the seam of a fitted and a held-out part: the line goes on.
-fn without_seams(samples: Vec<Beside>) -> Vec<Beside> {
+fn without_seams(samples: &[Beside]) -> Vec<Beside> {
     let is_seam = |i: usize| -> bool {
         let [before, last, gap, next] =
             [i.wrapping_sub(2), i.wrapping_sub(1), i, i + 1].map(|k| samples.get(k));

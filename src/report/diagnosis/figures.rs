@@ -32,7 +32,7 @@ fn heading(c: &Course) -> String {
 pub fn courses(p: &Pictures) -> String {
     let mut out = String::new();
     for c in &p.courses {
-        out += &course(p, c, &heading(c), |points| points.to_vec());
+        out += &course(p, c, &heading(c), <[_]>::to_vec);
         if let Some(span) = closer::span(&c.residual_before).filter(|_| !p.trials) {
             let title = format!("{}: a closer look, where they part most", heading(c));
             out += &course(p, c, &title, |points| closer::within(points, span));

@@ -1,5 +1,6 @@
 //! The tables of the page.
 
+use super::text;
 use crate::diagnose::answer::{Answer, Verdict};
 use crate::diagnose::pictures::{Pictures, Standing};
 use crate::report::page::{estimate, head, interval, quantity, table};
@@ -26,16 +27,7 @@ pub fn findings(a: &Answer) -> String {
         .findings
         .iter()
         .map(|f| {
-            let values: Vec<String> = f
-                .parameters
-                .iter()
-                .map(|p| {
-                    let (value, band) = estimate(p.value, p.low, p.high);
-                    let band = if band == "–" { String::new() } else { format!(" ({band})") };
-                    let unit = if p.unit == "1" { "" } else { &p.unit };
-                    format!("{} = {value}{band} {}", escaped(&p.name), escaped(unit))
-                })
-                .collect();
+            let values: Vec<String> = text::values(f).iter().map(|v| escaped(v)).collect();
             let ties = if f.ties.is_empty() {
                 String::new()
             } else {

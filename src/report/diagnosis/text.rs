@@ -1,7 +1,7 @@
 //! A diagnosis in the terminal.
 
 use crate::diagnose::Diagnosis;
-use crate::diagnose::answer::{Answer, Verdict};
+use crate::diagnose::answer::{Answer, Finding, Value, Verdict};
 use crate::report::page::estimate;
 use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
@@ -44,24 +44,25 @@ fn findings(out: &mut String, a: &Answer) {
     let _ = writeln!(out, "\n  {:<22} {:<22} {:>6}   values with 95 % intervals", head, "where", "share");
     for f in &a.findings {
         let site = format!("{} {}", f.site.kind, f.site.name);
-        let values: Vec<String> = f
-            .parameters
-            .iter()
-            .map(|p| {
-                let (value, band) = estimate(p.value, p.low, p.high);
-                let band = if band == "–" { String::new() } else { format!(" ({band})") };
-                let unit = if p.unit == "1" { "" } else { &p.unit };
-                format!("{} = {value}{band} {unit}", p.name).trim_end().to_string()
-            })
-            .collect();
         let share = if f.share > 0.0 { format!("{:.0} %", 100.0 * f.share) } else { "–".into() };
-        let _ = writeln!(out, "  {:<22} {site:<22} {share:>6}   {}", f.code, values.join(", "));
+        let _ = writeln!(out, "  {:<22} {site:<22} {share:>6}   {}", f.code, values(f).join(", "));
         let _ = writeln!(out, "      {}", f.term);
         if !f.ties.is_empty() {
             let _ = writeln!(out, "      fits as well: {}", f.ties.join(", "));
         }
     }
     out.push_str("  `gyrospec explain CODE` says more of each.\n");
+}
+
+/// The values of a finding with their intervals and units.
+pub(super) fn values(f: &Finding) -> Vec<String> {
+    let said = |p: &Value| {
+        let (value, band) = estimate(p.value, p.low, p.high);
+        let band = if band == "–" { String::new() } else { format!(" ({band})") };
+        let unit = if p.unit == "1" { "" } else { &p.unit };
+        format!("{} = {value}{band} {unit}", p.name).trim_end().to_string()
+    };
+    f.parameters.iter().map(said).collect()
 }
 
 fn proof(out: &mut String, a: &Answer) {
