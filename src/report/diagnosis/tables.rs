@@ -141,7 +141,10 @@ pub fn parameters(a: &Answer) -> String {
     let rows: Vec<Vec<String>> = a
         .parameters
         .iter()
-        .map(|p| vec![head(&p.name, &p.unit), figure(p.before), figure(p.after), interval(p.low, p.high)])
+        .map(|p| {
+            let (after, interval) = estimate(p.after, p.low, p.high);
+            vec![head(&p.name, &p.unit), figure(p.before), after, interval]
+        })
         .collect();
     table(&["parameter", "#before", "#after", "#95 % interval after"], &rows)
 }
