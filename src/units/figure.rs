@@ -4,7 +4,7 @@
 ///
 /// ```
 /// use gyrospec::units::figure;
-/// assert_eq!([figure(25.0), figure(0.012345), figure(1.35e8)], ["25", "0.01234", "1.35e8"]);
+/// assert_eq!([figure(25.0), figure(0.0123456), figure(1.35e8)], ["25", "0.01235", "1.35e8"]);
 /// assert_eq!(figure(f64::NAN), "–");
 /// ```
 pub fn figure(x: f64) -> String {

@@ -56,7 +56,7 @@ pub fn interval(low: f64, high: f64) -> String {
 ///
 /// ```
 /// use gyrospec::report::page::estimate;
-/// assert_eq!(estimate(4.000_02, 3.999_8, 4.000_2), ("4.00002".into(), "3.99980 to 4.00020".into()));
+/// assert_eq!(estimate(40.017, 39.5, 40.5), ("40.02".into(), "39.50 to 40.50".into()));
 /// assert_eq!(estimate(4.0, f64::NAN, 5.0).1, "–");
 /// ```
 pub fn estimate(value: f64, low: f64, high: f64) -> (String, String) {
