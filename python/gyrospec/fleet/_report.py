@@ -18,6 +18,10 @@ from .._errors import InputError
 from ._parts import parts, read_card
 
 
+COLUMNS = ["ship", "file", "status", "verdict", "says", "findings"]
+"""What is read of a part; the whole reports stay on the disk."""
+
+
 @dataclass(frozen=True)
 class Mechanism:
     """One parameter of a mechanism over the fleet; `parameter` is empty where it has none."""
@@ -128,7 +132,7 @@ def _rows(folder: Path) -> list[dict[str, Any]]:
     """One row a recording: of a file that has changed meanwhile, the one that was written last."""
     latest: dict[str, dict[str, Any]] = {}
     for file in sorted(parts(folder), key=lambda p: (p.stat().st_mtime_ns, p.name)):
-        for row in pq.read_table(file).to_pylist():
+        for row in pq.read_table(file, columns=COLUMNS).to_pylist():
             latest[row["file"]] = row
     return [latest[f] for f in sorted(latest)]
 
