@@ -86,14 +86,14 @@ class FleetReport:
         return json.dumps(self.to_dict(), indent=1)
 
     def __str__(self) -> str:
-        lines = [f"{self.recordings} recordings of {self.ships} ships"]
+        lines = [f"{_count(self.recordings, 'recording')} of {_count(self.ships, 'ship')}"]
         lines += [f"  {n:>6}  {verdict}" for verdict, n in self.verdicts.items()]
         if self.errors:
             lines.append(f"  {len(self.errors):>6}  could not be diagnosed")
         if self.mechanisms:
             lines.append("\nWhat is missing, and on which ships (median, quartiles, between ships)")
         for m in self.mechanisms:
-            lines.append(f"  {m.code} at {m.site}: {m.recordings} recordings, ships {_short(m.ships)}")
+            lines.append(f"  {m.code} at {m.site}: {_count(m.recordings, 'recording')} of {_short(m.ships)}")
             if m.parameter:
                 between = f"between ships ±{m.between_ships:.2g}, " if len(m.ships) > 1 else ""
                 lines.append(
@@ -216,6 +216,10 @@ def _quantiles(values: Any, shares: tuple[float, ...]) -> list[float]:
 
 def _float(x: float | None) -> float:
     return float("nan") if x is None else x
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}" + ("" if number == 1 else "s")
 
 
 def _short(names: list[str]) -> str:
