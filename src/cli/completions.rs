@@ -2,6 +2,7 @@
 
 use super::output::print;
 use super::{Cli, Outcome};
+use crate::error::nearest;
 use crate::{Error, ErrorKind, Result};
 use clap::CommandFactory;
 use std::path::Path;
@@ -39,8 +40,10 @@ pub fn man(call: &Man) -> Result<Outcome> {
     let page = match &call.command {
         None => program,
         Some(name) => program.find_subcommand(name).cloned().ok_or_else(|| {
+            let near = nearest(name, program.get_subcommands().map(clap::Command::get_name));
+            let meant = near.map(|n| format!("did you mean `{n}`? ")).unwrap_or_default();
             Error::new(ErrorKind::BadInput, format!("there is no subcommand `{name}`"))
-                .with_hint("`gyrospec help` lists them all")
+                .with_hint(format!("{meant}`gyrospec help` lists them all"))
         })?,
     };
     let mut text = Vec::new();

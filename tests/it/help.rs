@@ -64,6 +64,14 @@ fn every_example_of_the_help_runs() {
     }
 }
 
+#[test]
+fn answers_and_refusals_are_as_shown() {
+    trycmd::TestCases::new()
+        .register_bin("gyrospec", Path::new(env!("CARGO_BIN_EXE_gyrospec")))
+        .case("tests/cmd/*.md")
+        .run();
+}
+
 /// What the program says of a model or recording in which one thing is wrong.
 fn complaint(from: &str, wrong: (&str, &str), command: &str) -> String {
     let folder = with_examples();
