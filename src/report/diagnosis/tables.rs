@@ -3,7 +3,7 @@
 use super::text;
 use crate::diagnose::answer::{Answer, Verdict};
 use crate::diagnose::pictures::{Pictures, Standing};
-use crate::report::page::{estimate, head, interval, quantity, table};
+use crate::report::page::{estimates, head, interval, quantity, table};
 use crate::report::svg::escaped;
 use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
@@ -142,8 +142,8 @@ pub fn parameters(a: &Answer) -> String {
         .parameters
         .iter()
         .map(|p| {
-            let (after, interval) = estimate(p.after, p.low, p.high);
-            vec![head(&p.name, &p.unit), figure(p.before), after, interval]
+            let ([before, after], interval) = estimates([p.before, p.after], p.low, p.high);
+            vec![head(&p.name, &p.unit), before, after, interval]
         })
         .collect();
     table(&["parameter", "#before", "#after", "#95 % interval after"], &rows)

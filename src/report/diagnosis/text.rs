@@ -2,7 +2,7 @@
 
 use crate::diagnose::Diagnosis;
 use crate::diagnose::answer::{Answer, Finding, Value, Verdict};
-use crate::report::page::estimate;
+use crate::report::page::{estimate, estimates};
 use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
 
@@ -54,13 +54,17 @@ fn findings(out: &mut String, a: &Answer) {
     out.push_str("  `gyrospec explain CODE` says more of each.\n");
 }
 
+/// A unit behind a number; pure numbers have none.
+fn behind(unit: &str) -> String {
+    if unit == "1" { String::new() } else { format!(" {unit}") }
+}
+
 /// The values of a finding with their intervals and units.
 pub(super) fn values(f: &Finding) -> Vec<String> {
     let said = |p: &Value| {
         let (value, band) = estimate(p.value, p.low, p.high);
         let band = if band == "–" { String::new() } else { format!(" ({band})") };
-        let unit = if p.unit == "1" { "" } else { &p.unit };
-        format!("{} = {value}{band} {unit}", p.name).trim_end().to_string()
+        format!("{} = {value}{band}{}", p.name, behind(&p.unit))
     };
     f.parameters.iter().map(said).collect()
 }
@@ -94,8 +98,8 @@ fn parameters(out: &mut String, a: &Answer) {
     }
     let _ = writeln!(out, "\n  {:<16} {:>12} {:>12}   95 % interval", "parameter", "before", "after");
     for p in &a.parameters {
-        let (after, band) = estimate(p.after, p.low, p.high);
-        let _ = writeln!(out, "  {:<16} {:>12} {after:>12}   {band} {}", p.name, figure(p.before), p.unit);
+        let ([before, after], band) = estimates([p.before, p.after], p.low, p.high);
+        let _ = writeln!(out, "  {:<16} {before:>12} {after:>12}   {band}{}", p.name, behind(&p.unit));
     }
 }
 
@@ -126,7 +130,8 @@ fn visible(out: &mut String, a: &Answer) {
     }
     out.push_str("\nThis recording would have shown:\n");
     for v in &a.detection.smallest_visible {
-        let _ = writeln!(out, "  {:<22} from {} = {} {}", v.code, v.parameter, figure(v.value), v.unit);
+        let _ =
+            writeln!(out, "  {:<22} from {} = {}{}", v.code, v.parameter, figure(v.value), behind(&v.unit));
     }
 }
 

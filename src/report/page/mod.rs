@@ -2,7 +2,7 @@
 
 mod table;
 
-pub use table::{estimate, head, interval, quantity, table};
+pub use table::{estimate, estimates, head, interval, quantity, table};
 
 use crate::report::svg::escaped;
 use std::fmt::Write;

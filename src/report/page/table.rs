@@ -60,10 +60,17 @@ pub fn interval(low: f64, high: f64) -> String {
 /// assert_eq!(estimate(4.0, f64::NAN, 5.0).1, "–");
 /// ```
 pub fn estimate(value: f64, low: f64, high: f64) -> (String, String) {
-    if !(high - low).is_finite() || !value.is_finite() {
-        return (figure(value), "–".into());
+    let ([value], interval) = estimates([value], low, high);
+    (value, interval)
+}
+
+/// Values, the last of which has a 95 % interval, with the digits that its width deserves.
+pub fn estimates<const N: usize>(values: [f64; N], low: f64, high: f64) -> ([String; N], String) {
+    let last = values.last().copied().unwrap_or(f64::NAN);
+    if !(high - low).is_finite() || !last.is_finite() {
+        return (values.map(figure), "–".into());
     }
-    let digits = digits_within(value, high - low);
-    let shown = |x: f64| significant(x, digits);
-    (shown(value), format!("{} to {}", shown(low), shown(high)))
+    let digits = digits_within(last, high - low);
+    let shown = |x: f64| if x.is_finite() { significant(x, digits) } else { figure(x) };
+    (values.map(shown), format!("{} to {}", shown(low), shown(high)))
 }
