@@ -248,6 +248,7 @@ impl Bench {
         Ok(Scene {
             model,
             trials,
+            companions: super::company::pairs(&self.recordings[0], &looks.signals),
             signals: looks.signals,
             sizes: looks.sizes,
             step: if step.is_finite() { step } else { 1.0 },

@@ -38,6 +38,11 @@ pub fn gain(now: &Measure, new: &Measure) -> f64 {
     (now.left_out / new.left_out).ln()
 }
 
+/// The gain that an extension must reach after gains before it.
+pub fn floor(before: f64) -> f64 {
+    (-2.0 * (1.0 - FLOOR).ln()).max(FURTHER * before)
+}
+
 /// Likelihood less the price of its parameters.
 fn worth(r: &Refitted) -> f64 {
     r.measure.likelihood - 0.5 * r.proposal.added.len() as f64 * r.measure.samples.max(2.0).ln()
@@ -80,7 +85,7 @@ pub struct Choice {
 
 /// Takes the likeliest of those whose gain is near the largest; with its ties.
 pub fn choose(round: &Round, now: &Measure, before: f64) -> Option<Choice> {
-    let floor = (-2.0 * (1.0 - FLOOR).ln()).max(FURTHER * before);
+    let floor = floor(before);
     let gain = |now: &Measure, r: &Refitted| {
         gain(now, &r.measure) * if is_anchored(&r.proposal) { ANCHORED } else { 1.0 }
     };

@@ -16,7 +16,9 @@
 
 use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
+use super::response::Response;
 use super::screen::{Score, Screen};
+
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::noise::{Autoregression, NoiseModel};
@@ -30,6 +32,12 @@ const FURTHER: usize = 2;
 
 /// Factor on the sum of squares of the best start up to which another one is walked from too.
 const NEAR: f64 = 3.0;
+
+/// Statistic from which on a proposal is worth a fit; the least that a corrected chance of it could pass.
+const LIKELY: f64 = 5.0;
+
+/// Times that a fit may lower ln Σe² by more than its direction foretells: shapes adapt in the fit.
+const HOPE: f64 = 4.0;
 
 /// A proposal with its score.
 #[derive(Clone)]
@@ -70,6 +78,8 @@ pub struct View {
     pub tolerance: f64,
     /// Tracks of the model itself.
     pub tracks: Vec<Track>,
+    /// Its response to small forces, where it can be found without simulations.
+    response: Option<Response>,
 }
 
 impl View {
@@ -97,7 +107,22 @@ impl View {
             })
             .collect();
         let free = Screen::new(&own, &plain_noise, bench.seed);
-        Ok(Self { screen: Screen::new(&own, &noise, bench.seed), free, stand, tolerance, tracks: plain })
+        let response = Response::of(bench, &fit.model, &stand, tolerance, &records);
+        let screen = Screen::new(&own, &noise, bench.seed);
+        Ok(Self { screen, free, stand, tolerance, tracks: plain, response })
+    }
+
+    /// Tracks with sensitivities to a proposal's amplitudes at rest.
+    pub fn at_rest(&self, bench: &Bench, proposal: &Proposal, start: &[f64]) -> Option<Vec<Track>> {
+        let swift = self.response.as_ref().and_then(|r| r.tracks(bench, proposal, start));
+        swift.or_else(|| {
+            let records = bench.ready(&proposal.at_rest(), self.tolerance).ok()?;
+            let place =
+                |k: &usize| proposal.model.parameters.iter().position(|p| p.name == proposal.added[*k].name);
+            let wanted: Vec<usize> = proposal.amplitudes.iter().filter_map(place).collect();
+            let quiet = proposal.with_amplitudes(start, &vec![0.0; wanted.len()]);
+            bench::run(&records, &self.stand.extended(&proposal.model, &quiet), &wanted).ok()
+        })
     }
 }
 
@@ -145,55 +170,58 @@ fn best(list: &[Screened], by: &dyn Fn(&Screened) -> f64) -> Option<Screened> {
     Some(first)
 }
 
+/// The scored starts of a proposal.
 fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened> {
-    let Ok(records) = bench.ready(&proposal.at_rest(), view.tolerance) else { return Vec::new() };
-    let first = proposal.model.parameters.len();
-    let place = |k: usize| {
-        let name = &proposal.added[k].name;
-        proposal.model.parameters.iter().position(|p| p.name == *name).unwrap_or(first)
-    };
-    let wanted: Vec<usize> = proposal.amplitudes.iter().map(|k| place(*k)).collect();
-    let mut scored = Vec::new();
-    for start in &proposal.starts {
-        let quiet = if wanted.is_empty() {
-            start.clone()
-        } else {
-            proposal.with_amplitudes(start, &vec![0.0; wanted.len()])
-        };
-        let stand = view.stand.extended(&proposal.model, &quiet);
-        let Ok(tracks) = bench::run(&records, &stand, &wanted) else { continue };
-        let moved = difference(&view.tracks, &tracks);
-        let directions = |space: &Screen| -> Vec<Vec<f64>> {
-            if wanted.is_empty() {
-                vec![space.whitened(&moved, |t| &t.residual)]
-            } else {
-                (0..wanted.len()).map(|j| space.whitened(&tracks, |t| &t.sensitivities[j])).collect()
-            }
-        };
-        let one_sided = proposal.is_one_sided();
-        let free = view.free.score(directions(&view.free), one_sided);
-        let explained = free
-            .as_ref()
-            .filter(|f| f.statistic > 0.0)
-            .map_or(0.0, |f| f.chi2 / view.free.residual.len() as f64);
-        let weights = free.map(|f| f.weights).unwrap_or_default();
-        if let Some(mut score) = view.screen.score(directions(&view.screen), one_sided) {
-            if super::choose::is_timed_wave(proposal) {
-                // Its frequency is the best of all that the recording resolves.
-                let frequencies = 0.5 * view.screen.residual.len() as f64;
-                score.statistic = (score.statistic - frequencies.max(1.0).ln()).max(0.0);
-            }
-            scored.push(Screened {
-                proposal: proposal.clone(),
-                start: start.clone(),
-                score,
-                explained,
-                weights,
-                further: Vec::new(),
-            });
-        }
+    if proposal.amplitudes.is_empty() {
+        return score_moves(bench, proposal, view);
     }
-    scored
+    let count = proposal.amplitudes.len();
+    let one = |start: &Vec<f64>| {
+        let tracks = view.at_rest(bench, proposal, start)?;
+        scored(view, proposal, start, &|space| {
+            (0..count).map(|j| space.whitened(&tracks, |t| &t.sensitivities[j])).collect()
+        })
+    };
+    proposal.starts.iter().filter_map(one).collect()
+}
+
+/// The scored starts of a proposal that has no amplitude: how far it moves the predictions from there.
+fn score_moves(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened> {
+    let Ok(records) = bench.ready(&proposal.model, view.tolerance) else { return Vec::new() };
+    let one = |start: &Vec<f64>| {
+        let stand = view.stand.extended(&proposal.model, start);
+        let moved = difference(&view.tracks, &bench::run(&records, &stand, &[]).ok()?);
+        scored(view, proposal, start, &|space| vec![space.whitened(&moved, |t| &t.residual)])
+    };
+    proposal.starts.iter().filter_map(one).collect()
+}
+
+/// A start with its score from the directions in a screening space.
+fn scored(
+    view: &View,
+    proposal: &Proposal,
+    start: &[f64],
+    directions: &dyn Fn(&Screen) -> Vec<Vec<f64>>,
+) -> Option<Screened> {
+    let one_sided = proposal.is_one_sided();
+    let free = view.free.score(directions(&view.free), one_sided);
+    let explained =
+        free.as_ref().filter(|f| f.statistic > 0.0).map_or(0.0, |f| f.chi2 / view.free.residual.len() as f64);
+    let weights = free.map(|f| f.weights).unwrap_or_default();
+    let mut score = view.screen.score(directions(&view.screen), one_sided)?;
+    if super::choose::is_timed_wave(proposal) {
+        // Its frequency is the best of all that the recording resolves.
+        let frequencies = 0.5 * view.screen.residual.len() as f64;
+        score.statistic = (score.statistic - frequencies.max(1.0).ln()).max(0.0);
+    }
+    Some(Screened {
+        proposal: proposal.clone(),
+        start: start.to_vec(),
+        score,
+        explained,
+        weights,
+        further: Vec::new(),
+    })
 }
 
 /// How far the prediction moves from one run to another.
@@ -210,10 +238,18 @@ fn difference(from: &[Track], to: &[Track]) -> Vec<Track> {
         .collect()
 }
 
-/// The proposals worth a fit: in turn the best by likelihood and by the free run, a few of one code.
-pub fn worth_fitting(screening: &Screening, most: usize) -> Vec<&Screened> {
-    let likely = screening.screened.iter().filter(|s| s.score.statistic > 3.0);
-    let free = screening.free.iter().filter(|s| s.explained > 0.03);
+impl Screened {
+    /// Whether its fall of ln Σe², foretold from its direction alone, may reach a floor once it is fitted.
+    fn may_reach(&self, floor: f64) -> bool {
+        -HOPE * (1.0 - self.explained.clamp(0.0, 0.999)).ln() > floor
+    }
+}
+
+/// The proposals worth a fit: in turn the best by likelihood and by the free run, a few of one code,
+/// of those that may lower ln Σe² by a floor.
+pub fn worth_fitting(screening: &Screening, most: usize, floor: f64) -> Vec<&Screened> {
+    let likely = screening.screened.iter().filter(|s| s.score.statistic > LIKELY && s.may_reach(floor));
+    let free = screening.free.iter().filter(|s| s.explained > 0.03 && s.may_reach(floor));
     let mut lists = [likely.collect::<Vec<_>>().into_iter(), free.collect::<Vec<_>>().into_iter()];
     let mut chosen: Vec<&Screened> = Vec::new();
     let mut turn = 0;

@@ -11,7 +11,7 @@
 //! # References
 //! S. F. Masri, T. K. Caughey, J. Appl. Mech. 46 (1979) 433 (the restoring-force surface).
 
-use super::bench::{self, Bench};
+use super::bench::Bench;
 use super::catalogue::{Draft, Proposal, Scene, Signal, SignalKind, SiteKind};
 use super::propose::View;
 use super::screen::{Score, Screen};
@@ -240,13 +240,9 @@ fn products(
 }
 
 fn law(bench: &Bench, view: &View, p: &Proposal, places: Vec<f64>) -> Option<Law> {
-    let records = bench.ready(&p.at_rest(), view.tolerance).ok()?;
-    let index = |name: &str| p.model.parameters.iter().position(|q| q.name == name);
-    let wanted: Vec<usize> = p.added.iter().filter_map(|a| index(&a.name)).collect();
-    let stand = view.stand.extended(&p.model, &vec![0.0; wanted.len()]);
-    let tracks = bench::run(&records, &stand, &wanted).ok()?;
+    let tracks = view.at_rest(bench, p, &p.starts[0])?;
     let directions: Vec<Vec<f64>> =
-        (0..wanted.len()).map(|j| view.screen.whitened(&tracks, |t| &t.sensitivities[j])).collect();
+        (0..p.amplitudes.len()).map(|j| view.screen.whitened(&tracks, |t| &t.sensitivities[j])).collect();
     let solved = view.screen.solve(&directions)?;
     Some(Law {
         site: p.site.clone(),

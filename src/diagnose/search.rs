@@ -16,7 +16,7 @@
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::{Choice, FLOOR, choose, gain};
+use super::choose::{Choice, FLOOR, choose, floor, gain};
 use super::measure::{Measure, Scale};
 use super::propose::{Screening, View, screen, worth_fitting};
 use super::race;
@@ -96,13 +96,27 @@ pub struct Round {
     pub fitted: Vec<Refitted>,
 }
 
-fn round(bench: &Bench, current: &Fit, now: &Measure, scale: &Scale, given: &[f64]) -> Result<Round> {
+/// What a round is judged against.
+struct State<'a> {
+    /// How good the model is so far.
+    now: &'a Measure,
+    /// The scale of comparison.
+    scale: &'a Scale,
+    /// Gains of what was taken before.
+    gains: f64,
+    /// Whether no more may be added, so that it only looks.
+    is_last: bool,
+}
+
+fn round(bench: &Bench, current: &Fit, state: &State<'_>, given: &[f64]) -> Result<Round> {
     let view = View::of(bench, current)?;
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
     let screening = screen(bench, &scene, &view);
+    let State { now, scale, gains, is_last } = state;
     let tried = screening.screened.len().max(1) as f64;
-    let chosen = worth_fitting(&screening, bench.patience(&current.model));
+    let most = if *is_last { 0 } else { bench.patience(&current.model) };
+    let chosen = worth_fitting(&screening, most, floor(*gains));
     let finished = race::run(bench, current, &view, given, &chosen);
     let mut fitted: Vec<Refitted> = finished
         .into_par_iter()
@@ -132,10 +146,10 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
         progress.says(&format!("trying the catalogue, {} found", taken.len()), None);
         let scale = Scale::of(&current, bench.is_trials());
         let now = Measure::of(&current, &scale);
-        let mut round = round(bench, &current, &now, &scale, &given)?;
+        let state = State { now: &now, scale: &scale, gains, is_last: taken.len() >= MOST };
+        let mut round = round(bench, &current, &state, &given)?;
         trace(&round, &now);
-        let chosen = if taken.len() < MOST { choose(&round, &now, gains) } else { None };
-        let Some(Choice { best, ties, elsewhere }) = chosen else {
+        let Some(Choice { best, ties, elsewhere }) = choose(&round, &now, gains) else {
             let rest = round.screening;
             let (first, rest) = match first {
                 Some(f) => (f, rest),
@@ -213,8 +227,8 @@ fn trace(round: &Round, now: &Measure) {
     );
     for s in round.screening.screened.iter().take(25) {
         text += &format!(
-            "  s {:>9.2} {:<22} {:<12} {}\n",
-            s.score.statistic, s.proposal.code, s.proposal.site.name, s.proposal.term
+            "  s {:>9.2} {:.3} {:<22} {:<12} {}\n",
+            s.score.statistic, s.explained, s.proposal.code, s.proposal.site.name, s.proposal.term
         );
     }
     for r in &round.fitted {

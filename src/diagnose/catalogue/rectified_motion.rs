@@ -35,18 +35,22 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return all;
     }
+    let pairs = pairs(scene, &atoms);
     for m in scene.motions() {
-        for a in &atoms {
-            for b in &atoms {
-                all.extend(at(scene, &m, a, b));
-            }
-        }
+        all.extend(pairs.iter().filter_map(|(a, b)| at(scene, &m, a, b)));
     }
     for o in &scene.model.outputs {
-        let pairs = atoms.iter().flat_map(|a| atoms.iter().map(move |b| (a, b)));
-        all.extend(pairs.filter_map(|(a, b)| seen(scene, &o.name, a, b)));
+        all.extend(pairs.iter().filter_map(|(a, b)| seen(scene, &o.name, a, b)));
     }
     all
+}
+
+/// Pairs whose product may have a mean. Of two components of one motion the order makes no
+/// difference, because the heading is slow: each such pair stands once.
+fn pairs<'a>(scene: &Scene, atoms: &'a [Atom]) -> Vec<(&'a Atom, &'a Atom)> {
+    let all = atoms.iter().enumerate().flat_map(|(i, a)| atoms.iter().enumerate().map(move |(j, b)| (i, a, j, b)));
+    let kept = all.filter(|(i, a, j, b)| scene.keep_company(&a.signal, &b.signal) && (i <= j || a.signal != b.signal));
+    kept.map(|(_, a, _, b)| (a, b)).collect()
 }
 
 /// A fast signal, perhaps with the sine or cosine of the heading.

@@ -88,6 +88,8 @@ pub struct Scene<'a> {
     pub trials: bool,
     /// The signals.
     pub signals: Vec<Signal>,
+    /// Pairs of inputs and channels that go together, so that their product has a mean.
+    pub companions: Vec<(String, String)>,
     /// Size of the largest term of each state's sum, in the order of the states.
     pub sizes: Vec<f64>,
     /// Median step of the outputs' samples, s.
@@ -115,6 +117,12 @@ impl Scene<'_> {
     /// Signals of some kinds that move.
     pub fn moving<'s>(&'s self, kinds: &'s [SignalKind]) -> impl Iterator<Item = &'s Signal> + 's {
         self.signals.iter().filter(|s| kinds.contains(&s.kind) && s.varies())
+    }
+
+    /// Whether the product of two signals may have a mean.
+    pub fn keep_company(&self, a: &str, b: &str) -> bool {
+        let is = |p: &(String, String)| p.0 == a && p.1 == b || p.0 == b && p.1 == a;
+        a == b || self.companions.iter().any(is)
     }
 
     /// Inputs that are headings.

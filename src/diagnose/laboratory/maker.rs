@@ -232,6 +232,7 @@ fn copy<'a>(scene: &Scene<'a>) -> Scene<'a> {
         measured: scene.measured.clone(),
         peaks: scene.peaks.clone(),
         own_parameters: scene.own_parameters,
+        companions: scene.companions.clone(),
     }
 }
 
