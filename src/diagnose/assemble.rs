@@ -65,7 +65,7 @@ impl Assembly<'_> {
         let answer = Answer {
             schema: "gyrospec.diagnosis/1",
             verdict,
-            says: self.says(verdict, &all, &proof, blind.as_deref(), &rest),
+            says: self.says(verdict, &all, &proof, blind.as_deref(), left.then_some(&rest)),
             detection: self.detection(),
             located: self.located(verdict, &before_rest),
             findings: all,
@@ -270,7 +270,7 @@ impl Assembly<'_> {
         findings: &[Finding],
         proof: &[Proof],
         blind: Option<&str>,
-        rest: &Rest,
+        rest: Option<&Rest>,
     ) -> String {
         let list: Vec<&str> = findings.iter().map(|f| f.says.as_str()).collect();
         let gains: Vec<String> = proof
@@ -287,7 +287,7 @@ impl Assembly<'_> {
                 )
             })
             .collect();
-        let law = rest.laws.first().map(|l| l.signals.join(" and ")).unwrap_or_default();
+        let law = rest.and_then(|r| r.laws.first()).map(|l| l.signals.join(" and ")).unwrap_or_default();
         let opening = match verdict {
             Verdict::NothingMissing => {
                 return "Nothing is missing: what the model leaves over looks like noise in every test."
@@ -299,6 +299,14 @@ impl Assembly<'_> {
                 list.join("; "),
                 findings.first().map(|f| f.ties.join(", ")).unwrap_or_default()
             ),
+            Verdict::Unknown if list.is_empty() && law.is_empty() => {
+                let nearest = self.found.first.screened.first().map_or_else(String::new, |s| {
+                    format!(" Nearest in shape: {} at {}.", s.proposal.code, s.proposal.site.name)
+                });
+                format!(
+                    "Something is missing, but nothing in the catalogue lowers the error by 2 %, too little for a name.{nearest}"
+                )
+            }
             Verdict::Unknown if list.is_empty() => {
                 format!("Something is missing that the catalogue has no name for; it goes with {law}.")
             }

@@ -39,6 +39,10 @@ const LIKELY: f64 = 5.0;
 /// Times that a fit may lower ln Σe² by more than its direction foretells: shapes adapt in the fit.
 const HOPE: f64 = 4.0;
 
+/// Proposals of one code that are fitted, and those with the same signals among them.
+const OF_CODE: usize = 5;
+const OF_SIGNALS: usize = 2;
+
 /// A proposal with its score.
 #[derive(Clone)]
 pub struct Screened {
@@ -263,11 +267,12 @@ pub fn worth_fitting(screening: &Screening, most: usize, floor: f64) -> Vec<&Scr
     chosen
 }
 
-/// Whether a proposal differs from those chosen, and its code is not chosen three times yet.
+/// Whether a proposal differs from those chosen: they hold few of its code, and fewer with its signals.
 fn is_new(chosen: &[&Screened], s: &Screened) -> bool {
     let same: Vec<&&Screened> = chosen.iter().filter(|c| c.proposal.code == s.proposal.code).collect();
     let alike = |c: &Screened| c.score.degrees == s.score.degrees && cosine(&c.score, &s.score) > 0.999;
-    same.len() < 2 && !same.iter().any(|c| alike(c))
+    let of_signals = same.iter().filter(|c| c.proposal.depends == s.proposal.depends).count();
+    of_signals < OF_SIGNALS && same.len() < OF_CODE && !same.iter().any(|c| alike(c))
 }
 
 fn cosine(a: &Score, b: &Score) -> f64 {

@@ -5,25 +5,31 @@
 //! that another lowers the free-run error by far more, and then need no more steps.
 //!
 //! # Method
-//! Heats: a few steps from the best starts of each proposal, with a solver as rough as the residual
-//! that the model leaves now allows. Those whose sum of squares falls by a fair share of the largest
-//! fall, as logarithms, are fitted to the end.
+//! Two heats: a few steps from the best starts of each proposal, with a solver as rough as the residual
+//! that the model leaves now allows; a few more for the better half. Those whose sum of squares then
+//! falls by a fair share of the largest fall, as logarithms, are fitted to the end.
 //!
 //! # References
 //! O. Maron, A. W. Moore, Artificial Intelligence Review 11 (1997) 193 (racing).
 
-use super::bench::{Bench, Stand};
+use super::bench::Bench;
 use super::propose::{Screened, View, starts};
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
+use crate::model::Model;
 use rayon::prelude::*;
 
-/// Steps of a heat.
-const HEAT: usize = 6;
+/// Steps of the two heats.
+const HEATS: [usize; 2] = [3, 5];
+/// Proposals that the second heat takes.
+const SECOND: usize = 12;
 /// Share of the largest fall of ln Σe² in the heats from which on a proposal is fitted to the end.
 const FAIR: f64 = 0.5;
 /// Proposals that are fitted to the end at least, and at most.
 const LAST: (usize, usize) = (6, 8);
+
+/// A proposal with its fit so far.
+type Runner<'s> = (&'s Screened, Fit);
 
 /// Fits proposals, the best of them to the end.
 pub fn run(
@@ -33,16 +39,27 @@ pub fn run(
     given: &[f64],
     chosen: &[&Screened],
 ) -> Vec<(Screened, Fit)> {
-    let mut heats: Vec<(&Screened, Fit)> = chosen
-        .par_iter()
-        .with_max_len(1)
-        .filter_map(|s| Some((*s, heat(bench, view.tolerance, &starts(bench, view, given, s), s)?)))
-        .collect();
-    heats.sort_by(|a, b| a.1.sum_of_squares.total_cmp(&b.1.sum_of_squares));
+    let first = |s: &Screened| -> Option<Fit> {
+        let walks = starts(bench, view, given, s).into_iter().filter_map(|stand| {
+            walk(bench, &stand.placed(&s.proposal.model), stand.initials, HEATS[0], view.tolerance)
+        });
+        walks.min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares))
+    };
+    let mut field: Vec<Runner<'_>> =
+        chosen.par_iter().with_max_len(1).filter_map(|s| Some((*s, first(s)?))).collect();
+    sort(&mut field);
+    field.truncate(SECOND);
+    field.par_iter_mut().with_max_len(1).for_each(|(_, f)| {
+        let longer = walk(bench, &f.model, initials(f), HEATS[1], view.tolerance);
+        if let Some(longer) = longer.filter(|l| l.sum_of_squares < f.sum_of_squares) {
+            *f = longer;
+        }
+    });
+    sort(&mut field);
     let fall = |f: &Fit| (current.sum_of_squares / f.sum_of_squares).ln();
-    let largest = heats.first().map_or(0.0, |h| fall(&h.1));
-    let last = heats.iter().enumerate().take(LAST.1);
-    let last: Vec<&(&Screened, Fit)> =
+    let largest = field.first().map_or(0.0, |h| fall(&h.1));
+    let last = field.iter().enumerate().take(LAST.1);
+    let last: Vec<&Runner<'_>> =
         last.filter(|(i, h)| *i < LAST.0 || fall(&h.1) >= FAIR * largest).map(|(_, h)| h).collect();
     last.into_par_iter()
         .with_max_len(1)
@@ -50,20 +67,25 @@ pub fn run(
         .collect()
 }
 
-/// A few steps from each start; the best.
-fn heat(bench: &Bench, tolerance: f64, starts: &[Stand], s: &Screened) -> Option<Fit> {
-    let walks = starts.iter().filter_map(|stand| {
-        let mut options = bench.options(Effort::Near, HEAT);
-        options.tolerance = tolerance;
-        options.is_rough = true;
-        options.initials.clone_from(&stand.initials);
-        fit(&stand.placed(&s.proposal.model), &bench.recordings, &options).ok()
-    });
-    walks.min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares))
+fn sort(field: &mut [Runner<'_>]) {
+    field.sort_by(|a, b| a.1.sum_of_squares.total_cmp(&b.1.sum_of_squares));
+}
+
+fn initials(fit: &Fit) -> Vec<Vec<f64>> {
+    fit.records.iter().map(|r| r.initials.clone()).collect()
+}
+
+/// A few rough steps.
+fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize, tolerance: f64) -> Option<Fit> {
+    let mut options = bench.options(Effort::Near, steps);
+    options.tolerance = tolerance;
+    options.is_rough = true;
+    options.initials = initials;
+    fit(model, &bench.recordings, &options).ok()
 }
 
 fn to_the_end(bench: &Bench, heat: &Fit) -> Option<Fit> {
     let mut options = bench.options(Effort::Near, bench.steps(&heat.model));
-    options.initials = heat.records.iter().map(|r| r.initials.clone()).collect();
+    options.initials = initials(heat);
     fit(&heat.model, &bench.recordings, &options).ok()
 }

@@ -8,6 +8,8 @@ use super::search::Found;
 const LEFT_CHANCE: f64 = 0.01;
 /// Share of the whitened residual's square that it must explain.
 const LEFT_SHARE: f64 = 0.03;
+/// Chance of the first screening's largest score, corrected, from which on something is surely missing.
+const SURE: f64 = 1e-3;
 /// Left-over gain over the gain of the names from which on the names only resemble.
 const RESEMBLES: f64 = 0.5;
 /// Share of the squared free-run error that names must leave at most where a law is left as well.
@@ -54,7 +56,8 @@ impl Evidence<'_> {
             return Verdict::NotIdentifiable;
         }
         let Some(first) = self.found.taken.first() else {
-            return if self.is_left() { Verdict::Unknown } else { Verdict::NothingMissing };
+            let something = self.is_left() || self.found.first.p_value < SURE;
+            return if something { Verdict::Unknown } else { Verdict::NothingMissing };
         };
         if self.outweighs() {
             Verdict::Unknown

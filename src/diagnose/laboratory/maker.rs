@@ -208,7 +208,12 @@ fn conceal(model: &Model, scene: &Scene, case: &mut Case, rng: &mut ChaCha8Rng) 
     let scale: f64 = rng.random_range(0.1..0.4);
     let mut made = p.model.clone();
     for (i, a) in p.added.iter().enumerate() {
-        let factor = if p.amplitudes.contains(&i) { scale } else { rng.random_range(0.9..1.1) };
+        // Amplitudes of one mechanism differ, so that it is not a simpler one in disguise.
+        let factor = if p.amplitudes.contains(&i) {
+            scale * rng.random_range(0.5..1.5)
+        } else {
+            rng.random_range(0.9..1.1)
+        };
         let value = start[i] * factor;
         case.values.push((a.name.clone(), a.unit.difference_from_si(value)));
         if let Some(q) = made.parameters.iter_mut().find(|q| q.name == a.name) {
