@@ -54,6 +54,8 @@ pub struct Screened {
     pub score: Score,
     /// Share of the free-run residual's square that it explains.
     pub explained: f64,
+    /// Share of the whitened residual's square that it explains.
+    pub visible: f64,
     /// Weights of its directions in the free run.
     pub weights: Vec<f64>,
     /// Further starts that scored well, each with its own weights.
@@ -213,6 +215,7 @@ fn scored(
         free.as_ref().filter(|f| f.statistic > 0.0).map_or(0.0, |f| f.chi2 / view.free.residual.len() as f64);
     let weights = free.map(|f| f.weights).unwrap_or_default();
     let mut score = view.screen.score(directions(&view.screen), one_sided)?;
+    let visible = score.chi2 / view.screen.residual.len().max(1) as f64;
     if super::choose::is_timed_wave(proposal) {
         // Its frequency is the best of all that the recording resolves.
         let frequencies = 0.5 * view.screen.residual.len() as f64;
@@ -223,6 +226,7 @@ fn scored(
         start: start.to_vec(),
         score,
         explained,
+        visible,
         weights,
         further: Vec::new(),
     })
@@ -245,7 +249,7 @@ fn difference(from: &[Track], to: &[Track]) -> Vec<Track> {
 impl Screened {
     /// Whether its fall of ln Σe², foretold from its direction alone, may reach a floor once it is fitted.
     fn may_reach(&self, floor: f64) -> bool {
-        -HOPE * (1.0 - self.explained.clamp(0.0, 0.999)).ln() > floor
+        -HOPE * (1.0 - self.explained.max(self.visible).clamp(0.0, 0.999)).ln() > floor
     }
 }
 
