@@ -85,3 +85,69 @@ fn a_stuck_sensor_is_a_fault_and_no_physics() {
     assert_eq!(d.answer.findings[0].code, "frozen-channel");
     assert_eq!(d.answer.findings.len(), 1);
 }
+
+/// The recording as a table in other units, under other names.
+fn table(recording: &Recording, columns: [(&str, &str, f64, &str); 2]) -> String {
+    let mut text =
+        format!("when [s],{} [{}],{} [{}]\n", columns[0].3, columns[0].1, columns[1].3, columns[1].1);
+    let channels = columns.map(|(name, _, factor, _)| (recording.find(name).unwrap(), factor));
+    for (i, t) in channels[0].0.time.iter().enumerate() {
+        let value = |k: usize| channels[k].0.values[i] * channels[k].1;
+        text += &format!("{t:.3},{:.9e},{:.9e}\n", value(0), value(1));
+    }
+    text
+}
+
+#[test]
+fn names_and_units_steer_nothing() {
+    let (_, made) = recording(Some("8*v*abs(v)"));
+    let plain = r#"
+        name = "axis"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        M = { value = 4.8, unit = "kg", fit = true, min = 0.1, max = 100 }
+        Fv = { value = 4.2, unit = "N*s/m", fit = true, min = 0, max = 1000 }
+        k = { value = 150, unit = "N/m", fit = true, min = 0, max = 1e5 }
+        [states]
+        q = { rate = "v", unit = "m", initial = "fit" }
+        v = { rate = "(force - Fv*v - k*q)/M", unit = "m/s", initial = "fit" }
+        [outputs]
+        position = { equals = "q", unit = "m" }
+    "#;
+    let renamed = r#"
+        name = "dry-friction of the temperature"
+        [inputs]
+        heading = { unit = "kN" }
+        [parameters]
+        F0 = { value = 4800, unit = "g", fit = true, min = 100, max = 1e5 }
+        tau = { value = 0.0042, unit = "kN*s/m", fit = true, min = 0, max = 1 }
+        offset = { value = 0.15, unit = "N/mm", fit = true, min = 0, max = 100 }
+        [states]
+        lag_1 = { rate = "drift", unit = "mm", initial = "fit" }
+        drift = { rate = "(heading - tau*drift - offset*lag_1)/F0", unit = "mm/s", initial = "fit" }
+        [outputs]
+        clock = { equals = "lag_1", unit = "mm" }
+    "#;
+    let folder = tempfile::tempdir().unwrap();
+    let answer = |model: &str, columns: [(&str, &str, f64, &str); 2]| {
+        let path = folder.path().join("table.csv");
+        std::fs::write(&path, table(&made, columns)).unwrap();
+        diagnosed(&Model::parse(model).unwrap(), Recording::read(&path).unwrap()).answer
+    };
+    let a = answer(plain, [("force", "N", 1.0, "force"), ("position", "m", 1.0, "position")]);
+    let b = answer(renamed, [("force", "kN", 1e-3, "heading"), ("position", "mm", 1e3, "clock")]);
+    assert_eq!((a.verdict, b.verdict), (Verdict::Named, Verdict::Named), "{} {}", a.says, b.says);
+    let (f, g) = (&a.findings[0], &b.findings[0]);
+    assert_eq!((f.code.as_str(), g.code.as_str()), ("quadratic-damping", "quadratic-damping"));
+    assert_eq!((f.site.name.as_str(), g.site.name.as_str()), ("v", "drift"));
+    // The same coefficient, told in two units.
+    let ratio = f.parameters[0].value / g.parameters[0].value;
+    assert!((f.parameters[0].value - 8.0).abs() < 0.2, "{f:?}");
+    assert!((ratio / ratio_of(&g.parameters[0].unit) - 1.0).abs() < 0.01, "{ratio} {}", g.parameters[0].unit);
+}
+
+/// SI units in a unit of quadratic damping.
+fn ratio_of(unit: &str) -> f64 {
+    gyrospec::units::Unit::parse(unit).unwrap().to_si(1.0)
+}
