@@ -1,0 +1,138 @@
+//! One recording of a response: the linearised model stepped along its run.
+
+use super::probe::rows;
+use crate::diagnose::bench::Track;
+use crate::model::{Initial, Model};
+use crate::record::Recording;
+use faer::Mat;
+use faer::linalg::solvers::Solve;
+use std::ops::Range;
+use std::sync::Arc;
+
+/// One recording.
+pub(super) struct Along {
+    /// Inputs, with the courses of the states beside them.
+    pub recording: Recording,
+    pub number: usize,
+    pub time: Arc<[f64]>,
+    /// F of every step, n × n row by row: δx₊ = F δx + G (g + g₊).
+    pub forward: Vec<f64>,
+    /// G of every step.
+    pub force: Vec<f64>,
+    /// C at every time, outputs × n.
+    pub shown: Vec<f64>,
+    /// A at the first time.
+    pub first: Vec<f64>,
+    pub tracks: Vec<(usize, Vec<Range<usize>>, Vec<f64>)>,
+}
+
+/// Where a term enters.
+#[derive(Clone, Copy)]
+pub(super) enum Site {
+    Rate(usize),
+    Output(usize),
+}
+
+impl Along {
+    /// F = (1 − hA₊/2)⁻¹(1 + hA/2), G = (1 − hA₊/2)⁻¹ h/2
+    pub fn fill(&mut self, a: &dyn Fn(usize) -> Mat<f64>) {
+        let mut here = a(0);
+        let mut step = 0.0;
+        for i in 0..self.time.len().saturating_sub(1) {
+            let next = a(i + 1);
+            let h = self.time[i + 1] - self.time[i];
+            let as_before = i > 0 && (h - step).abs() <= 1e-9 * h && next == here;
+            if as_before && next == a(i - 1) {
+                let n2 = next.nrows() * next.nrows();
+                self.forward.extend_from_within(self.forward.len() - n2..);
+                self.force.extend_from_within(self.force.len() - n2..);
+            } else {
+                let n = next.nrows();
+                let unit = Mat::<f64>::identity(n, n);
+                let lu = (&unit - &next * faer::Scale(0.5 * h)).partial_piv_lu();
+                self.forward.extend(rows(&lu.solve(&unit + &here * faer::Scale(0.5 * h))));
+                self.force.extend(rows(&lu.solve(unit * faer::Scale(0.5 * h))));
+            }
+            here = next;
+            step = h;
+        }
+    }
+
+    /// δy of every output at every time, output by output.
+    pub fn propagate(&self, model: &Model, terms: &[(Site, &[f64])]) -> Vec<f64> {
+        let (n, outputs, count) = (model.states.len(), model.outputs.len(), self.time.len());
+        let rates: Vec<(usize, &[f64])> = terms
+            .iter()
+            .filter_map(|(s, g)| if let Site::Rate(j) = s { Some((*j, *g)) } else { None })
+            .collect();
+        let mut x = self.at_rest(model, &rates);
+        let mut next = vec![0.0; n];
+        let mut y = vec![0.0; outputs * count];
+        for i in 0..count {
+            for o in 0..outputs {
+                let c = &self.shown[(i * outputs + o) * n..][..n];
+                y[o * count + i] = c.iter().zip(&x).map(|(c, x)| c * x).sum();
+            }
+            if i + 1 == count || rates.is_empty() {
+                continue;
+            }
+            let (f, g) = (&self.forward[i * n * n..][..n * n], &self.force[i * n * n..][..n * n]);
+            for (row, out) in next.iter_mut().enumerate() {
+                let carried: f64 = f[row * n..][..n].iter().zip(&x).map(|(f, x)| f * x).sum();
+                *out = rates.iter().fold(carried, |sum, (j, r)| sum + g[row * n + j] * (r[i] + r[i + 1]));
+            }
+            std::mem::swap(&mut x, &mut next);
+        }
+        for (site, e) in terms {
+            if let Site::Output(o) = site {
+                y[o * count..][..count].iter_mut().zip(*e).for_each(|(y, e)| *y += e);
+            }
+        }
+        y
+    }
+
+    /// δx at the start: A δx + g = 0 in the states that start steady, 0 in the others.
+    fn at_rest(&self, model: &Model, rates: &[(usize, &[f64])]) -> Vec<f64> {
+        let n = model.states.len();
+        let mut x = vec![0.0; n];
+        let steady: Vec<usize> = (0..n).filter(|j| model.states[*j].initial == Initial::Steady).collect();
+        if !steady.is_empty() && !rates.is_empty() {
+            let a = Mat::from_fn(steady.len(), steady.len(), |i, j| self.first[steady[i] * n + steady[j]]);
+            let g = |i: usize| rates.iter().filter(|r| r.0 == steady[i]).map(|r| r.1[0]).sum::<f64>();
+            let solved = a.partial_piv_lu().solve(Mat::from_fn(steady.len(), 1, |i, _| -g(i)));
+            for (i, j) in steady.iter().enumerate() {
+                x[*j] = if solved[(i, 0)].is_finite() { solved[(i, 0)] } else { 0.0 };
+            }
+        }
+        x
+    }
+
+    /// The moves, amplitude by amplitude, read at the tracks' own times.
+    pub fn on_tracks(&self, moved: &[Vec<f64>]) -> Vec<Track> {
+        let count = self.time.len();
+        let one = |(output, stretches, time): &(usize, Vec<Range<usize>>, Vec<f64>)| Track {
+            output: *output,
+            stretches: stretches.clone(),
+            time: Vec::new(),
+            residual: Vec::new(),
+            sensitivities: moved
+                .iter()
+                .map(|y| read(&self.time, &y[output * count..][..count], time))
+                .collect(),
+        };
+        self.tracks.iter().map(one).collect()
+    }
+}
+
+/// A series on a mesh, straight between its points, at rising times.
+fn read(mesh: &[f64], values: &[f64], time: &[f64]) -> Vec<f64> {
+    let mut i = 0;
+    let one = |t: &f64| {
+        while i + 2 < mesh.len() && mesh[i + 1] <= *t {
+            i += 1;
+        }
+        let share = (t - mesh[i]) / (mesh[i + 1] - mesh[i]);
+        values[i] + share * (values[i + 1] - values[i])
+    };
+    time.iter().map(one).collect()
+}
