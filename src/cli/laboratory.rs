@@ -3,13 +3,16 @@
 use super::output::print;
 use super::progress::Meter;
 use super::{Outcome, warn};
+use crate::diagnose::answer::Answer;
 use crate::diagnose::laboratory::{self, Case, Scenario};
 use crate::estimate::fit::Progress;
 use crate::model::Model;
 use crate::record::Recording;
 use crate::{Error, ErrorKind, Result};
+use rayon::prelude::*;
 use sha2::{Digest, Sha256};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicUsize, Ordering};
 const HELP: &str = "\
 Examples:
   gyrospec laboratory --cases 20 --seed 1                # minutes
@@ -50,18 +53,15 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let made = if call.cases == 1 { "1 recording".to_string() } else { format!("{} recordings", call.cases) };
     print(format!("{made} made; the truth is sealed, SHA-256 {seal}\n\n").as_bytes())?;
     drop(cases);
-    let mut answers = Vec::new();
     let meter = Meter::new();
-    for number in 0..call.cases {
-        meter.says("diagnosing", Some(number as f64 / call.cases as f64));
-        match laboratory::examine(folder.path(), number, call.seed) {
-            Ok(answer) => answers.push(Some(answer)),
-            Err(e) => {
-                warn(&format!("case {number}: {e}"));
-                answers.push(None);
-            }
-        }
-    }
+    let ended = AtomicUsize::new(0);
+    let examine = |number: usize| {
+        let answer = laboratory::examine(folder.path(), number, call.seed);
+        let ended = 1 + ended.fetch_add(1, Ordering::Relaxed);
+        meter.says("diagnosing", Some(ended as f64 / call.cases as f64));
+        answer.map_err(|e| warn(&format!("case {number}: {e}"))).ok()
+    };
+    let answers: Vec<Option<Answer>> = (0..call.cases).into_par_iter().with_max_len(1).map(examine).collect();
     drop(meter);
     let opened = std::fs::read(&sealed).map_err(|e| Error::io(&sealed, &e))?;
     let cases: Vec<Case> = serde_json::from_slice(&opened).map_err(broken)?;
