@@ -16,6 +16,7 @@ use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
 use crate::record::quality::Fault;
+use crate::units::figure;
 
 /// Mechanisms whose smallest visible size is told.
 const VISIBLE: usize = 12;
@@ -280,9 +281,9 @@ impl Assembly<'_> {
                 format!(
                     "On what was held out the error of {} is {} {} before and {} {} after.",
                     p.output,
-                    words::figure(p.holdout_before),
+                    figure(p.holdout_before),
                     p.unit,
-                    words::figure(p.holdout_after),
+                    figure(p.holdout_after),
                     p.unit
                 )
             })

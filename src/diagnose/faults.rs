@@ -8,6 +8,7 @@ use crate::estimate::{Fit, fit};
 use crate::model::Model;
 use crate::record::quality::{self, Fault, FaultKind};
 use crate::record::{Recording, unwrap};
+use crate::units::significant;
 
 /// Faults of the channels that a model uses, and the recordings without them.
 pub struct Cleaned {
@@ -75,12 +76,25 @@ fn fill_inputs(model: &Model, recording: &mut Recording) {
     }
 }
 
+/// A number of at most seven digits.
+fn short(x: f64) -> String {
+    let text = significant(x, 7);
+    if text.contains('.') && !text.contains('e') {
+        text.trim_end_matches('0').trim_end_matches('.').into()
+    } else {
+        text
+    }
+}
+
 /// A fault as a finding.
 pub fn finding(model: &Model, recordings: &[Recording], f: &Fault) -> Finding {
     let kind = if model.inputs.iter().any(|i| i.name == f.channel) { "input" } else { "output" };
     let unit = recordings.iter().find_map(|r| r.find(&f.channel)).map(|c| c.unit.clone());
-    let place =
-        f.spans.first().map(|s| format!(" from {:.6} s to {:.6} s", s.from, s.to)).unwrap_or_default();
+    let place = f
+        .spans
+        .first()
+        .map(|s| format!(" from {} s to {} s", short(s.from), short(s.to)))
+        .unwrap_or_default();
     let more =
         if f.spans.len() > 1 { format!(", and {} more spans", f.spans.len() - 1) } else { String::new() };
     let (name, value, unit_text) = match (f.kind, unit) {
@@ -91,10 +105,10 @@ pub fn finding(model: &Model, recordings: &[Recording], f: &Fault) -> Finding {
     };
     let title = catalogue::find(f.kind.code()).map(|m| m.title).unwrap_or_default();
     let what = match f.kind {
-        FaultKind::Frozen => format!("{} is stuck at {value:.6} {unit_text}{place}{more}", f.channel),
+        FaultKind::Frozen => format!("{} is stuck at {} {unit_text}{place}{more}", f.channel, short(value)),
         FaultKind::Outliers => format!("{} has {} samples far off{place}{more}", f.channel, f.samples),
         FaultKind::Gap => format!("{} lacks {} samples{place}{more}", f.channel, f.samples),
-        FaultKind::Quantisation => format!("{} moves in steps of {value:.6} {unit_text}", f.channel),
+        FaultKind::Quantisation => format!("{} moves in steps of {} {unit_text}", f.channel, short(value)),
         FaultKind::WrappedAngle => format!("{} jumps by a turn and is not marked `wraps = true`", f.channel),
         FaultKind::ClockDrift => format!("the clock of {} changes its rate{place}", f.channel),
     };
@@ -185,12 +199,12 @@ fn misread_finding(channel: &str, kind: &str, factor: f64, words: &str) -> Findi
     let says = if sign {
         format!("{channel} has the wrong sign: turned over, it fits")
     } else {
-        format!("{channel} holds {words}: multiplied by {factor:.6}, it fits")
+        format!("{channel} holds {words}: multiplied by {}, it fits", short(factor))
     };
     Finding {
         code: if sign { "wrong-sign" } else { "wrong-unit" }.to_string(),
         site: SiteName { kind: kind.to_string(), name: channel.to_string() },
-        term: format!("{factor:.6}*{channel}"),
+        term: format!("{}*{channel}", short(factor)),
         says,
         parameters: vec![Value {
             name: "factor".into(),

@@ -1,21 +1,8 @@
-//! Figures and sentences for people.
+//! Sentences for people.
 
 use super::catalogue::Proposal;
 use crate::estimate::Fit;
-
-/// Four significant digits, without needless zeros.
-pub fn figure(x: f64) -> String {
-    if !x.is_finite() {
-        return "?".into();
-    }
-    let size = x.abs();
-    if size != 0.0 && !(1e-3..1e6).contains(&size) {
-        return format!("{x:.3e}");
-    }
-    let decimals = if size == 0.0 { 0 } else { (3 - size.log10().floor() as i32).max(0) as usize };
-    let text = format!("{x:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_string() } else { text }
-}
+use crate::units::figure;
 
 /// A mechanism's sentence with the fitted values in it.
 pub fn sentence(p: &Proposal, fit: &Fit) -> String {
