@@ -47,11 +47,7 @@ impl Assembly<'_> {
         } else {
             prove::held_out(&self.bench, &self.found.last, &self.separate)?
         };
-        let model = self.request.model;
-        let blind =
-            locate::starved(model, &self.bench, &self.found.last, &self.separate, &after).or_else(|| {
-                self.found.taken.is_empty().then(|| locate::unseen(model, &self.found.base)).flatten()
-            });
+        let blind = self.blind(&after);
         let evidence =
             Evidence { faults: &self.faults, found: &self.found, rest: &rest, blind: blind.as_deref() };
         let verdict = evidence.verdict();
@@ -62,6 +58,7 @@ impl Assembly<'_> {
         let mut all = self.faults.clone();
         all.extend(findings);
         let proof = self.proof(&before, &after);
+        let verdict = proved(verdict, &proof);
         let next_experiment = next::experiment(self.request.model, &self.found, verdict, blind.as_deref());
         let answer = Answer {
             schema: "gyrospec.diagnosis/1",
@@ -85,6 +82,18 @@ impl Assembly<'_> {
             held: (before, after),
             recordings: self.bench.recordings,
         })
+    }
+
+    /// Why the recording cannot tell, if so.
+    fn blind(&self, after: &[Held]) -> Option<String> {
+        let (model, base) = (self.request.model, &self.found.base);
+        let alone = || {
+            let unseen = || locate::unseen(model, base);
+            locate::mute(model, &self.bench, base).or_else(unseen).filter(|_| self.found.taken.is_empty())
+        };
+        locate::poor(model, &self.bench, base)
+            .or_else(|| locate::starved(model, &self.bench, &self.found.last, &self.separate, after))
+            .or_else(alone)
     }
 
     /// Flexible laws in what the first and the last model leave.
@@ -311,6 +320,10 @@ impl Assembly<'_> {
             Verdict::Unknown if list.is_empty() => {
                 format!("Something is missing that the catalogue has no name for; it goes with {law}.")
             }
+            Verdict::Unknown if law.is_empty() => format!(
+                "Something is missing, but no name for it stands on what was held out. It resembles: {}.",
+                list.join("; ")
+            ),
             Verdict::Unknown => format!(
                 "Something is missing that the catalogue has no name for; it goes with {law}. It resembles: {}.",
                 list.join("; ")
@@ -338,6 +351,12 @@ fn settle(verdict: Verdict, findings: &[Finding]) -> Verdict {
         (Verdict::Named | Verdict::Tie, Some(_)) => Verdict::Tie,
         _ => verdict,
     }
+}
+
+/// Names that lower no held-out error for sure only resemble what is missing.
+fn proved(verdict: Verdict, proof: &[Proof]) -> Verdict {
+    let fails = !proof.is_empty() && proof.iter().all(|p| p.improvement_low <= 0.0);
+    if fails && matches!(verdict, Verdict::Named | Verdict::Tie) { Verdict::Unknown } else { verdict }
 }
 
 fn unexplained(rest: &Rest) -> Option<Unexplained> {

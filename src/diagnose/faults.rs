@@ -90,13 +90,12 @@ fn short(x: f64) -> String {
 pub fn finding(model: &Model, recordings: &[Recording], f: &Fault) -> Finding {
     let kind = if model.inputs.iter().any(|i| i.name == f.channel) { "input" } else { "output" };
     let unit = recordings.iter().find_map(|r| r.find(&f.channel)).map(|c| c.unit.clone());
-    let place = f
-        .spans
-        .first()
-        .map(|s| format!(" from {} s to {} s", short(s.from), short(s.to)))
-        .unwrap_or_default();
+    let place = f.spans.first().map_or_else(String::new, |s| {
+        let (from, to) = (short(s.from), short(s.to));
+        if from == to { format!(" at {from} s") } else { format!(" from {from} s to {to} s") }
+    });
     let more =
-        if f.spans.len() > 1 { format!(", and {} more spans", f.spans.len() - 1) } else { String::new() };
+        if f.spans.len() > 1 { format!(", and {} times more", f.spans.len() - 1) } else { String::new() };
     let (name, value, unit_text) = match (f.kind, unit) {
         (FaultKind::Gap, _) => ("length", f.size, "s".to_string()),
         (FaultKind::ClockDrift, _) | (_, None) => ("relative", f.size, "1".to_string()),

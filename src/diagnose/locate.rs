@@ -125,6 +125,36 @@ pub fn unseen(model: &Model, base: &Fit) -> Option<String> {
     Some(format!("the recording does not show {} apart", names.join(" and ")))
 }
 
+/// Samples that are too few to tell anything, beside two for each fitted unknown.
+const FEW: usize = 10;
+/// Share of an output's spread that a model must leave for it to say nothing of the output.
+const NOTHING: f64 = 0.99;
+
+/// What makes a recording too poor to tell anything: too few samples, or an output that never moves.
+pub fn poor(model: &Model, bench: &Bench, base: &Fit) -> Option<String> {
+    let samples: usize = base.records.iter().flat_map(|r| &r.series).map(|s| s.residual.len()).sum();
+    let unknowns = base.parameters.len() + base.records.iter().map(|r| r.initials.len()).sum::<usize>();
+    if samples < FEW + 2 * unknowns {
+        return Some(format!("its fitted part has {samples} samples, too few for {unknowns} unknowns"));
+    }
+    let still = model.outputs.iter().find(|o| {
+        let sizes = bench.recordings.iter().filter_map(|r| r.find(&o.name)).flat_map(|c| c.values.iter());
+        let size = sizes.filter(|v| v.is_finite()).fold(0.0, |a: f64, v| a.max(v.abs()));
+        bench.spread(&o.name) <= 1e-12 * size
+    });
+    still.map(|o| format!("{} never moves in it", o.name))
+}
+
+/// An output of which the fitted model says nothing at all.
+pub fn mute(model: &Model, bench: &Bench, base: &Fit) -> Option<String> {
+    let mut pairs = model.outputs.iter().zip(&base.rmse);
+    let (o, _) = pairs.find(|(o, r)| **r > NOTHING * bench.spread(&o.name))?;
+    Some(format!(
+        "the fitted model says nothing of {}: start its parameters nearer to the instrument's",
+        o.name
+    ))
+}
+
 /// An input with no more than two levels in the fitted part and others in the held-out part, where the
 /// model with all that was found fails: any law of that input fits alike.
 pub fn starved(

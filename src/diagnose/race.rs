@@ -63,7 +63,7 @@ pub fn run(
         last.filter(|(i, h)| *i < LAST.0 || fall(&h.1) >= FAIR * largest).map(|(_, h)| h).collect();
     last.into_par_iter()
         .with_max_len(1)
-        .filter_map(|(s, f)| Some(((*s).clone(), to_the_end(bench, f)?)))
+        .filter_map(|(s, f)| Some(((*s).clone(), to_the_end(bench, s, f)?)))
         .collect()
 }
 
@@ -84,8 +84,13 @@ fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize, tol
     fit(model, &bench.recordings, &options).ok()
 }
 
-fn to_the_end(bench: &Bench, heat: &Fit) -> Option<Fit> {
-    let mut options = bench.options(Effort::Near, bench.steps(&heat.model));
+/// A law that only replaces another has no size to start small from: it is sought from all starts.
+fn to_the_end(bench: &Bench, s: &Screened, heat: &Fit) -> Option<Fit> {
+    let mut options = if s.proposal.added.is_empty() {
+        bench.options(Effort::Full, 60)
+    } else {
+        bench.options(Effort::Near, bench.steps(&heat.model))
+    };
     options.initials = initials(heat);
     fit(&heat.model, &bench.recordings, &options).ok()
 }

@@ -151,3 +151,12 @@ fn names_and_units_steer_nothing() {
 fn ratio_of(unit: &str) -> f64 {
     gyrospec::units::Unit::parse(unit).unwrap().to_si(1.0)
 }
+
+#[test]
+fn an_output_that_never_moves_tells_nothing() {
+    let (model, mut recording) = recording(None);
+    recording.channels.iter_mut().find(|c| c.name == "position").unwrap().values.fill(0.25);
+    let d = diagnosed(&model, recording);
+    assert_ne!(d.answer.verdict, Verdict::Named, "{}", d.answer.says);
+    assert_ne!(d.answer.verdict, Verdict::NothingMissing, "{}", d.answer.says);
+}
