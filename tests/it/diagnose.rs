@@ -155,8 +155,46 @@ fn ratio_of(unit: &str) -> f64 {
 #[test]
 fn an_output_that_never_moves_tells_nothing() {
     let (model, mut recording) = recording(None);
+    for c in &mut recording.channels {
+        c.time = c.time[..200].into();
+        c.values.truncate(200);
+    }
     recording.channels.iter_mut().find(|c| c.name == "position").unwrap().values.fill(0.25);
     let d = diagnosed(&model, recording);
     assert_ne!(d.answer.verdict, Verdict::Named, "{}", d.answer.says);
     assert_ne!(d.answer.verdict, Verdict::NothingMissing, "{}", d.answer.says);
+}
+
+/// A table of trials of which the model knows an offset alone: the error goes with the square of the
+/// amplitude and the sine of twice the heading.
+#[test]
+fn the_rolling_error_is_named_in_a_table_of_trials() {
+    let model = Model::parse(
+        r#"
+        name = "no rolling error"
+        [inputs]
+        heading = { unit = "deg" }
+        roll = { unit = "deg" }
+        [parameters]
+        b = { value = 0, unit = "deg", fit = true }
+        [outputs]
+        error = { equals = "b + 0*roll*sin(heading)", unit = "deg" }
+        "#,
+    )
+    .unwrap();
+    let scatter = noise(288, 5);
+    let mut text = String::from("heading [deg],roll [deg],error [deg]\n");
+    for (i, e) in scatter.iter().enumerate() {
+        let (heading, roll) = (15.0 * (i % 24) as f64, 5.0 + 2.0 * (i / 24) as f64);
+        let error = 0.2 + 0.004 * roll * roll * (2.0 * heading.to_radians()).sin() + 0.02 * e;
+        text += &format!("{heading},{roll},{error:.5}\n");
+    }
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("t.csv"), text).unwrap();
+    let table = folder.path().join("t.toml");
+    std::fs::write(&table, "name = \"t\"\nkind = \"trials\"\n[[tables]]\nfile = \"t.csv\"\n").unwrap();
+    let d = diagnosed(&model, Recording::read(&table).unwrap());
+    assert_eq!(d.answer.verdict, Verdict::Named, "{}", d.answer.says);
+    let codes: Vec<&str> = d.answer.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!(codes, ["rectified-motion"], "{}", d.answer.says);
 }

@@ -11,6 +11,7 @@
 //! # Equation
 //! ```text
 //!     s' = … + k A lag(B, T)     (gyrosphere: A = W2, B = W1, k = P^2/(g^2 C0 H), mean by I_n)
+//!     y  = … + k a^2 sin(2 K)    (steady trials of amplitude a, or a w^2, at heading K)
 //! ```
 //!
 //! # What else looks like this
@@ -23,18 +24,18 @@
 //! The heading of a gyrocompass with an elastic suspension on irregular roll, modelled by the
 //! precession theory alone.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene, SignalKind, SiteKind};
+use super::{draft::ANY, edit, Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind};
 use crate::units::Unit;
 
 /// A slow effect of the product of two fast motions.
 pub(super) const MECHANISM: Mechanism = Mechanism::new("rectified-motion", "a slow effect of the product of two fast motions", Group::Rectified, include_str!("rectified_motion.rs"), propose);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
+    if scene.trials {
+        return steady(scene);
+    }
     let atoms = atoms(scene);
     let mut all = Vec::new();
-    if scene.trials {
-        return all;
-    }
     let pairs = pairs(scene, &atoms);
     for m in scene.motions() {
         all.extend(pairs.iter().filter_map(|(a, b)| at(scene, &m, a, b)));
@@ -43,6 +44,47 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         all.extend(pairs.iter().filter_map(|(a, b)| seen(scene, &o.name, a, b)));
     }
     all
+}
+
+/// In a table of steady trials: what goes with the square of an amplitude, or of an amplitude times the
+/// square of a frequency, and with twice the heading.
+fn steady(scene: &Scene) -> Vec<Proposal> {
+    let moving: Vec<&Signal> = scene.moving(&[SignalKind::Input, SignalKind::Channel]).collect();
+    let is_rate = |s: &&&Signal| edit::is_frequency(&s.unit);
+    let amplitudes = moving.iter().filter(|s| s.min >= 0.0 && !s.is_heading() && !is_rate(s));
+    let mut all = Vec::new();
+    for o in &scene.model.outputs {
+        for h in scene.headings() {
+            for a in amplitudes.clone() {
+                all.extend(in_trials(scene, &o.name, &h.name, (a, None)));
+                let rates = moving.iter().filter(is_rate);
+                all.extend(rates.filter_map(|w| in_trials(scene, &o.name, &h.name, (a, Some(w)))));
+            }
+        }
+    }
+    all
+}
+
+fn in_trials(scene: &Scene, output: &str, heading: &str, (a, w): (&Signal, Option<&Signal>)) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "rectified-motion", SiteKind::Output, output);
+    let (text, unit, size) = match w {
+        Some(w) => (
+            format!("({}*{}^2)", a.name, w.name),
+            a.unit.times(&w.unit.power(2.0)),
+            a.size() * w.size().powi(2),
+        ),
+        None => (a.name.clone(), a.unit.clone(), a.size()),
+    };
+    let k = d.amplitude("k_rect", &scene.unit(output).over(&unit.power(2.0)), ANY, "strength of the rectified motion");
+    for s in [Some(a), w].into_iter().flatten() {
+        d.uses(&s.name);
+    }
+    d.uses(heading);
+    let term = format!("{k}*{text}^2*sin(2*{heading})");
+    d.output(output, &format!("{{}} + {term}"));
+    d.term(&term);
+    d.start(&[scene.signal(output)?.spread / size.powi(2)]);
+    d.done(&format!("{} shows {{0}} times the square of {text} and the sine of twice {heading}: a rectified motion", scene.words(output)))
 }
 
 /// Pairs whose product may have a mean. Of two components of one motion the order makes no
