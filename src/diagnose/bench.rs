@@ -57,10 +57,7 @@ pub struct Stand {
 impl Stand {
     /// Where a fit ended.
     pub fn of(fit: &Fit) -> Self {
-        Self {
-            parameters: fit.model.parameters.iter().map(|p| p.value).collect(),
-            initials: fit.records.iter().map(|r| r.initials.clone()).collect(),
-        }
+        Self { parameters: fit.model.parameters.iter().map(|p| p.value).collect(), initials: fit.starts() }
     }
 
     /// The same for a model with parameters and states added at the end.
@@ -201,7 +198,7 @@ impl Bench {
         let recordings: Vec<Recording> = self.recordings.iter().zip(&short).map(cut).collect();
         let first = fit(model, &recordings, &self.options(Effort::Full, 60))?;
         let mut options = self.options(Effort::Near, 30);
-        options.initials = first.records.iter().map(|r| r.initials.clone()).collect();
+        options.initials = first.starts();
         fit(&first.model, &self.recordings, &options)
     }
 

@@ -123,11 +123,8 @@ impl View {
         let swift = self.response.as_ref().and_then(|r| r.tracks(bench, proposal, start));
         swift.or_else(|| {
             let records = bench.ready(&proposal.at_rest(), self.tolerance).ok()?;
-            let place =
-                |k: &usize| proposal.model.parameters.iter().position(|p| p.name == proposal.added[*k].name);
-            let wanted: Vec<usize> = proposal.amplitudes.iter().filter_map(place).collect();
-            let quiet = proposal.with_amplitudes(start, &vec![0.0; wanted.len()]);
-            bench::run(&records, &self.stand.extended(&proposal.model, &quiet), &wanted).ok()
+            let stand = self.stand.extended(&proposal.model, &proposal.quiet(start));
+            bench::run(&records, &stand, &proposal.amplitude_numbers()).ok()
         })
     }
 }

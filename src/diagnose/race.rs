@@ -50,7 +50,7 @@ pub fn run(
     sort(&mut field);
     field.truncate(SECOND);
     field.par_iter_mut().with_max_len(1).for_each(|(_, f)| {
-        let longer = walk(bench, &f.model, initials(f), HEATS[1], view.tolerance);
+        let longer = walk(bench, &f.model, f.starts(), HEATS[1], view.tolerance);
         if let Some(longer) = longer.filter(|l| l.sum_of_squares < f.sum_of_squares) {
             *f = longer;
         }
@@ -71,10 +71,6 @@ fn sort(field: &mut [Runner<'_>]) {
     field.sort_by(|a, b| a.1.sum_of_squares.total_cmp(&b.1.sum_of_squares));
 }
 
-fn initials(fit: &Fit) -> Vec<Vec<f64>> {
-    fit.records.iter().map(|r| r.initials.clone()).collect()
-}
-
 /// A few rough steps.
 fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize, tolerance: f64) -> Option<Fit> {
     let mut options = bench.options(Effort::Near, steps);
@@ -91,6 +87,6 @@ fn to_the_end(bench: &Bench, s: &Screened, heat: &Fit) -> Option<Fit> {
     } else {
         bench.options(Effort::Near, bench.steps(&heat.model))
     };
-    options.initials = initials(heat);
+    options.initials = heat.starts();
     fit(&heat.model, &bench.recordings, &options).ok()
 }

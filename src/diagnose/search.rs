@@ -184,7 +184,7 @@ pub fn without(bench: &Bench, last: &Fit, p: &Proposal) -> Option<Fit> {
         parameter.value = *value;
     }
     let mut options = bench.options(Effort::Near, bench.steps(&model));
-    options.initials = last.records.iter().map(|r| r.initials.clone()).collect();
+    options.initials = last.starts();
     fit(&model, &bench.recordings, &options).ok()
 }
 

@@ -100,6 +100,17 @@ impl Proposal {
         }
     }
 
+    /// Numbers of its amplitudes among the model's parameters.
+    pub fn amplitude_numbers(&self) -> Vec<usize> {
+        let number = |k: &usize| self.model.parameters.iter().position(|p| p.name == self.added[*k].name);
+        self.amplitudes.iter().filter_map(number).collect()
+    }
+
+    /// A start with its amplitudes at zero.
+    pub fn quiet(&self, start: &[f64]) -> Vec<f64> {
+        self.with_amplitudes(start, &vec![0.0; self.amplitudes.len()])
+    }
+
     /// A start with its amplitudes at given values.
     pub fn with_amplitudes(&self, start: &[f64], values: &[f64]) -> Vec<f64> {
         let mut all = start.to_vec();
@@ -363,7 +374,7 @@ impl<'a> Draft<'a> {
 fn neutral(p: &Proposal) -> Option<Vec<f64>> {
     let start = p.starts.first()?;
     if !p.amplitudes.is_empty() {
-        return Some(p.with_amplitudes(start, &vec![0.0; p.amplitudes.len()]));
+        return Some(p.quiet(start));
     }
     let at_rest = |l: &Limits| match *l {
         (0.0, _) => Some(0.0),

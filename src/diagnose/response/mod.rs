@@ -74,14 +74,12 @@ impl Response {
                 .iter()
                 .zip(&self.model.states)
                 .all(|(a, b)| a.name == b.name && a.initial == b.initial);
-        let place = |k: &usize| p.parameters.iter().position(|q| q.name == proposal.added[*k].name);
-        let wanted: Vec<usize> = proposal.amplitudes.iter().filter_map(place).collect();
+        let wanted = proposal.amplitude_numbers();
         if !same || wanted.len() != proposal.amplitudes.len() {
             return None;
         }
         let (terms, sites) = self.terms(proposal)?;
-        let quiet = proposal.with_amplitudes(start, &vec![0.0; wanted.len()]);
-        let stand = self.stand.extended(p, &quiet);
+        let stand = self.stand.extended(p, &proposal.quiet(start));
         let mut all = Vec::new();
         for along in &self.runs {
             let initials = vec![f64::NAN; terms.states.len()];
@@ -233,11 +231,8 @@ mod tests {
             let start = p.starts.last().unwrap();
             let Some(swift) = response.tracks(&bench, &p, start) else { continue };
             let records = bench.ready(&p.at_rest(), 1e-5).unwrap();
-            let place =
-                |k: &usize| p.model.parameters.iter().position(|q| q.name == p.added[*k].name).unwrap();
-            let wanted: Vec<usize> = p.amplitudes.iter().map(place).collect();
-            let quiet = p.with_amplitudes(start, &vec![0.0; wanted.len()]);
-            let slow = bench::run(&records, &stand.extended(&p.model, &quiet), &wanted).unwrap();
+            let quiet = stand.extended(&p.model, &p.quiet(start));
+            let slow = bench::run(&records, &quiet, &p.amplitude_numbers()).unwrap();
             for (a, b) in swift.iter().zip(&slow) {
                 for (x, y) in a.sensitivities.iter().zip(&b.sensitivities) {
                     let square = |v: &mut dyn Iterator<Item = f64>| v.map(|d| d * d).sum::<f64>();

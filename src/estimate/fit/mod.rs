@@ -48,7 +48,7 @@ pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) ->
         let finer = FitOptions {
             tolerance: wanted.max(FINEST),
             effort: Effort::Near,
-            initials: fitted.records.iter().map(|r| r.initials.clone()).collect(),
+            initials: fitted.starts(),
             ..options.clone()
         };
         let coarse = fitted;

@@ -175,6 +175,13 @@ pub struct Fit {
     pub simulations: usize,
 }
 
+impl Fit {
+    /// Where all states start, a list a recording; NaN where the simulator finds the start.
+    pub fn starts(&self) -> Vec<Vec<f64>> {
+        self.records.iter().map(|r| r.initials.clone()).collect()
+    }
+}
+
 /// One output over all held-out parts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeldOut {
