@@ -4,14 +4,14 @@ use super::output::print;
 use super::progress::Meter;
 use super::{Outcome, warn};
 use crate::diagnose::answer::Answer;
-use crate::diagnose::laboratory::{self, Case, Scenario};
+use crate::diagnose::laboratory::{self, Case, Draw, Kind, Scenario};
 use crate::estimate::fit::Progress;
 use crate::model::Model;
 use crate::record::Recording;
 use crate::{Error, ErrorKind, Result};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 const HELP: &str = "\
 Examples:
@@ -33,6 +33,12 @@ pub struct Call {
     /// Seed of all that is drawn.
     #[arg(long, default_value_t = 1)]
     seed: u64,
+    /// Conceal only this: none, one, two or outside.
+    #[arg(long, value_parser = kind)]
+    only: Option<Kind>,
+    /// Keep recordings, models and the truth in this folder, which must be new or empty.
+    #[arg(long)]
+    keep: Option<PathBuf>,
 }
 
 pub fn run(call: &Call) -> Result<Outcome> {
@@ -43,10 +49,13 @@ pub fn run(call: &Call) -> Result<Outcome> {
         (Some(_), None) => return Err(Error::usage("give the recording whose inputs drive the model")),
         _ => Scenario::axis(call.seed)?,
     };
-    let folder = tempfile::tempdir().map_err(|e| Error::io(&std::env::temp_dir(), &e))?;
-    let cases = laboratory::make(&scenario, folder.path(), call.cases, call.seed)?;
+    let own = tempfile::tempdir().map_err(|e| Error::io(&std::env::temp_dir(), &e))?;
+    let folder = call.keep.as_deref().unwrap_or(own.path());
+    fresh(folder)?;
+    let draw = Draw { cases: call.cases, seed: call.seed, only: call.only };
+    let cases = laboratory::make(&scenario, folder, &draw)?;
     let broken = |e: serde_json::Error| Error::new(ErrorKind::NotComputed, e.to_string());
-    let sealed = folder.path().join("truth.json");
+    let sealed = folder.join("truth.json");
     let text = serde_json::to_vec_pretty(&cases).map_err(broken)?;
     std::fs::write(&sealed, &text).map_err(|e| Error::io(&sealed, &e))?;
     let seal: String = Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect();
@@ -56,7 +65,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let meter = Meter::new();
     let ended = AtomicUsize::new(0);
     let examine = |number: usize| {
-        let answer = laboratory::examine(folder.path(), number, call.seed);
+        let answer = laboratory::examine(folder, number, call.seed);
         let ended = 1 + ended.fetch_add(1, Ordering::Relaxed);
         meter.says("diagnosing", Some(ended as f64 / call.cases as f64));
         answer.map_err(|e| warn(&format!("case {number}: {e}"))).ok()
@@ -87,4 +96,19 @@ pub fn run(call: &Call) -> Result<Outcome> {
     }
     print(format!("{lines}\n{}", laboratory::tabulate(&cases, &outcomes)).as_bytes())?;
     Ok(Outcome::Done)
+}
+
+/// A folder that is there and empty.
+fn fresh(folder: &Path) -> Result<()> {
+    let broken = |e: std::io::Error| Error::io(folder, &e);
+    std::fs::create_dir_all(folder).map_err(broken)?;
+    let is_empty = std::fs::read_dir(folder).map_err(broken)?.next().is_none();
+    let full = || Error::usage(format!("{} is not empty: name a new folder", folder.display()));
+    if is_empty { Ok(()) } else { Err(full()) }
+}
+
+fn kind(word: &str) -> std::result::Result<Kind, String> {
+    let all = [Kind::None, Kind::One, Kind::Two, Kind::Outside];
+    let found = all.into_iter().find(|k| k.word() == word);
+    found.ok_or_else(|| format!("{word:?} is none of none, one, two, outside"))
 }

@@ -58,7 +58,7 @@ impl Assembly<'_> {
         let mut all = self.faults.clone();
         all.extend(findings);
         let proof = self.proof(&before, &after);
-        let verdict = proved(verdict, &proof);
+        let verdict = proved(verdict, &proof, left && self.bench.is_trials());
         let next_experiment = next::experiment(self.request.model, &self.found, verdict, blind.as_deref());
         let answer = Answer {
             schema: "gyrospec.diagnosis/1",
@@ -353,10 +353,17 @@ fn settle(verdict: Verdict, findings: &[Finding]) -> Verdict {
     }
 }
 
-/// Names that lower no held-out error for sure only resemble what is missing.
-fn proved(verdict: Verdict, proof: &[Proof]) -> Verdict {
+/// Error at levels held out over the error of the fit, in a table of trials that still holds a law, from
+/// which on the names do not reach beyond the levels that they were fitted to.
+const BEYOND: f64 = 1.5;
+
+/// Names that lower no held-out error for sure, or that miss held-out levels while a law is left, only
+/// resemble what is missing.
+fn proved(verdict: Verdict, proof: &[Proof], left_in_trials: bool) -> Verdict {
     let fails = !proof.is_empty() && proof.iter().all(|p| p.improvement_low <= 0.0);
-    if fails && matches!(verdict, Verdict::Named | Verdict::Tie) { Verdict::Unknown } else { verdict }
+    let misses = left_in_trials && proof.iter().any(|p| p.holdout_after > BEYOND * p.fit_after);
+    let named = matches!(verdict, Verdict::Named | Verdict::Tie);
+    if named && (fails || misses) { Verdict::Unknown } else { verdict }
 }
 
 fn unexplained(rest: &Rest) -> Option<Unexplained> {

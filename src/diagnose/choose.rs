@@ -14,7 +14,7 @@
 
 use super::catalogue::{self, Proposal};
 use super::measure::Measure;
-use super::search::{Refitted, Round};
+use super::search::{Refitted, Round, Taken};
 
 /// Share of all gains before that a further one must reach.
 const FURTHER: f64 = 0.2;
@@ -24,8 +24,8 @@ const ANCHORED: f64 = 0.6;
 const CHANCE: f64 = 0.01;
 /// Relative fall of the left-out root mean square below which nothing is added.
 pub const FLOOR: f64 = 0.02;
-/// Difference in log-likelihood up to which two extensions fit as well.
-const TIE: f64 = 2.0;
+/// Difference in log-likelihood up to which two extensions fit as well: odds of 20 to 1.
+const TIE: f64 = 3.0;
 /// Share of the largest free-run gain that a likelier rival must reach.
 const RIVAL: f64 = 0.75;
 /// Share of its gain by which an extension that commutes with another may differ from it.
@@ -60,6 +60,18 @@ pub fn is_timed_wave(p: &Proposal) -> bool {
     p.code == "periodic-force" && p.term.contains("*t)")
 }
 
+/// Whether a law was taken before at the same site on the same signals: twice, it is another law.
+pub fn is_repeated(p: &Proposal, taken: &[Taken]) -> bool {
+    let same = |t: &Proposal| t.code == p.code && t.site == p.site && t.depends == p.depends;
+    !is_anchored(p) && taken.iter().any(|t| same(&t.proposal))
+}
+
+/// Whether a law bends one that was taken before: both are laws of a same signal at the moment.
+pub fn mends(p: &Proposal, taken: &[Taken]) -> bool {
+    let own = p.law_of();
+    taken.iter().any(|t| t.proposal.law_of().iter().any(|s| own.contains(s)))
+}
+
 /// Families whose members are the same thing in a linear model with one input and one output.
 const FAMILIES: [&[&str]; 4] = [
     &["input-delay", "output-delay"],
@@ -84,12 +96,11 @@ pub struct Choice {
 }
 
 /// Takes the likeliest of those whose gain is near the largest; with its ties.
-pub fn choose(round: &Round, now: &Measure, before: f64) -> Option<Choice> {
-    let floor = floor(before);
+pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let gain = |now: &Measure, r: &Refitted| {
         gain(now, &r.measure) * if is_anchored(&r.proposal) { ANCHORED } else { 1.0 }
     };
-    let passes = |r: &Refitted| r.p_value < CHANCE && gain(now, r) > floor && !r.is_pressed();
+    let passes = |r: &Refitted| r.p_value < CHANCE && gain(now, r) > r.floor && !r.is_pressed();
     let largest = round.fitted.iter().filter(|r| passes(r)).map(|r| gain(now, r)).fold(0.0, f64::max);
     let rivals: Vec<usize> = (0..round.fitted.len())
         .filter(|i| passes(&round.fitted[*i]) && gain(now, &round.fitted[*i]) >= RIVAL * largest)

@@ -17,7 +17,8 @@
 use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
 use super::response::Response;
-use super::screen::{Score, Screen};
+use super::screen::{Score, Screen, log_chance};
+use super::search::Taken;
 
 use crate::Result;
 use crate::estimate::Fit;
@@ -38,6 +39,12 @@ const LIKELY: f64 = 5.0;
 
 /// Times that a fit may lower ln Σe² by more than its direction foretells: shapes adapt in the fit.
 const HOPE: f64 = 4.0;
+
+/// Corrected chance of the largest score above which nothing is seen.
+const QUIET: f64 = 0.01;
+
+/// Proposals that may be the last, at most.
+const LAST: usize = 8;
 
 /// Proposals of one code that are fitted, and those with the same signals among them.
 const OF_CODE: usize = 5;
@@ -85,7 +92,7 @@ pub struct View {
     /// Tracks of the model itself.
     pub tracks: Vec<Track>,
     /// Its response to small forces, where it can be found without simulations.
-    response: Option<Response>,
+    pub response: Option<Response>,
 }
 
 impl View {
@@ -147,12 +154,13 @@ fn own_tracks(fit: &Fit, plain: &[Track]) -> Vec<Track> {
         .collect()
 }
 
-/// Scores every proposal of the catalogue.
-pub fn screen(bench: &Bench, scene: &Scene, view: &View) -> Screening {
+/// Scores every proposal of the catalogue that was not taken before.
+pub fn screen(bench: &Bench, scene: &Scene, view: &View, taken: &[Taken]) -> Screening {
     let mut proposals: Vec<Proposal> = catalogue::ALL.iter().flat_map(|m| (m.propose)(scene)).collect();
     if bench.separate || bench.recordings.len() > 1 {
         proposals.retain(|p| !super::choose::is_anchored(p));
     }
+    proposals.retain(|p| !super::choose::is_repeated(p, taken));
     let scored: Vec<Vec<Screened>> =
         proposals.into_par_iter().with_max_len(1).map(|p| score_starts(bench, &p, view)).collect();
     let all: Vec<&Score> = scored.iter().flatten().map(|s| &s.score).collect();
@@ -162,6 +170,26 @@ pub fn screen(bench: &Bench, scene: &Scene, view: &View) -> Screening {
     let mut free: Vec<Screened> = scored.iter().filter_map(|l| best(l, &|s| s.explained)).collect();
     free.sort_by(|a, b| b.explained.total_cmp(&a.explained));
     Screening { screened, free, p_value }
+}
+
+impl Screening {
+    /// Whether one of the best proposals alone would leave nothing that another one sees, to first order.
+    pub fn ends_with_one(&self, view: &View) -> bool {
+        let leaves_nothing = |best: &Screened| {
+            let along = |d: &[f32], e: &[f64]| d.iter().zip(e).map(|(d, e)| f64::from(*d) * e).sum::<f64>();
+            let own = &best.score.direction;
+            let mut rest = view.screen.residual.clone();
+            let size = along(own, &rest);
+            rest.iter_mut().zip(own).for_each(|(e, d)| *e -= size * f64::from(*d));
+            let largest = self.screened.iter().map(|s| along(&s.score.direction, &rest).powi(2));
+            let largest = largest.fold(0.0, f64::max);
+            self.screened.len() as f64 * log_chance(largest, 1).exp() > QUIET
+        };
+        let e = &view.screen.residual;
+        let follows = e.windows(2).map(|w| w[0] * w[1]).sum::<f64>().abs() > 3.0 * (e.len() as f64).sqrt();
+        // Residuals that follow one another, as in trials in a row, make chances that are too small.
+        !follows && self.p_value < QUIET && self.screened.iter().take(LAST).any(leaves_nothing)
+    }
 }
 
 /// The start that is best by some figure, with the next ones.

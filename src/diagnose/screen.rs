@@ -205,6 +205,17 @@ pub struct Solved {
 }
 
 impl Screen {
+    /// Share of the residual's square that given weights of the directions leave, the fitted unknowns
+    /// free to follow.
+    pub fn left(&self, directions: &[Vec<f64>], weights: &[f64]) -> f64 {
+        let mut rest = self.residual.clone();
+        for (d, w) in directions.iter().zip(weights) {
+            rest.iter_mut().zip(d).for_each(|(e, d)| *e -= w * d);
+        }
+        remove(&mut rest, &self.basis);
+        dot(&rest, &rest) / dot(&self.residual, &self.residual).max(f64::MIN_POSITIVE)
+    }
+
     /// Scores directions together; those that the others contain are left out.
     pub fn solve(&self, directions: &[Vec<f64>]) -> Option<Solved> {
         let mut kept: Vec<usize> = Vec::new();

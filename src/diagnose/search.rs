@@ -16,7 +16,7 @@
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::{Choice, FLOOR, choose, floor, gain};
+use super::choose::{Choice, FLOOR, choose, floor, gain, mends};
 use super::measure::{Measure, Scale};
 use super::propose::{Screening, View, screen, worth_fitting};
 use super::race;
@@ -40,6 +40,8 @@ pub struct Refitted {
     pub measure: Measure,
     /// Chance of its likelihood ratio after correction.
     pub p_value: f64,
+    /// The gain that it must reach.
+    pub floor: f64,
 }
 
 impl Refitted {
@@ -104,6 +106,8 @@ struct State<'a> {
     scale: &'a Scale,
     /// Gains of what was taken before.
     gains: f64,
+    /// What was taken before.
+    taken: &'a [Taken],
     /// Whether no more may be added, so that it only looks.
     is_last: bool,
 }
@@ -112,11 +116,13 @@ fn round(bench: &Bench, current: &Fit, state: &State<'_>, given: &[f64]) -> Resu
     let view = View::of(bench, current)?;
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
-    let screening = screen(bench, &scene, &view);
-    let State { now, scale, gains, is_last } = state;
+    let State { now, scale, gains, taken, is_last } = state;
+    let screening = screen(bench, &scene, &view, taken);
     let tried = screening.screened.len().max(1) as f64;
     let most = if *is_last { 0 } else { bench.patience(&current.model) };
-    let chosen = worth_fitting(&screening, most, floor(*gains));
+    // A last small one may follow a large one where it would leave nothing else.
+    let least = if screening.ends_with_one(&view) { floor(0.0) } else { floor(*gains) };
+    let chosen = worth_fitting(&screening, most, least);
     let finished = race::run(bench, current, &view, given, &chosen);
     let mut fitted: Vec<Refitted> = finished
         .into_par_iter()
@@ -124,7 +130,8 @@ fn round(bench: &Bench, current: &Fit, state: &State<'_>, given: &[f64]) -> Resu
             let measure = Measure::of(&fit, scale);
             let ratio = 2.0 * (measure.likelihood - now.likelihood);
             let p_value = (tried * log_chance(ratio, s.proposal.added.len()).exp()).min(1.0);
-            Refitted { proposal: s.proposal, fit, measure, p_value }
+            let floor = if mends(&s.proposal, taken) { floor(*gains) } else { least };
+            Refitted { proposal: s.proposal, fit, measure, p_value, floor }
         })
         .collect();
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
@@ -146,10 +153,10 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
         progress.says(&format!("trying the catalogue, {} found", taken.len()), None);
         let scale = Scale::of(&current, bench.is_trials());
         let now = Measure::of(&current, &scale);
-        let state = State { now: &now, scale: &scale, gains, is_last: taken.len() >= MOST };
+        let state = State { now: &now, scale: &scale, gains, taken: &taken, is_last: taken.len() >= MOST };
         let mut round = round(bench, &current, &state, &given)?;
         trace(&round, &now);
-        let Some(Choice { best, ties, elsewhere }) = choose(&round, &now, gains) else {
+        let Some(Choice { best, ties, elsewhere }) = choose(&round, &now) else {
             let rest = round.screening;
             let (first, rest) = match first {
                 Some(f) => (f, rest),

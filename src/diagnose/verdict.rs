@@ -6,14 +6,13 @@ use super::search::Found;
 
 /// Chance below which what is left counts as a law.
 const LEFT_CHANCE: f64 = 0.01;
-/// Share of the whitened residual's square that it must explain.
+/// Share of the residual's square, whitened or not, that it must explain.
 const LEFT_SHARE: f64 = 0.03;
 /// Chance of the first screening's largest score, corrected, from which on something is surely missing.
 const SURE: f64 = 1e-3;
-/// Left-over gain over the gain of the names from which on the names only resemble.
-const RESEMBLES: f64 = 0.5;
-/// Share of the squared free-run error that names must leave at most where a law is left as well.
-const UNNAMED: f64 = 1.0 / 3.0;
+/// Share of all that names and a law could explain together from which on, left to the law, the names
+/// only resemble.
+const RESEMBLES: f64 = 0.2;
 
 /// What decides.
 pub struct Evidence<'a> {
@@ -31,20 +30,17 @@ impl Evidence<'_> {
     /// Whether something is left that goes with a signal.
     pub fn is_left(&self) -> bool {
         let best = self.rest.laws.first();
-        self.rest.p_value < LEFT_CHANCE && best.is_some_and(|l| l.explained > LEFT_SHARE)
+        self.rest.p_value < LEFT_CHANCE && best.is_some_and(|l| l.explained.max(l.lowers) > LEFT_SHARE)
     }
 
-    /// Whether what is left outweighs what was named: by the fall of the squared error that a law of it
-    /// would bring, as logarithms, or because the names explain too little.
+    /// Whether the names leave too much to a law that no name has. With ρ the share of the squared error
+    /// that the names leave and λ the part of it that the law takes away, the law has λρ/(1 − ρ + λρ) of
+    /// all that is explained.
     fn outweighs(&self) -> bool {
-        let left = self.rest.laws.first().map_or(0.0, |l| -(1.0 - l.explained.min(0.999)).ln());
-        self.is_left() && (left > RESEMBLES * self.found.gain() || self.unnamed() > UNNAMED)
-    }
-
-    /// Share of the squared free-run error that the names leave, in the output where it is smallest.
-    fn unnamed(&self) -> f64 {
-        let pairs = self.found.last.rmse.iter().zip(&self.found.base.rmse);
-        pairs.map(|(after, before)| (after / before).powi(2)).fold(f64::INFINITY, f64::min)
+        let lowers = self.rest.laws.first().map_or(0.0, |l| l.lowers);
+        let left = lowers * (-self.found.gain()).exp();
+        let named = 1.0 - (-self.found.gain()).exp();
+        self.is_left() && left > RESEMBLES * (named + left)
     }
 
     /// The verdict.

@@ -74,6 +74,28 @@ fn a_complete_model_lacks_nothing_under_coloured_noise() {
     assert!(d.answer.findings.is_empty() && !d.answer.detection.smallest_visible.is_empty());
 }
 
+/// Waves in position follow such a law in part: they must not pass for it.
+#[test]
+fn a_law_of_two_signals_outside_the_catalogue_is_unknown() {
+    let (model, recording) = recording(Some("3*sin(50*q)*(v/0.3)^2"));
+    let d = diagnosed(&model, recording);
+    assert_eq!(d.answer.verdict, Verdict::Unknown, "{}", d.answer.says);
+    let left = d.answer.unexplained.unwrap();
+    assert_eq!(left.signal, "q, v");
+    assert!(left.p_value < 1e-6, "{left:?}");
+}
+
+/// A second effect a tenth as large as the first is found too, where nothing is left after it.
+#[test]
+fn a_small_second_effect_is_found_beside_a_large_one() {
+    let (model, recording) = recording(Some("(4000*q^3 + 0.25*sign(v))"));
+    let d = diagnosed(&model, recording);
+    let codes: Vec<&str> = d.answer.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!(codes, ["cubic-stiffness", "dry-friction"], "{}", d.answer.says);
+    let friction = &d.answer.findings[1].parameters[0];
+    assert!((friction.value - 0.25).abs() < 0.08, "{friction:?}");
+}
+
 #[test]
 fn a_stuck_sensor_is_a_fault_and_no_physics() {
     let (model, mut recording) = recording(None);

@@ -91,6 +91,17 @@ impl Proposal {
         model
     }
 
+    /// States and inputs in its term; none where the term remembers their past.
+    pub fn law_of(&self) -> Vec<String> {
+        let Ok(term) = Expr::parse(&self.term) else { return Vec::new() };
+        if edit::find(&term, &|e| matches!(e, Expr::Call(f, _) if f.has_memory())).is_some() {
+            return Vec::new();
+        }
+        let inputs = self.model.inputs.iter().map(|i| &i.name);
+        let signals = self.model.states.iter().map(|s| &s.name).chain(inputs);
+        signals.filter(|s| term.mentions(s)).cloned().collect()
+    }
+
     /// Whether its effect is a single force that may have one sign alone.
     pub fn is_one_sided(&self) -> bool {
         match self.amplitudes.as_slice() {

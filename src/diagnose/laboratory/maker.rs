@@ -64,6 +64,48 @@ pub struct Case {
     pub correlation: f64,
 }
 
+/// Lag-one correlations of the noise.
+pub(super) const CORRELATIONS: [f64; 3] = [0.0, 0.9, 0.98];
+
+/// What is concealed in ten cases in turn, where all kinds are made.
+const MIXED: [&str; 10] = ["none", "one", "one", "one", "outside", "none", "one", "one", "two", "outside"];
+
+/// What a case conceals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Nothing.
+    None,
+    /// One mechanism of the catalogue.
+    One,
+    /// Two.
+    Two,
+    /// A law that the catalogue does not have.
+    Outside,
+}
+
+impl Kind {
+    /// Its word in the truth and on the command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::None => "none",
+            Self::One => "one",
+            Self::Two => "two",
+            Self::Outside => "outside",
+        }
+    }
+}
+
+/// What is drawn.
+#[derive(Debug, Clone, Copy)]
+pub struct Draw {
+    /// How many recordings.
+    pub cases: usize,
+    /// Seed.
+    pub seed: u64,
+    /// Only this kind; all kinds where `None`.
+    pub only: Option<Kind>,
+}
+
 /// A model with a recording whose inputs are used.
 pub struct Scenario {
     /// The model, at its true values.
@@ -119,7 +161,8 @@ impl Scenario {
 ///
 /// # Errors
 /// Where the scenario cannot be simulated or files cannot be written.
-pub fn make(scenario: &Scenario, folder: &Path, cases: usize, seed: u64) -> Result<Vec<Case>> {
+pub fn make(scenario: &Scenario, folder: &Path, draw: &Draw) -> Result<Vec<Case>> {
+    let seed = draw.seed;
     let bench = Bench::new(&scenario.model, vec![scenario.recording.clone()], false, seed);
     let records = &scenario.recording;
     let initials: Vec<f64> = scenario
@@ -134,7 +177,7 @@ pub fn make(scenario: &Scenario, folder: &Path, cases: usize, seed: u64) -> Resu
     };
     let scene = bench.scene(&scenario.model, &stand)?;
     let plain = simulated(&scenario.model, records)?;
-    (0..cases).map(|i| one(scenario, &scene, &plain, folder, (i, seed))).collect()
+    (0..draw.cases).map(|i| one(scenario, &scene, &plain, folder, (i, draw))).collect()
 }
 
 fn times(model: &Model, recording: &Recording) -> Result<Vec<f64>> {
@@ -153,18 +196,17 @@ fn one(
     scene: &Scene,
     plain: &[Vec<f64>],
     folder: &Path,
-    which: (usize, u64),
+    (number, draw): (usize, &Draw),
 ) -> Result<Case> {
-    let (number, seed) = which;
-    let mut rng = ChaCha8Rng::seed_from_u64(seed.wrapping_mul(1_000_003).wrapping_add(number as u64));
-    let kind = ["none", "one", "one", "one", "outside", "none", "one", "one", "two", "outside"][number % 10];
+    let mut rng = ChaCha8Rng::seed_from_u64(draw.seed.wrapping_mul(1_000_003).wrapping_add(number as u64));
+    let kind = draw.only.map_or(MIXED[number % 10], Kind::word);
     let mut case = Case {
         number,
         kind: kind.into(),
         codes: Vec::new(),
         values: Vec::new(),
         size: [1.0, 3.0, 10.0][rng.random_range(0..3)],
-        correlation: [0.0, 0.9, 0.98][rng.random_range(0..3)],
+        correlation: CORRELATIONS[rng.random_range(0..3)],
     };
     let mut y = plain.to_vec();
     for _ in 0..20 {
@@ -207,12 +249,13 @@ fn conceal(model: &Model, scene: &Scene, case: &mut Case, rng: &mut ChaCha8Rng) 
     let start = &p.starts[rng.random_range(0..p.starts.len().min(3))];
     let scale: f64 = rng.random_range(0.1..0.4);
     let mut made = p.model.clone();
+    let first_is_larger: bool = rng.random();
     for (i, a) in p.added.iter().enumerate() {
-        // Amplitudes of one mechanism differ, so that it is not a simpler one in disguise.
-        let factor = if p.amplitudes.contains(&i) {
-            scale * rng.random_range(0.5..1.5)
-        } else {
-            rng.random_range(0.9..1.1)
+        let factor = match p.amplitudes.iter().position(|k| *k == i) {
+            // Two amplitudes differ by half at least, so that it is not a simpler mechanism in disguise.
+            Some(k) if (k % 2 == 0) == first_is_larger => scale * rng.random_range(1.2..1.5),
+            Some(_) => scale * rng.random_range(0.5..0.8),
+            None => rng.random_range(0.9..1.1),
         };
         let value = start[i] * factor;
         case.values.push((a.name.clone(), a.unit.difference_from_si(value)));

@@ -17,7 +17,7 @@ mod maker;
 mod stepper;
 mod table;
 
-pub use maker::{Case, Scenario, make};
+pub use maker::{Case, Draw, Kind, Scenario, make};
 pub use stepper::Stepper;
 pub use table::{Outcome, tabulate};
 

@@ -1,6 +1,6 @@
 //! The laboratory's tables.
 
-use super::maker::Case;
+use super::maker::{CORRELATIONS, Case};
 use crate::diagnose::answer::Verdict;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -36,6 +36,11 @@ pub fn tabulate(cases: &[Case], outcomes: &[Outcome]) -> String {
     let mut text = String::new();
     let alarm = count("none", &|_, o| o.verdict != Verdict::NothingMissing);
     let _ = writeln!(text, "nothing concealed: false alarms    {alarm}");
+    for r in CORRELATIONS {
+        let own: Vec<_> = pairs.iter().filter(|(c, _)| c.kind == "none" && c.correlation == r).collect();
+        let alarms = own.iter().filter(|(_, o)| o.verdict != Verdict::NothingMissing).count();
+        let _ = writeln!(text, "                   noise of {r:<9} {}", share(alarms, own.len()));
+    }
     let _ =
         writeln!(text, "one concealed:     named           {}", count("one", &|_, o| o.claims && o.right));
     let _ =

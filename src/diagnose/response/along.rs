@@ -107,6 +107,13 @@ impl Along {
         x
     }
 
+    /// The values of signals at every time; `None` where one has gaps.
+    pub fn values(&self, signals: &[&str]) -> Option<Vec<Vec<f64>>> {
+        let channels: Option<Vec<_>> = signals.iter().map(|s| self.recording.channel(s).ok()).collect();
+        let channels = channels?;
+        self.time.iter().map(|t| channels.iter().map(|c| c.value_at(*t)).collect()).collect()
+    }
+
     /// The moves, amplitude by amplitude, read at the tracks' own times.
     pub fn on_tracks(&self, moved: &[Vec<f64>]) -> Vec<Track> {
         let count = self.time.len();

@@ -35,6 +35,9 @@ use std::sync::Arc;
 /// States at most.
 const STATES: usize = 12;
 
+/// Changes of rates and outputs: site by site, amplitude by amplitude, in time.
+type Changes = Vec<Vec<Vec<f64>>>;
+
 /// A fitted model along its own run on the screened parts of all recordings.
 pub struct Response {
     model: Model,
@@ -66,42 +69,74 @@ impl Response {
 
     /// The tracks of the screened parts with sensitivities to a proposal's amplitudes at rest.
     pub fn tracks(&self, bench: &Bench, proposal: &Proposal, start: &[f64]) -> Option<Vec<Track>> {
-        let n = self.model.states.len();
-        let p = &proposal.model;
-        let same = p.states.len() >= n
-            && p.outputs.len() == self.model.outputs.len()
-            && p.states
-                .iter()
-                .zip(&self.model.states)
-                .all(|(a, b)| a.name == b.name && a.initial == b.initial);
-        let wanted = proposal.amplitude_numbers();
-        if !same || wanted.len() != proposal.amplitudes.len() {
-            return None;
-        }
-        let (terms, sites) = self.terms(proposal)?;
-        let stand = self.stand.extended(p, &proposal.quiet(start));
         let mut all = Vec::new();
-        for along in &self.runs {
-            let initials = vec![f64::NAN; terms.states.len()];
-            let place = (&stand.parameters[..], &initials[..]);
-            let run = look(
-                bench,
-                (&terms, &along.recording, along.number),
-                &along.time,
-                self.tolerance,
-                place,
-                &wanted,
-            )?;
-            let moved: Vec<Vec<f64>> = (0..wanted.len())
+        let (looks, sites) = self.looks(bench, proposal, start)?;
+        for (along, seen) in self.runs.iter().zip(&looks) {
+            let moved: Vec<Vec<f64>> = (0..proposal.amplitudes.len())
                 .map(|a| {
                     let column: Vec<(Site, &[f64])> =
-                        sites.iter().zip(&run.sensitivities).map(|(s, c)| (*s, &c[a][..])).collect();
+                        sites.iter().zip(seen).map(|(s, c)| (*s, &c[a][..])).collect();
                     along.propagate(&self.model, &column)
                 })
                 .collect();
             all.extend(along.on_tracks(&moved));
         }
         Some(all)
+    }
+
+    /// The same for a proposal with one amplitude times each of some shapes, functions of the values of
+    /// signals: one sensitivity a shape.
+    pub fn shaped(
+        &self,
+        bench: &Bench,
+        push: &Proposal,
+        signals: &[&str],
+        shapes: &dyn Fn(&[f64]) -> Vec<f64>,
+    ) -> Option<Vec<Track>> {
+        let mut all = Vec::new();
+        let (looks, sites) = self.looks(bench, push, push.starts.first()?)?;
+        for (along, seen) in self.runs.iter().zip(&looks) {
+            let values: Vec<Vec<f64>> = along.values(signals)?.iter().map(|x| shapes(x)).collect();
+            let moved: Vec<Vec<f64>> = (0..values.first()?.len())
+                .map(|k| {
+                    let times = |c: &[f64]| c.iter().zip(&values).map(|(g, s)| g * s[k]).collect();
+                    let shaped: Vec<Vec<f64>> = seen.iter().map(|c| times(&c[0])).collect();
+                    let column: Vec<(Site, &[f64])> =
+                        sites.iter().zip(&shaped).map(|(s, c)| (*s, &c[..])).collect();
+                    along.propagate(&self.model, &column)
+                })
+                .collect();
+            all.extend(along.on_tracks(&moved));
+        }
+        Some(all)
+    }
+
+    /// What a proposal's amplitudes at rest change, site by site and amplitude by amplitude, along every
+    /// run; with the sites.
+    fn looks(&self, bench: &Bench, proposal: &Proposal, start: &[f64]) -> Option<(Vec<Changes>, Vec<Site>)> {
+        let p = &proposal.model;
+        let wanted = proposal.amplitude_numbers();
+        if !self.has_its_states(p) || wanted.len() != proposal.amplitudes.len() {
+            return None;
+        }
+        let (terms, sites) = self.terms(proposal)?;
+        let stand = self.stand.extended(p, &proposal.quiet(start));
+        let initials = vec![f64::NAN; terms.states.len()];
+        let place = (&stand.parameters[..], &initials[..]);
+        let one = |along: &Along| {
+            let to = (&terms, &along.recording, along.number);
+            look(bench, to, &along.time, self.tolerance, place, &wanted).map(|run| run.sensitivities)
+        };
+        let looks: Option<Vec<Changes>> = self.runs.iter().map(one).collect();
+        Some((looks?, sites))
+    }
+
+    /// Whether a model has the states of this one, and starts them alike.
+    fn has_its_states(&self, p: &Model) -> bool {
+        let mut pairs = p.states.iter().zip(&self.model.states);
+        p.states.len() >= self.model.states.len()
+            && p.outputs.len() == self.model.outputs.len()
+            && pairs.all(|(a, b)| a.name == b.name && a.initial == b.initial)
     }
 
     /// The model of a proposal's own rates and outputs with the states as inputs: those that it changes.

@@ -1,0 +1,107 @@
+//! What is left: a flexible law of one signal or of two, at each site.
+//!
+//! # Purpose
+//! Say whether a model leaves anything that goes with its signals, whatever its form, and show that
+//! form. It tells a complete model from one that is incomplete in a way that no name fits.
+//!
+//! # Method
+//! At each site a sum of hat functions of a signal, of products of powers of two signals, or a surface
+//! of hats over both, is scored like a mechanism of many amplitudes. The chance of the largest score
+//! counts for all of them.
+//!
+//! # References
+//! S. F. Masri, T. K. Caughey, J. Appl. Mech. 46 (1979) 433 (the restoring-force surface).
+
+mod laws;
+mod surface;
+
+use super::bench::{Bench, Track};
+use super::catalogue::{Scene, Site};
+use super::propose::View;
+use super::screen::{Score, Screen};
+use rayon::prelude::*;
+
+/// A flexible law at a site, scored.
+pub struct Law {
+    /// The state or output that it acts on.
+    pub site: Site,
+    /// The signals that it depends on.
+    pub signals: Vec<String>,
+    /// Its score.
+    pub score: Score,
+    /// Places of the hats along the first signal, SI; empty for products.
+    pub places: Vec<f64>,
+    /// The weights there, SI.
+    pub weights: Vec<f64>,
+    /// Standard deviations of the weights.
+    pub deviations: Vec<f64>,
+    /// Share of the whitened residual's square that it explains.
+    pub explained: f64,
+    /// Share of the free-run residual's square that it takes away.
+    pub lowers: f64,
+}
+
+/// All flexible laws, best first, with the chance of the best.
+pub struct Rest {
+    /// The laws.
+    pub laws: Vec<Law>,
+    /// Chance that the best is noise.
+    pub p_value: f64,
+}
+
+impl Rest {
+    /// Tells the developer, where GYROSPEC_TRACE is set.
+    pub fn trace(&self, when: &str) {
+        if std::env::var_os("GYROSPEC_TRACE").is_some() {
+            #[allow(clippy::print_stderr)]
+            for l in self.laws.iter().take(5) {
+                eprintln!(
+                    "rest {when}: p {:.3} s {:.2} chi2 {:.1}/{} explained {:.4} {} {:?}",
+                    self.p_value,
+                    l.score.statistic,
+                    l.score.chi2,
+                    l.score.degrees,
+                    l.explained,
+                    l.site.name,
+                    l.signals
+                );
+            }
+        }
+    }
+}
+
+/// Looks for any law in what a model leaves.
+pub fn look(bench: &Bench, scene: &Scene, view: &View) -> Rest {
+    let simple = laws::all(scene).into_par_iter().with_max_len(1).filter_map(|(p, places)| {
+        let tracks = view.at_rest(bench, &p, &p.starts[0])?;
+        law(view, &tracks, (p.site, p.depends), places)
+    });
+    let surfaces = surface::all(scene).into_par_iter().with_max_len(1).filter_map(|s| {
+        let tracks = s.tracks(bench, view)?;
+        law(view, &tracks, (s.push.site.clone(), s.signals()), Vec::new())
+    });
+    let mut laws: Vec<Law> = simple.chain(surfaces).collect();
+    let scores: Vec<&Score> = laws.iter().map(|l| &l.score).collect();
+    let p_value = Screen::p_value(&scores);
+    laws.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
+    Rest { laws, p_value }
+}
+
+fn law(view: &View, tracks: &[Track], at: (Site, Vec<String>), places: Vec<f64>) -> Option<Law> {
+    let count = tracks.first()?.sensitivities.len();
+    let directions = |space: &Screen| -> Vec<Vec<f64>> {
+        (0..count).map(|j| space.whitened(tracks, |t| &t.sensitivities[j])).collect()
+    };
+    let solved = view.screen.solve(&directions(&view.screen))?;
+    let left = view.free.left(&directions(&view.free), &solved.weights);
+    Some(Law {
+        site: at.0,
+        signals: at.1,
+        places,
+        weights: solved.weights,
+        deviations: solved.deviations,
+        explained: solved.score.chi2 / view.screen.residual.len().max(1) as f64,
+        lowers: (1.0 - left).max(0.0),
+        score: solved.score,
+    })
+}
