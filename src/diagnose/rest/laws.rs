@@ -36,16 +36,18 @@ pub(super) fn all(scene: &Scene) -> Vec<(Proposal, Vec<f64>)> {
     if scene.trials {
         all.extend(waves(scene, &signals));
     }
-    let sites = motions.iter().map(|m| (m.state.as_str(), &m.force, m.size));
-    let paired = &signals[..signals.len().min(PAIRED)];
-    for (state, unit, size) in sites {
-        for (i, a) in paired.iter().enumerate() {
-            for b in &paired[i + 1..] {
-                all.extend(products(scene, state, unit, size, (a, b)));
-            }
-        }
+    for m in &motions {
+        let pairs = pairs(&signals).into_iter();
+        all.extend(pairs.filter_map(|pair| products(scene, &m.state, &m.force, m.size, pair)));
     }
     all
+}
+
+/// Pairs of the first few signals.
+pub(super) fn pairs<'a>(signals: &[&'a Signal]) -> Vec<(&'a Signal, &'a Signal)> {
+    let paired = &signals[..signals.len().min(PAIRED)];
+    let with_later = |(i, a): (usize, &&'a Signal)| paired[i + 1..].iter().map(|b| (*a, *b)).collect();
+    paired.iter().enumerate().map(with_later).collect::<Vec<Vec<_>>>().concat()
 }
 
 fn hat(signal: &str, place: &str, width: &str) -> String {

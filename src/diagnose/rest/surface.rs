@@ -12,13 +12,10 @@
 //! # Numerical aspects
 //! At any point four products at most are not zero.
 
-use super::laws::{motion_signals, places};
+use super::laws::{motion_signals, pairs, places};
 use crate::diagnose::bench::{Bench, Track};
-use crate::diagnose::catalogue::{ANY, Draft, Proposal, Scene, Signal, SiteKind};
+use crate::diagnose::catalogue::{ANY, Draft, Motion, Proposal, Scene, Signal, SiteKind};
 use crate::diagnose::propose::View;
-
-/// Signals that are taken in pairs, at most.
-const PAIRED: usize = 4;
 
 /// Hats along a signal.
 struct Hats {
@@ -62,24 +59,21 @@ impl Surface {
 
 /// All surfaces of a scene.
 pub(super) fn all(scene: &Scene) -> Vec<Surface> {
-    let signals = motion_signals(scene);
-    let paired = &signals[..signals.len().min(PAIRED)];
-    let mut all = Vec::new();
-    for m in scene.motions() {
-        for (i, a) in paired.iter().enumerate() {
-            for b in &paired[i + 1..] {
-                let push = push(scene, &m.state, &m.force, m.size);
-                all.extend(push.map(|push| Surface { push, over: [Hats::of(a), Hats::of(b)] }));
-            }
-        }
-    }
-    all
+    let pairs = pairs(&motion_signals(scene));
+    let at = |m: &Motion| {
+        let push = push(scene, m);
+        let surface = |(a, b): &(&Signal, &Signal)| {
+            push.clone().map(|push| Surface { push, over: [Hats::of(a), Hats::of(b)] })
+        };
+        pairs.iter().filter_map(surface).collect::<Vec<_>>()
+    };
+    scene.motions().iter().flat_map(at).collect()
 }
 
-fn push(scene: &Scene, state: &str, unit: &crate::units::Unit, size: f64) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "flexible", SiteKind::State, state);
-    let a = d.amplitude("a", unit, ANY, "");
-    d.force(state, &a);
-    d.start(&[size]);
+fn push(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "flexible", SiteKind::State, &m.state);
+    let a = d.amplitude("a", &m.force, ANY, "");
+    d.force(&m.state, &a);
+    d.start(&[m.size]);
     d.done("")
 }
