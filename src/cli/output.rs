@@ -10,18 +10,26 @@ use std::sync::{Mutex, Once, PoisonError};
 static UNDER_WAY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A place for a result: standard output for `-`, else a file that is written beside its
-/// final name and moved there by [`Sink::finish`]; an interrupt leaves nothing behind.
+/// final name and moved there by [`Sink::finish`]; an interrupt leaves nothing behind. Links are
+/// followed, and what is no file (a device, a pipe) is written to as it stands.
 pub struct Sink {
     path: PathBuf,
-    file: Option<tempfile::NamedTempFile>,
+    place: Place,
+}
+
+enum Place {
+    StandardOutput,
+    Beside(tempfile::NamedTempFile),
+    AsItStands(std::fs::File),
 }
 
 impl Sink {
     /// Opens the place before the work starts, so that a wrong path costs no time.
     pub fn open(path: &Path) -> Result<Self> {
         if path == Path::new("-") {
-            return Ok(Self { path: path.to_owned(), file: None });
+            return Ok(Self { path: path.to_owned(), place: Place::StandardOutput });
         }
+        let path = &path.canonicalize().unwrap_or_else(|_| path.to_owned());
         let folder = match path.parent() {
             Some(p) if !p.as_os_str().is_empty() => p,
             _ => Path::new("."),
@@ -34,6 +42,10 @@ impl Sink {
                 .with_file(path)
                 .with_hint("make the folder first"));
         }
+        if path.exists() && !path.is_file() {
+            let file = std::fs::OpenOptions::new().write(true).open(path).map_err(|e| Error::io(path, &e))?;
+            return Ok(Self { path: path.to_owned(), place: Place::AsItStands(file) });
+        }
         clean_up_when_interrupted();
         let mut builder = tempfile::Builder::new();
         builder.prefix(".gyrospec-");
@@ -41,17 +53,47 @@ impl Sink {
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let file = builder.tempfile_in(folder).map_err(|e| Error::io(path, &e))?;
         under_way().push(file.path().to_owned());
-        Ok(Self { path: path.to_owned(), file: Some(file) })
+        Ok(Self { path: path.to_owned(), place: Place::Beside(file) })
     }
 
     /// Writes the whole result and puts it in place.
     pub fn finish(self, text: &[u8]) -> Result<()> {
         let path = self.path;
-        let Some(mut file) = self.file else { return print(text) };
-        file.write_all(text).map_err(|e| Error::io(&path, &e))?;
-        file.persist(&path).map_err(|e| Error::io(&path, &e.error))?;
-        Ok(())
+        let broken = |e: std::io::Error| Error::io(&path, &e);
+        match self.place {
+            Place::StandardOutput => print(text),
+            Place::AsItStands(mut file) => file.write_all(text).map_err(broken),
+            Place::Beside(mut file) => {
+                file.write_all(text).map_err(broken)?;
+                file.persist(&path).map(|_| ()).map_err(|e| broken(e.error))
+            }
+        }
     }
+}
+
+/// Refuses results that would be written over each other or over what is read.
+pub fn keep_apart<'a>(
+    results: impl IntoIterator<Item = Option<&'a PathBuf>>,
+    read: impl IntoIterator<Item = &'a PathBuf>,
+) -> Result<()> {
+    let real = |p: &PathBuf| p.canonicalize().unwrap_or_else(|_| p.clone());
+    let read: Vec<PathBuf> = read.into_iter().map(real).collect();
+    let mut written: Vec<PathBuf> = Vec::new();
+    for path in results.into_iter().flatten() {
+        let own = real(path);
+        if read.contains(&own) {
+            return Err(Error::usage("this file is read: the result would destroy it")
+                .with_file(path)
+                .with_hint("name another file for the result"));
+        }
+        if written.contains(&own) && (!own.exists() || own.is_file()) {
+            return Err(Error::usage("two results would be written to this place")
+                .with_file(path)
+                .with_hint("name a file for each"));
+        }
+        written.push(own);
+    }
+    Ok(())
 }
 
 fn under_way() -> std::sync::MutexGuard<'static, Vec<PathBuf>> {

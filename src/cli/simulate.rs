@@ -1,7 +1,7 @@
 //! `gyrospec simulate`: a model on a recording.
 
 use super::Outcome;
-use super::output::Sink;
+use super::output::{Sink, keep_apart};
 use crate::model::Model;
 use crate::record::{Channel, Kind, Recording};
 use crate::simulate::{Options, OutputSignal, Simulator, Trajectory};
@@ -31,6 +31,7 @@ pub struct Call {
 }
 
 pub fn run(call: &Call) -> Result<Outcome> {
+    keep_apart([call.out.as_ref()], [&call.model, &call.recording])?;
     let sink = call.out.as_deref().map(Sink::open).transpose()?;
     let model = Model::read(&call.model)?;
     let mut recording = Recording::read(&call.recording)?;

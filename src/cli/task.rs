@@ -1,6 +1,6 @@
 //! What `fit` and `diagnose` take and give: a model, recordings, and files for the results.
 
-use super::output::Sink;
+use super::output::{Sink, keep_apart};
 use crate::Result;
 use crate::model::Model;
 use crate::record::Recording;
@@ -49,6 +49,10 @@ pub struct Outputs {
 impl Task {
     /// Opens the places for the results.
     pub fn open(&self) -> Result<Outputs> {
+        let [json, html, model] = [&self.json, &self.html, &self.model_out].map(Option::as_ref);
+        keep_apart([json, html, model], self.recordings.iter().chain(&self.holdout))?;
+        // A model may be written over itself, with the fitted values in place.
+        keep_apart([json, html], [&self.model])?;
         let open = |path: &Option<PathBuf>| path.as_deref().map(Sink::open).transpose();
         Ok(Outputs { json: open(&self.json)?, html: open(&self.html)?, model: open(&self.model_out)? })
     }

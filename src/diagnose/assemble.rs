@@ -54,7 +54,7 @@ impl Assembly<'_> {
         let left = evidence.is_left();
         let mut findings = self.findings(&before, &after);
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
-        let verdict = settle(verdict, &findings);
+        let verdict = settle(verdict, &findings, &self.found);
         let mut all = self.faults.clone();
         all.extend(findings);
         let proof = self.proof(&before, &after);
@@ -91,9 +91,11 @@ impl Assembly<'_> {
             let unseen = || locate::unseen(model, base);
             locate::mute(model, &self.bench, base).or_else(unseen).filter(|_| self.found.taken.is_empty())
         };
+        let astray = || locate::astray(base, after).filter(|_| self.found.taken.is_empty());
         locate::poor(model, &self.bench, base)
             .or_else(|| locate::starved(model, &self.bench, &self.found.last, &self.separate, after))
             .or_else(alone)
+            .or_else(astray)
     }
 
     /// Flexible laws in what the first and the last model leave.
@@ -344,12 +346,23 @@ fn site(p: &Proposal) -> SiteName {
     SiteName { kind: p.site.kind.word().to_string(), name: p.site.name.clone() }
 }
 
-/// The tie of the finding with the largest share decides between named and tie.
-fn settle(verdict: Verdict, findings: &[Finding]) -> Verdict {
-    match (verdict, findings.first()) {
-        (Verdict::Named | Verdict::Tie, Some(f)) if f.ties.is_empty() => Verdict::Named,
-        (Verdict::Named | Verdict::Tie, Some(_)) => Verdict::Tie,
-        _ => verdict,
+/// The finding with the largest share decides: by its ties between named and tie, and it only resembles
+/// what is missing if none of its amplitudes differs from 0 for sure.
+fn settle(verdict: Verdict, findings: &[Finding], found: &Found) -> Verdict {
+    let Some(first) = findings.first().filter(|_| matches!(verdict, Verdict::Named | Verdict::Tie)) else {
+        return verdict;
+    };
+    let proposal =
+        found.taken.iter().map(|t| &t.proposal).find(|p| p.code == first.code && p.term == first.term);
+    let amplitudes: Vec<&Value> =
+        proposal.iter().flat_map(|p| &p.amplitudes).filter_map(|k| first.parameters.get(*k)).collect();
+    let unsure = |v: &&Value| v.low <= 0.0 && v.high >= 0.0;
+    if !amplitudes.is_empty() && amplitudes.iter().all(unsure) {
+        Verdict::Unknown
+    } else if first.ties.is_empty() {
+        Verdict::Named
+    } else {
+        Verdict::Tie
     }
 }
 

@@ -22,6 +22,8 @@ const FURTHER: f64 = 0.2;
 const ANCHORED: f64 = 0.6;
 /// Chance, after correction, above which nothing is added.
 const CHANCE: f64 = 0.01;
+/// Gain from which on a mechanism counts as seen by the free run.
+const MUCH: f64 = 0.2;
 /// Relative fall of the left-out root mean square below which nothing is added.
 pub const FLOOR: f64 = 0.02;
 /// Difference in log-likelihood up to which two extensions fit as well: odds of 20 to 1.
@@ -58,6 +60,12 @@ pub fn is_anchored(p: &Proposal) -> bool {
 /// Whether it is a wave in time, whose frequency was read from the residual.
 pub fn is_timed_wave(p: &Proposal) -> bool {
     p.code == "periodic-force" && p.term.contains("*t)")
+}
+
+/// Out of how many a proposal was chosen before it was tried: the frequency of a wave in time is the best
+/// of all that the samples resolve.
+pub fn chosen_from(p: &Proposal, samples: f64) -> f64 {
+    if is_timed_wave(p) { (0.5 * samples).max(1.0) } else { 1.0 }
 }
 
 /// Whether a law was taken before at the same site on the same signals: twice, it is another law.
@@ -100,7 +108,10 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let gain = |now: &Measure, r: &Refitted| {
         gain(now, &r.measure) * if is_anchored(&r.proposal) { ANCHORED } else { 1.0 }
     };
-    let passes = |r: &Refitted| r.p_value < CHANCE && gain(now, r) > r.floor && !r.is_pressed();
+    // What the calibrated screening did not see must stand the more surely by its fit, or gain much.
+    let seen = round.screening.p_value < CHANCE;
+    let chance = |r: &Refitted| if seen || gain(now, r) > MUCH { CHANCE } else { CHANCE * CHANCE };
+    let passes = |r: &Refitted| r.p_value < chance(r) && gain(now, r) > r.floor && !r.is_pressed();
     let largest = round.fitted.iter().filter(|r| passes(r)).map(|r| gain(now, r)).fold(0.0, f64::max);
     let rivals: Vec<usize> = (0..round.fitted.len())
         .filter(|i| passes(&round.fitted[*i]) && gain(now, &round.fitted[*i]) >= RIVAL * largest)

@@ -8,7 +8,7 @@ use crate::estimate::{Fit, fit};
 use crate::model::Model;
 use crate::record::quality::{self, Fault, FaultKind};
 use crate::record::{Recording, unwrap};
-use crate::units::significant;
+use crate::units::{Unit, significant};
 
 /// Faults of the channels that a model uses, and the recordings without them.
 pub struct Cleaned {
@@ -130,18 +130,29 @@ pub fn finding(model: &Model, recordings: &[Recording], f: &Fault) -> Finding {
 }
 
 /// Factors between units that people confuse, with words.
-const FACTORS: [(f64, &str); 10] = [
-    (std::f64::consts::PI / 180.0, "degrees for radians"),
-    (180.0 / std::f64::consts::PI, "radians for degrees"),
-    (1852.0 / 3600.0, "knots for metres a second"),
-    (3600.0 / 1852.0, "metres a second for knots"),
-    (1e3, "a thousandth for the whole"),
-    (1e-3, "the whole for a thousandth"),
-    (9.80665, "g for metres a second squared"),
-    (1.0 / 9.80665, "metres a second squared for g"),
-    (60.0, "minutes for seconds, or the other way"),
-    (1.0 / 60.0, "seconds for minutes, or the other way"),
+const FACTORS: [(f64, &str, &str); 10] = [
+    (std::f64::consts::PI / 180.0, "degrees for radians", "rad"),
+    (180.0 / std::f64::consts::PI, "radians for degrees", "rad"),
+    (1852.0 / 3600.0, "knots for metres a second", "m/s"),
+    (3600.0 / 1852.0, "metres a second for knots", "m/s"),
+    (1e3, "a thousandth for the whole", ""),
+    (1e-3, "the whole for a thousandth", ""),
+    (9.80665, "g for metres a second squared", "m/s^2"),
+    (1.0 / 9.80665, "metres a second squared for g", "m/s^2"),
+    (60.0, "minutes for seconds, or the other way", "s"),
+    (1.0 / 60.0, "seconds for minutes, or the other way", "s"),
 ];
+
+/// Factors that a unit can be wrong by, and −1; those of angles hold for their rates too.
+fn factors(unit: &Unit) -> Vec<(f64, &'static str)> {
+    let own = |word: &str| {
+        let is = |u: Unit| unit.dimension() == u.dimension();
+        let rate = word == "rad" && Unit::parse("rad/s").is_ok_and(is);
+        rate || Unit::parse(word).is_ok_and(is)
+    };
+    let known = FACTORS.iter().filter(|f| f.2.is_empty() || own(f.2)).map(|f| (f.0, f.1));
+    std::iter::once((-1.0, "")).chain(known).collect()
+}
 
 /// A channel that fits only turned over or in another unit.
 pub struct Misread {
@@ -163,11 +174,11 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     let channels = model
         .inputs
         .iter()
-        .map(|i| (&i.name, "input"))
-        .chain(model.outputs.iter().map(|o| (&o.name, "output")));
+        .map(|i| (&i.name, &i.unit, "input"))
+        .chain(model.outputs.iter().map(|o| (&o.name, &o.unit, "output")));
     let mut best: Option<(f64, Misread)> = None;
-    for (channel, kind) in channels {
-        for (factor, words) in std::iter::once((-1.0, "")).chain(FACTORS) {
+    for (channel, unit, kind) in channels {
+        for (factor, words) in factors(unit) {
             let mut recordings = bench.recordings.clone();
             let own = recordings.iter_mut().flat_map(|r| &mut r.channels).filter(|c| c.name == *channel);
             own.for_each(|c| c.values.iter_mut().for_each(|v| *v *= factor));

@@ -155,6 +155,17 @@ pub fn mute(model: &Model, bench: &Bench, base: &Fit) -> Option<String> {
     ))
 }
 
+/// Held-out error over the fitted one from which on a fit does not carry over.
+const ASTRAY: f64 = 5.0;
+
+/// A fit that nothing was added to and that fails on what was held out.
+pub fn astray(base: &Fit, held: &[Held]) -> Option<String> {
+    let fails = held.iter().zip(&base.rmse).any(|(h, r)| h.rmse() > ASTRAY * r);
+    fails.then(|| {
+        "the fitted part is explained, but what was held out is not: it is too short, or something acts that it does not show".to_string()
+    })
+}
+
 /// An input with no more than two levels in the fitted part and others in the held-out part, where the
 /// model with all that was found fails: any law of that input fits alike.
 pub fn starved(

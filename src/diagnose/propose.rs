@@ -241,11 +241,8 @@ fn scored(
     let weights = free.map(|f| f.weights).unwrap_or_default();
     let mut score = view.screen.score(directions(&view.screen), one_sided)?;
     let visible = score.chi2 / view.screen.residual.len().max(1) as f64;
-    if super::choose::is_timed_wave(proposal) {
-        // Its frequency is the best of all that the recording resolves.
-        let frequencies = 0.5 * view.screen.residual.len() as f64;
-        score.statistic = (score.statistic - frequencies.max(1.0).ln()).max(0.0);
-    }
+    let chosen = super::choose::chosen_from(proposal, view.screen.residual.len() as f64);
+    score.statistic = (score.statistic - chosen.ln()).max(0.0);
     Some(Screened {
         proposal: proposal.clone(),
         start: start.to_vec(),

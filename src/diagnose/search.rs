@@ -16,7 +16,7 @@
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::{Choice, FLOOR, choose, floor, gain, mends};
+use super::choose::{self, Choice, FLOOR, choose, floor, gain, mends};
 use super::measure::{Measure, Scale};
 use super::propose::{Screening, View, screen, worth_fitting};
 use super::race;
@@ -129,6 +129,7 @@ fn round(bench: &Bench, current: &Fit, state: &State<'_>, given: &[f64]) -> Resu
         .map(|(s, fit)| {
             let measure = Measure::of(&fit, scale);
             let ratio = 2.0 * (measure.likelihood - now.likelihood);
+            let tried = tried * choose::chosen_from(&s.proposal, measure.samples);
             let p_value = (tried * log_chance(ratio, s.proposal.added.len()).exp()).min(1.0);
             let floor = if mends(&s.proposal, taken) { floor(*gains) } else { least };
             Refitted { proposal: s.proposal, fit, measure, p_value, floor }

@@ -3,6 +3,7 @@
 use super::answer::{Finding, Verdict};
 use super::rest::Rest;
 use super::search::Found;
+use crate::estimate::fit::Status;
 
 /// Chance below which what is left counts as a law.
 const LEFT_CHANCE: f64 = 0.01;
@@ -12,7 +13,9 @@ const LEFT_SHARE: f64 = 0.03;
 const SURE: f64 = 1e-3;
 /// Share of all that names and a law could explain together from which on, left to the law, the names
 /// only resemble.
-const RESEMBLES: f64 = 0.2;
+const RESEMBLES: f64 = 0.1;
+/// The same in a table of trials, whose rows are independent, where the law's chance is below the second.
+const IN_TRIALS: (f64, f64) = (0.005, 1e-4);
 
 /// What decides.
 pub struct Evidence<'a> {
@@ -37,10 +40,20 @@ impl Evidence<'_> {
     /// that the names leave and λ the part of it that the law takes away, the law has λρ/(1 − ρ + λρ) of
     /// all that is explained.
     fn outweighs(&self) -> bool {
-        let lowers = self.rest.laws.first().map_or(0.0, |l| l.lowers);
-        let left = lowers * (-self.found.gain()).exp();
         let named = 1.0 - (-self.found.gain()).exp();
-        self.is_left() && left > RESEMBLES * (named + left)
+        let left = self.rest.laws.first().map_or(0.0, |l| l.lowers) * (1.0 - named);
+        let sure = self.found.scale.trials && self.rest.p_value < IN_TRIALS.1;
+        let most = if sure { IN_TRIALS.0 } else { RESEMBLES };
+        self.is_left() && left > most * (named + left)
+    }
+
+    /// Whether an own parameter of a name has run into its bound, where it is something else.
+    fn is_pressed(&self) -> bool {
+        let last = &self.found.last.parameters;
+        let at_bound =
+            |name: &str| last.iter().any(|p| p.name == name && matches!(p.status, Status::AtBound(_)));
+        let taken = &self.found.taken;
+        taken.iter().any(|t| t.proposal.added.iter().any(|a| at_bound(&a.name)))
     }
 
     /// The verdict.
@@ -55,7 +68,7 @@ impl Evidence<'_> {
             let something = self.is_left() || self.found.first.p_value < SURE;
             return if something { Verdict::Unknown } else { Verdict::NothingMissing };
         };
-        if self.outweighs() {
+        if self.outweighs() || self.is_left() && self.is_pressed() {
             Verdict::Unknown
         } else if first.ties.is_empty() {
             Verdict::Named

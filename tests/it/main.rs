@@ -16,6 +16,7 @@ mod lti;
 mod quality;
 mod record;
 mod report;
+mod results;
 mod roll_error;
 mod simulate;
 mod symbolic;

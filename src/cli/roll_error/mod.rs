@@ -69,6 +69,8 @@ Examples:
   gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --heading 45deg --simulate 4";
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
+    let read = a.model_or_parameters.iter().chain(&a.recording);
+    output::keep_apart([&a.svg, &a.html].map(Option::as_ref), read)?;
     let picture = a.svg.as_deref().map(Sink::open).transpose()?;
     let html = a.html.as_deref().map(Sink::open).transpose()?;
     let drawn_too = picture.is_some() || html.is_some();

@@ -21,7 +21,7 @@ pub use maker::{Case, Draw, Kind, Scenario, make};
 pub use stepper::Stepper;
 pub use table::{Outcome, tabulate};
 
-use super::answer::{Answer, Verdict};
+use super::answer::{Answer, Value, Verdict};
 use super::{Request, diagnose};
 use crate::Result;
 use crate::estimate::fit::Silent;
@@ -49,7 +49,9 @@ pub fn judge(case: &Case, answer: &Answer) -> Outcome {
         .collect();
     let claims = matches!(answer.verdict, Verdict::Named | Verdict::Tie);
     let right = case.codes.iter().all(|c| named.contains(&c.as_str()));
-    let value = |name: &str| answer.findings.iter().flat_map(|f| &f.parameters).find(|p| p.name == name);
+    let own = answer.findings.iter().filter(|f| case.codes.contains(&f.code));
+    let own: Vec<&Value> = own.flat_map(|f| &f.parameters).collect();
+    let value = |name: &str| own.iter().find(|p| p.name == name);
     let covered = case
         .values
         .iter()

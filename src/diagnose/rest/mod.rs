@@ -56,12 +56,13 @@ impl Rest {
             #[allow(clippy::print_stderr)]
             for l in self.laws.iter().take(5) {
                 eprintln!(
-                    "rest {when}: p {:.3} s {:.2} chi2 {:.1}/{} explained {:.4} {} {:?}",
+                    "rest {when}: p {:.3} s {:.2} chi2 {:.1}/{} explained {:.4} lowers {:.4} {} {:?}",
                     self.p_value,
                     l.score.statistic,
                     l.score.chi2,
                     l.score.degrees,
                     l.explained,
+                    l.lowers,
                     l.site.name,
                     l.signals
                 );
