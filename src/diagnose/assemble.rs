@@ -89,13 +89,13 @@ impl Assembly<'_> {
         let (model, base) = (self.request.model, &self.found.base);
         let alone = || {
             let unseen = || locate::unseen(model, base);
-            locate::mute(model, &self.bench, base).or_else(unseen).filter(|_| self.found.taken.is_empty())
+            let astray = || locate::astray(base, after);
+            let reason = locate::mute(model, &self.bench, base).or_else(unseen).or_else(astray);
+            reason.filter(|_| self.found.taken.is_empty())
         };
-        let astray = || locate::astray(base, after).filter(|_| self.found.taken.is_empty());
         locate::poor(model, &self.bench, base)
             .or_else(|| locate::starved(model, &self.bench, &self.found.last, &self.separate, after))
             .or_else(alone)
-            .or_else(astray)
     }
 
     /// Flexible laws in what the first and the last model leave.

@@ -21,7 +21,7 @@ const FURTHER: f64 = 0.2;
 /// Weight of the gain of a mechanism that is tied to moments of this recording.
 const ANCHORED: f64 = 0.6;
 /// Chance, after correction, above which nothing is added.
-const CHANCE: f64 = 0.01;
+pub const CHANCE: f64 = 0.01;
 /// Gain from which on a mechanism counts as seen by the free run.
 const MUCH: f64 = 0.2;
 /// Relative fall of the left-out root mean square below which nothing is added.

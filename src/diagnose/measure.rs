@@ -14,7 +14,7 @@
 //! Orcutt, J. Amer. Statist. Assoc. 44 (1949) 32.
 
 use crate::estimate::Triangle;
-use crate::estimate::fit::{Fit, Series, Status};
+use crate::estimate::fit::{Fit, Series};
 use crate::estimate::noise::{Autoregression, NoiseModel, block_means};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
@@ -74,10 +74,7 @@ impl Measure {
 
 /// Unknowns that are inside their bounds.
 fn free_unknowns(fit: &Fit) -> Vec<usize> {
-    let pressed = |name: &String| {
-        fit.parameters.iter().any(|p| p.name == *name && matches!(p.status, Status::AtBound(_)))
-    };
-    (0..fit.unknowns.len()).filter(|j| !pressed(&fit.unknowns[*j])).collect()
+    (0..fit.unknowns.len()).filter(|j| !fit.is_at_bound(&fit.unknowns[*j])).collect()
 }
 
 /// Σ JᵀJ, Σ Jᵀe and the rows (series, sample) of one part.

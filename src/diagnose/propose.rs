@@ -16,6 +16,7 @@
 
 use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
+use super::choose::CHANCE;
 use super::response::Response;
 use super::screen::{Score, Screen, log_chance};
 use super::search::Taken;
@@ -39,9 +40,6 @@ const LIKELY: f64 = 5.0;
 
 /// Times that a fit may lower ln Σe² by more than its direction foretells: shapes adapt in the fit.
 const HOPE: f64 = 4.0;
-
-/// Corrected chance of the largest score above which nothing is seen.
-const QUIET: f64 = 0.01;
 
 /// Proposals that may be the last, at most.
 const LAST: usize = 8;
@@ -183,12 +181,12 @@ impl Screening {
             rest.iter_mut().zip(own).for_each(|(e, d)| *e -= size * f64::from(*d));
             let largest = self.screened.iter().map(|s| along(&s.score.direction, &rest).powi(2));
             let largest = largest.fold(0.0, f64::max);
-            self.screened.len() as f64 * log_chance(largest, 1).exp() > QUIET
+            self.screened.len() as f64 * log_chance(largest, 1).exp() > CHANCE
         };
         let e = &view.screen.residual;
         let follows = e.windows(2).map(|w| w[0] * w[1]).sum::<f64>().abs() > 3.0 * (e.len() as f64).sqrt();
         // Residuals that follow one another, as in trials in a row, make chances that are too small.
-        !follows && self.p_value < QUIET && self.screened.iter().take(LAST).any(leaves_nothing)
+        !follows && self.p_value < CHANCE && self.screened.iter().take(LAST).any(leaves_nothing)
     }
 }
 

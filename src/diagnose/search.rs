@@ -22,7 +22,7 @@ use super::propose::{Screening, View, screen, worth_fitting};
 use super::race;
 use super::screen::log_chance;
 use crate::Result;
-use crate::estimate::fit::{Effort, Progress, Status};
+use crate::estimate::fit::{Effort, Progress};
 use crate::estimate::{Fit, fit};
 use rayon::prelude::*;
 
@@ -47,9 +47,13 @@ pub struct Refitted {
 impl Refitted {
     /// Whether one of its own parameters lies at its bound, where it is something simpler.
     pub fn is_pressed(&self) -> bool {
-        let added = |name: &str| self.proposal.added.iter().any(|a| a.name == name);
-        self.fit.parameters.iter().any(|p| added(&p.name) && matches!(p.status, Status::AtBound(_)))
+        is_pressed(&self.proposal, &self.fit)
     }
+}
+
+/// Whether an own parameter of a proposal ended at its bound in a fit.
+pub fn is_pressed(p: &Proposal, fit: &Fit) -> bool {
+    p.added.iter().any(|a| fit.is_at_bound(&a.name))
 }
 
 /// A mechanism that was taken into the model.

@@ -2,8 +2,7 @@
 
 use super::answer::{Finding, Verdict};
 use super::rest::Rest;
-use super::search::Found;
-use crate::estimate::fit::Status;
+use super::search::{Found, is_pressed};
 
 /// Chance below which what is left counts as a law.
 const LEFT_CHANCE: f64 = 0.01;
@@ -49,11 +48,7 @@ impl Evidence<'_> {
 
     /// Whether an own parameter of a name has run into its bound, where it is something else.
     fn is_pressed(&self) -> bool {
-        let last = &self.found.last.parameters;
-        let at_bound =
-            |name: &str| last.iter().any(|p| p.name == name && matches!(p.status, Status::AtBound(_)));
-        let taken = &self.found.taken;
-        taken.iter().any(|t| t.proposal.added.iter().any(|a| at_bound(&a.name)))
+        self.found.taken.iter().any(|t| is_pressed(&t.proposal, &self.found.last))
     }
 
     /// The verdict.

@@ -69,19 +69,8 @@ impl Response {
 
     /// The tracks of the screened parts with sensitivities to a proposal's amplitudes at rest.
     pub fn tracks(&self, bench: &Bench, proposal: &Proposal, start: &[f64]) -> Option<Vec<Track>> {
-        let mut all = Vec::new();
-        let (looks, sites) = self.looks(bench, proposal, start)?;
-        for (along, seen) in self.runs.iter().zip(&looks) {
-            let moved: Vec<Vec<f64>> = (0..proposal.amplitudes.len())
-                .map(|a| {
-                    let column: Vec<(Site, &[f64])> =
-                        sites.iter().zip(seen).map(|(s, c)| (*s, &c[a][..])).collect();
-                    along.propagate(&self.model, &column)
-                })
-                .collect();
-            all.extend(along.on_tracks(&moved));
-        }
-        Some(all)
+        let (changes, sites) = self.looks(bench, proposal, start)?;
+        Some(self.moved(&changes, &sites))
     }
 
     /// The same for a proposal with one amplitude times each of some shapes, functions of the values of
@@ -93,22 +82,28 @@ impl Response {
         signals: &[&str],
         shapes: &dyn Fn(&[f64]) -> Vec<f64>,
     ) -> Option<Vec<Track>> {
-        let mut all = Vec::new();
         let (looks, sites) = self.looks(bench, push, push.starts.first()?)?;
-        for (along, seen) in self.runs.iter().zip(&looks) {
+        let shaped = |(along, seen): (&Along, &Changes)| {
             let values: Vec<Vec<f64>> = along.values(signals)?.iter().map(|x| shapes(x)).collect();
-            let moved: Vec<Vec<f64>> = (0..values.first()?.len())
-                .map(|k| {
-                    let times = |c: &[f64]| c.iter().zip(&values).map(|(g, s)| g * s[k]).collect();
-                    let shaped: Vec<Vec<f64>> = seen.iter().map(|c| times(&c[0])).collect();
-                    let column: Vec<(Site, &[f64])> =
-                        sites.iter().zip(&shaped).map(|(s, c)| (*s, &c[..])).collect();
-                    along.propagate(&self.model, &column)
-                })
-                .collect();
-            all.extend(along.on_tracks(&moved));
-        }
-        Some(all)
+            let count = values.first()?.len();
+            let times = |c: &[f64], k: usize| c.iter().zip(&values).map(|(g, s)| g * s[k]).collect();
+            Some(seen.iter().map(|c| (0..count).map(|k| times(&c[0], k)).collect()).collect())
+        };
+        let changes: Option<Vec<Changes>> = self.runs.iter().zip(&looks).map(shaped).collect();
+        Some(self.moved(&changes?, &sites))
+    }
+
+    /// The tracks that changes at sites move, a sensitivity for each change.
+    fn moved(&self, changes: &[Changes], sites: &[Site]) -> Vec<Track> {
+        let one = |(along, seen): (&Along, &Changes)| {
+            let column = |a: usize| -> Vec<(Site, &[f64])> {
+                sites.iter().zip(seen).map(|(s, c)| (*s, &c[a][..])).collect()
+            };
+            let count = seen.first().map_or(0, Vec::len);
+            let moved: Vec<Vec<f64>> = (0..count).map(|a| along.propagate(&self.model, &column(a))).collect();
+            along.on_tracks(&moved)
+        };
+        self.runs.iter().zip(changes).flat_map(one).collect()
     }
 
     /// What a proposal's amplitudes at rest change, site by site and amplitude by amplitude, along every

@@ -12,10 +12,10 @@ const HARMONICS: usize = 4;
 /// Signals that are taken in pairs, at most.
 const PAIRED: usize = 4;
 
-/// Kinds of them.
+/// Kinds of signals that a flexible law may depend on.
 const KINDS: [SignalKind; 3] = [SignalKind::State, SignalKind::Input, SignalKind::Channel];
 
-/// Signals that a flexible law may depend on.
+/// Signals that a flexible law may depend on: they move, over more than a few levels.
 pub(super) fn motion_signals<'a>(scene: &'a Scene<'_>) -> Vec<&'a Signal> {
     scene.moving(&KINDS).filter(|s| s.levels > 4).collect()
 }

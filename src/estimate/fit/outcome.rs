@@ -180,6 +180,11 @@ impl Fit {
     pub fn starts(&self) -> Vec<Vec<f64>> {
         self.records.iter().map(|r| r.initials.clone()).collect()
     }
+
+    /// Whether a parameter ended at its bound.
+    pub fn is_at_bound(&self, name: &str) -> bool {
+        self.parameters.iter().any(|p| p.name == name && matches!(p.status, Status::AtBound(_)))
+    }
 }
 
 /// One output over all held-out parts.
