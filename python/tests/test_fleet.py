@@ -138,7 +138,9 @@ def test_a_sweep_is_the_sweep_in_memory(tmp_path: Path) -> None:
     done = fleet.roll_error(grid, out, rows_per_part=500)
     assert done.rows_made == 24 * 40 * 2 and done.parts_made == 4
     next(out.glob("part-*")).unlink()
-    again = fleet.roll_error(grid, out, rows_per_part=500)
+    with pytest.raises(gyrospec.InputError, match="another rows_per_part"):
+        fleet.roll_error(grid, out, rows_per_part=300)
+    again = fleet.roll_error(grid, out)
     assert (again.parts_made, again.rows_made + again.rows_found) == (1, done.rows_made)
     table = pq.read_table(out).sort_by("row")
     heading, lag, decay = np.meshgrid(*[np.asarray(v) for v in grid.values()], indexing="ij")

@@ -44,7 +44,7 @@ def open_folder(out: str | os.PathLike[str], card: dict[str, Any]) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
     file = folder / CARD
     if file.exists():
-        found = json.loads(file.read_text("utf-8"))
+        found = read_card(folder)
         if found != card:
             other = [k for k in card if found.get(k) != card[k]]
             raise InputError(

@@ -15,9 +15,12 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _gyrospec as native
 from .._api import roll_error_sweep
 from .._errors import InputError
-from ._parts import Progress, digest, do, finish, open_folder, part, write_part
+from ._parts import CARD, Progress, digest, do, finish, open_folder, part, read_card, write_part
 
 Axes = dict[str, NDArray[np.float64]]
+
+ROWS_PER_PART = 1_000_000
+"""Points in a part file where nothing is said."""
 
 
 def roll_error(
@@ -26,7 +29,7 @@ def roll_error(
     client: Any = None,
     *,
     product: bool = True,
-    rows_per_part: int = 1_000_000,
+    rows_per_part: int | None = None,
 ) -> Progress:
     """The mean rolling error (rad) of every point of a grid, written into the folder `out`.
 
@@ -34,19 +37,26 @@ def roll_error(
         `{"heading": np.radians(range(0, 360, 5)), "T": np.linspace(0.1, 2, 100), …}`; the last name
         runs fastest. With `product=False` the columns stand side by side: a row is a point.
     client: a dask.distributed.Client, or None for this process.
-    rows_per_part: points in a part file.
+    rows_per_part: points in a part file, by default a million. A sweep that goes on keeps the size that it
+        began with, and refuses another one.
     """
+    if rows_per_part is not None and rows_per_part < 1:
+        raise InputError(f"a part has one row at least, not {rows_per_part}")
     axes = {name: np.ascontiguousarray(values, dtype=np.float64) for name, values in grid.items()}
     count = _count(axes, product)
     # a wrong name is found here, not on a worker
     roll_error_sweep(**{name: values[:1] for name, values in axes.items()})
     hashes = {name: digest(values.tobytes().hex()) for name, values in axes.items()}
     card = {"kind": "roll-error", "version": native.VERSION, "grid": hashes, "product": product}
-    folder = open_folder(out, card)
+    if rows_per_part is None:
+        begun = read_card(out) if (Path(out) / CARD).exists() else {}
+        rows_per_part = int(begun.get("rows_per_part", ROWS_PER_PART))
+    # parts of another size overlap those that are there
+    folder = open_folder(out, {**card, "rows_per_part": rows_per_part})
     names = digest(native.VERSION, repr(hashes), repr(product))
     # sent once, not with every part
     shared = client.scatter(axes, broadcast=True) if hasattr(client, "scatter") else axes
-    starts = range(0, count, max(1, rows_per_part))
+    starts = range(0, count, rows_per_part)
     wanted = []
     for start in starts:
         stop = min(start + rows_per_part, count)
