@@ -10,7 +10,7 @@ mod names;
 mod parse;
 
 pub use dimension::{Dimension, Ratio};
-pub use figure::{digits_within, figure, significant, without_needless_zeros};
+pub use figure::{counted, digits_within, figure, significant, without_needless_zeros};
 
 use crate::Result;
 use std::fmt;

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _gyrospec as native
 from ._errors import InputError, UsageError, Warning
-from ._inputs import Floats, ModelLike, RecordingLike, as_model, as_recordings, listed
+from ._inputs import Column, Floats, ModelLike, RecordingLike, as_model, as_recordings, listed
 from ._results import Diagnosis, Fit, IntegralBatch, RollError, Simulation
 
 Quantity: TypeAlias = float | str
@@ -51,7 +51,7 @@ def simulate(
     recording: RecordingLike,
     *,
     units: Mapping[str, str] | None = None,
-    time: str | ArrayLike | None = None,
+    time: str | Column | None = None,
     tolerance: float = 1e-5,
 ) -> Simulation:
     """Runs a model on a recording; `units` and `time` are for frames, see `recording`.
@@ -70,7 +70,7 @@ def fit(
     holdout: RecordingLike | Sequence[RecordingLike] | None = None,
     seed: int = 1,
     units: Mapping[str, str] | None = None,
-    time: str | ArrayLike | None = None,
+    time: str | Column | None = None,
 ) -> Fit:
     """Fits the free parameters and initial states of a model to recordings, by simulation.
 
@@ -89,7 +89,7 @@ def diagnose(
     holdout: RecordingLike | Sequence[RecordingLike] | None = None,
     seed: int = 1,
     units: Mapping[str, str] | None = None,
-    time: str | ArrayLike | None = None,
+    time: str | Column | None = None,
 ) -> Diagnosis:
     """Finds what a model leaves out of the physics of its recordings, and proves it on held-out data.
 
@@ -129,7 +129,7 @@ def roll_error(
     seed: int | None = None,
     roll: str | None = None,
     units: Mapping[str, str] | None = None,
-    time: str | ArrayLike | None = None,
+    time: str | Column | None = None,
 ) -> RollError:
     """Mean and spread of the heading error that a ship's roll makes in her gyrocompass.
 
@@ -159,7 +159,7 @@ def roll_error(
     return RollError._of(native.roll_error(compass, measured, options))
 
 
-def roll_error_sweep(**columns: ArrayLike) -> Floats:
+def roll_error_sweep(**columns: Column) -> Floats:
     """The mean rolling error in rad of very many compasses on irregular roll, by the batch path.
 
     Each argument is a column of numbers in SI under its name in the symbol table: P, H, C0, T, h, lat,
@@ -179,7 +179,7 @@ def roll_error_sweep(**columns: ArrayLike) -> Floats:
 
 
 def _single(
-    given: RecordingLike, units: Mapping[str, str] | None, time: str | ArrayLike | None
+    given: RecordingLike, units: Mapping[str, str] | None, time: str | Column | None
 ) -> native.Recording:
     if isinstance(given, (list, tuple)):
         raise TypeError("one recording is wanted, not several")
@@ -190,7 +190,7 @@ def _lists(
     recordings: RecordingLike | Sequence[RecordingLike],
     holdout: RecordingLike | Sequence[RecordingLike] | None,
     units: Mapping[str, str] | None,
-    time: str | ArrayLike | None,
+    time: str | Column | None,
 ) -> tuple[list[native.Recording], list[native.Recording]]:
     first, held = listed(recordings), listed(holdout)
     if not first:

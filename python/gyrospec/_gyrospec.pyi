@@ -50,6 +50,8 @@ class Integral:
     def to_json(self) -> str:
         """The line that `gyrospec integral --json` prints."""
     def __float__(self) -> float: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __reduce__(self) -> tuple[Any, tuple[float, float, float, str]]: ...
     def _repr_html_(self) -> str: ...
 
 def integral(h: _Row, g: _Row | None = None, *, c: _Row | None = None) -> Integral:
@@ -132,7 +134,7 @@ class Recording:
     @staticmethod
     def of_columns(
         name: str,
-        time: tuple[ArrayLike, str] | None,
+        time: tuple[ArrayLike, str, str] | None,
         columns: Sequence[tuple[str, str, ArrayLike, bool, bool]],
         known: Mapping[str, Any],
     ) -> Recording:

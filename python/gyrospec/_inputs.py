@@ -27,7 +27,16 @@ class Frame(Protocol):
     def __getitem__(self, name: Any, /) -> Any: ...
 
 
-Columns: TypeAlias = Mapping[str, ArrayLike] | Frame
+class Series(Protocol):
+    """A named column: a pandas or Polars series or index."""
+
+    def to_numpy(self) -> Any: ...
+
+    def __len__(self) -> int: ...
+
+
+Column: TypeAlias = ArrayLike | Series
+Columns: TypeAlias = Mapping[str, Column] | Frame
 ModelLike: TypeAlias = Model | str | os.PathLike[str]
 RecordingLike: TypeAlias = Recording | str | os.PathLike[str] | Columns
 Spans: TypeAlias = Sequence[tuple[float, float]]
@@ -52,7 +61,7 @@ def recording(
     data: RecordingLike,
     *,
     units: Mapping[str, str] | None = None,
-    time: str | ArrayLike | None = None,
+    time: str | Column | None = None,
     name: str | None = None,
     kind: str = "time",
     wraps: Iterable[str] = (),
@@ -67,8 +76,9 @@ def recording(
     others are left out. Columns of doubles are read where they lie.
 
     units: the unit of each column, `{"t": "s", "roll": "deg"}`.
-    time: the column of time, by default the first; or the times themselves, in s. Times of day
-        (datetime64) count in s from the first.
+    time: the column of time, by default the first, or a pandas frame's index where that holds dates or
+        has a unit; or the times themselves, in s. Times of day (datetime64, with or without a time
+        zone) count in s from the first.
     kind: "trials" for a table of steady trials, which has no time.
     wraps: columns whose angle jumps by a turn.
     hold: inputs that keep their value until the next sample.
@@ -90,7 +100,8 @@ def recording(
         return read
     if kind not in ("time", "trials"):
         raise UsageError(f"kind is 'time' or 'trials', not {kind!r}")
-    columns, of = _columns(data), dict(units or {})
+    of = dict(units or {})
+    columns = _columns(data, of, time)
     clock, columns = (None, columns) if kind == "trials" else _clock(columns, time, of)
     if kind == "trials" and time is not None:
         raise UsageError("a table of trials has no time")
@@ -118,7 +129,7 @@ def listed(given: RecordingLike | Sequence[RecordingLike] | None) -> list[Record
 def as_recordings(
     given: list[RecordingLike],
     units: Mapping[str, str] | None = None,
-    time: str | ArrayLike | None = None,
+    time: str | Column | None = None,
 ) -> list[Recording]:
     """Recordings; `units` and `time` are those of frames among them."""
     said = units is not None or time is not None
@@ -127,28 +138,47 @@ def as_recordings(
     return [_one(r, units, time) for r in given]
 
 
-def _one(given: RecordingLike, units: Mapping[str, str] | None, time: str | ArrayLike | None) -> Recording:
+def _one(given: RecordingLike, units: Mapping[str, str] | None, time: str | Column | None) -> Recording:
     if isinstance(given, (Recording, str, os.PathLike)):
         return recording(given)
     return recording(given, units=units, time=time)
 
 
-def _columns(data: Columns) -> dict[str, Any]:
+def _columns(data: Columns, units: Mapping[str, str], time: object) -> dict[str, Any]:
     if isinstance(data, Mapping):
         return {str(n): data[n] for n in data}
     if isinstance(data, Frame):
-        return {str(n): data[n] for n in data.columns}
+        names = [str(n) for n in data.columns]
+        for i, name in enumerate(names):
+            if name in names[:i]:
+                raise InputError(f"two columns have the name `{name}`\nhelp: rename or drop one of them")
+        columns = {str(n): data[n] for n in data.columns}
+        index = _index(data, units, time)
+        return columns if index is None or index[0] in columns else {index[0]: index[1], **columns}
     raise TypeError(
         f"a recording is a path, a dict of columns or a pandas or Polars frame, not {type(data).__name__}"
     )
 
 
+def _index(data: Frame, units: Mapping[str, str], time: object) -> tuple[str, Any] | None:
+    """A pandas frame's index with its name, where it is the time: dates, asked for, or with a unit."""
+    index = getattr(data, "index", None)
+    if index is None or not hasattr(index, "dtype") or not hasattr(index, "to_numpy"):
+        return None
+    name = "time" if index.name is None else str(index.name)
+    bare, unit = _split(name)
+    said = index.name is not None and (unit is not None or name in units or bare in units)
+    asked = index.name is not None and time in (name, bare)
+    is_date = getattr(index.dtype, "kind", "O") in "mM"
+    return (name, index) if is_date or said or asked else None
+
+
 def _clock(
-    columns: dict[str, Any], time: str | ArrayLike | None, units: dict[str, str]
-) -> tuple[tuple[ArrayLike, str], dict[str, Any]]:
+    columns: dict[str, Any], time: str | Column | None, units: dict[str, str]
+) -> tuple[tuple[Floats, str, str], dict[str, Any]]:
     """The times with their unit, and the columns that are left."""
     if time is not None and not isinstance(time, str):
-        return (_doubles("time", time)[0], "s"), columns
+        return (_doubles("time", time)[0], "s", "time"), columns
     if not columns:
         raise InputError("the recording has no columns")
     asked = next(iter(columns)) if time is None else time
@@ -161,7 +191,7 @@ def _clock(
             f"the column of time, `{column}`, has no unit\n"
             f"help: give units={{{column!r}: 's', ...}}, or say which column is the time: time='...'"
         )
-    return (values, unit), {n: v for n, v in columns.items() if n != column}
+    return (values, unit, column), {n: v for n, v in columns.items() if n != column}
 
 
 def _channels(columns: dict[str, Any], units: dict[str, str]) -> dict[str, tuple[str, Floats]]:
@@ -235,12 +265,26 @@ def _doubles(name: str, values: Any) -> tuple[Floats, bool]:
         raise InputError(f"the column `{name}` holds complex numbers")
     try:
         return np.asarray(array, dtype=np.float64), False
-    except (TypeError, ValueError) as e:
-        raise InputError(f"the column `{name}` holds something that is no number: {e}") from None
+    except (TypeError, ValueError):
+        row, value = next((i, x) for i, x in enumerate(array.tolist()) if not _is_number(x))
+        raise InputError(
+            f"the column `{name}` holds {value!r} in row {row} (from 0), which is no number\nhelp: a gap is NaN"
+        ) from None
+
+
+def _is_number(x: Any) -> bool:
+    try:
+        float(x)
+    except (TypeError, ValueError):
+        return False
+    return True
 
 
 def _of_series(values: Any) -> Any:
-    """A pandas or Polars series as an array; gaps become NaN."""
+    """A pandas or Polars series as an array; gaps become NaN, and times with a zone those of UTC."""
+    if getattr(getattr(values, "dtype", None), "tz", None) is not None:
+        zoned = getattr(values, "dt", values)
+        values = zoned.tz_convert(None)
     if type(values).__module__.startswith("pandas") and getattr(values.dtype, "kind", "O") not in "mMO":
         return values.to_numpy(dtype=np.float64, na_value=np.nan)
     return values.to_numpy()

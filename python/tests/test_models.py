@@ -75,6 +75,43 @@ def test_gaps_dates_and_whole_numbers_are_read() -> None:
     assert wrapped.channel("k")[1] == pytest.approx([359.0, 361.0])
 
 
+def test_the_time_may_have_a_zone_and_may_be_the_index() -> None:
+    dates = pd.to_datetime([f"2020-01-01 00:00:{s}" for s in ("00.0", "01.5", "03.0")])
+    roll = {"roll": [1.0, 2.0, 3.0]}
+    frames = [
+        pd.DataFrame({"at": dates.tz_localize("Europe/Oslo"), **roll}),
+        pd.DataFrame(roll, index=dates),
+        pd.DataFrame(roll, index=dates.tz_localize("UTC")),
+        pd.DataFrame(roll, index=pd.Index([0.0, 1.5, 3.0], name="t [s]")),
+        pl.DataFrame({"at": pl.Series(dates).dt.replace_time_zone("Asia/Tokyo"), **roll}),
+    ]
+    for frame in frames:
+        time, values = gyrospec.recording(frame, units={"roll": "deg"}).channel("roll")
+        assert time.tolist() == [0.0, 1.5, 3.0] and values == pytest.approx([1.0, 2.0, 3.0])
+    named = pd.DataFrame(roll, index=pd.Index([0, 1, 2], name="t"))
+    asked = gyrospec.recording(named, units={"roll": "deg", "t": "min"}, time="t")
+    assert asked.channel("roll")[0].tolist() == [0.0, 60.0, 120.0]
+    with pytest.raises(gyrospec.UnitsError, match="`roll` is taken for the time, but it is in deg"):
+        gyrospec.recording(pd.DataFrame({"roll": [1.0, 2.0], "pitch": [0.0, 1.0]}), units={"roll": "deg", "pitch": "deg"})
+    twins = pd.DataFrame([[0.0, 1.0, 2.0]], columns=["t", "roll", "roll"])
+    with pytest.raises(gyrospec.InputError, match="two columns have the name `roll`"):
+        gyrospec.recording(twins, units={"t": "s", "roll": "deg"})
+    with pytest.raises(gyrospec.InputError, match=r"`roll` holds 'calm' in row 1 \(from 0\)"):
+        gyrospec.recording({"t": [0, 1], "roll": [1.0, "calm"]}, units={"t": "s", "roll": "deg"})
+
+
+def test_results_go_through_a_pickle(viscous: Columns) -> None:
+    answer = gyrospec.integral([1, 2, 3], [0, 1])
+    again = pickle.loads(pickle.dumps(answer))
+    assert again == answer and repr(again) == repr(answer)
+    ran = gyrospec.simulate(MODEL, viscous, units=UNITS)
+    kept = pickle.loads(pickle.dumps(ran))
+    assert str(kept) == str(ran) and kept.to_json() == ran.to_json()
+    assert kept._repr_html_() == ran._repr_html_()
+    with pytest.raises(gyrospec.UsageError, match="no trace"):
+        kept.trace()
+
+
 @pytest.mark.parametrize(
     ("change", "error", "says"),
     [
@@ -178,7 +215,8 @@ def test_a_diagnosis_names_what_was_left_out(model_file: Path, dry: Columns, tmp
     # the same inputs and seed: the same numbers as from the file
     again = gyrospec.diagnose(model_file, write(tmp_path / "voyage.csv", dry))
     assert again.findings == found.findings
-    assert again.made.inputs[0].file.endswith("voyage.csv")
+    assert len(again.made.inputs) == 2
+    assert again.made.inputs[1].file.endswith("voyage.csv")
     kept = pickle.loads(pickle.dumps(found))
     assert kept == found and kept.html() == page and kept.text() == found.text()
     assert kept.model_out == found.model_out

@@ -33,6 +33,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let meter = Meter::new();
     let request = Request {
         model: &inputs.model,
+        source: Some(&inputs.source),
         recordings: &inputs.recordings,
         separate: &inputs.separate,
         seed: call.task.seed,

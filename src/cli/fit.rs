@@ -61,6 +61,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
     }
     let report = FitReport {
         fit: &fitted,
+        source: &inputs.source,
         held_out: &held_out,
         recordings,
         separate,

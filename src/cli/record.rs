@@ -5,6 +5,7 @@ use crate::Result;
 use crate::record::quality::{Fault, FaultKind};
 use crate::record::{Channel, Hold, Kind, Recording, Summary, summaries};
 use crate::report::braille;
+use crate::units::counted;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -88,23 +89,22 @@ fn words(recording: &Recording, summaries: &[Summary]) -> String {
     let verdict = match (sure, faults.len() - sure) {
         (0, 0) => "Nothing is wrong with it that can be seen without a model.".to_owned(),
         (0, n) => format!("No fault that is sure; {n} to look at (?)."),
-        (n, 0) => format!("{n} faults (!)."),
-        (n, m) => format!("{n} faults (!), and {m} to look at (?)."),
+        (n, 0) => format!("{} (!).", counted(n, "fault")),
+        (n, m) => format!("{} (!), and {m} to look at (?).", counted(n, "fault")),
     };
-    let _ = writeln!(text, "\n{}", verdict.replace("1 faults", "1 fault"));
+    let _ = writeln!(text, "\n{verdict}");
     text
 }
 
 fn headline(recording: &Recording) -> String {
     let (n, name) = (recording.channels.len(), &recording.name);
-    let plural = if n == 1 { "" } else { "s" };
     let range = recording.range();
     let extent = match (recording.kind, range) {
-        (Kind::Trials, _) => format!("{} trials", recording.channels.first().map_or(0, Channel::len)),
+        (Kind::Trials, _) => counted(recording.channels.first().map_or(0, Channel::len), "trial"),
         (Kind::Time, Some(r)) => format!("{} s … {} s", short(r.from), short(r.to)),
         (Kind::Time, None) => "no samples".to_owned(),
     };
-    let mut text = format!("{name}: {n} channel{plural}, {extent}\n");
+    let mut text = format!("{name}: {}, {extent}\n", counted(n, "channel"));
     let spans = recording.spans_for(&[], false);
     if recording.kind == Kind::Time && !spans.holdout.is_empty() {
         let list = |spans: &[crate::record::Span]| {
@@ -130,7 +130,7 @@ fn channel_words(channel: &Channel, s: &Summary, kind: Kind) -> String {
         return text + "  no samples\n";
     }
     let absent = channel.len() - s.samples;
-    let _ = write!(text, "  {} samples", s.samples);
+    let _ = write!(text, "  {}", counted(s.samples, "sample"));
     if absent > 0 {
         let _ = write!(text, ", {absent} empty");
     }
@@ -188,13 +188,15 @@ fn says(fault: &Fault, channel: &Channel) -> String {
     match fault.kind {
         FaultKind::Frozen => {
             let held = short(unit.from_si(fault.size));
-            format!("stands still at {held} {unit} for {n} samples while it should move: {at}")
+            format!("stands still at {held} {unit} for {} while it should move: {at}", counted(n, "sample"))
         }
-        FaultKind::Outliers => format!("{n} outliers, up to {difference} off: at {at}"),
-        FaultKind::Gap => format!("{n} samples missing, up to {} s at a time: {at}", short(fault.size)),
+        FaultKind::Outliers => format!("{}, up to {difference} off: at {at}", counted(n, "outlier")),
+        FaultKind::Gap => {
+            format!("{} missing, up to {} s at a time: {at}", counted(n, "sample"), short(fault.size))
+        }
         FaultKind::Quantisation => format!("moves in steps of {difference}: coarse against its motion"),
         FaultKind::WrappedAngle => {
-            format!("jumps by a turn {n} times; mark it with wraps = true: {at}")
+            format!("jumps by a turn {}; mark it with wraps = true: {at}", counted(n, "time"))
         }
         FaultKind::ClockDrift => {
             format!("the step of time changes by {} % between the halves", short(100.0 * fault.size))

@@ -3,7 +3,7 @@
 use super::output::{Sink, keep_apart};
 use crate::Result;
 use crate::model::Model;
-use crate::record::Recording;
+use crate::record::{Recording, Source};
 use std::path::{Path, PathBuf};
 
 /// The arguments.
@@ -34,6 +34,8 @@ pub struct Task {
 /// What was read.
 pub struct Inputs {
     pub model: Model,
+    /// The model's file.
+    pub source: Source,
     pub recordings: Vec<Recording>,
     /// Held out whole.
     pub separate: Vec<Recording>,
@@ -59,11 +61,11 @@ impl Task {
 
     /// Reads model and recordings.
     pub fn read(&self) -> Result<Inputs> {
-        let model = Model::read(&self.model)?;
+        let (model, source) = Model::read_with_source(&self.model)?;
         let read = |files: &[PathBuf]| files.iter().map(Recording::read).collect::<Result<Vec<_>>>();
         let (recordings, separate) = (read(&self.recordings)?, read(&self.holdout)?);
         super::record::tell_notes(recordings.iter().chain(&separate));
-        Ok(Inputs { model, recordings, separate })
+        Ok(Inputs { model, source, recordings, separate })
     }
 
     /// Whether one of the results goes to standard output, so that nothing else may.

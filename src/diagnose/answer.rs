@@ -1,5 +1,6 @@
 //! The answer of a diagnosis, as programs read it.
 
+use super::catalogue::{self, Group};
 use serde::Serialize;
 
 /// A number as JSON writes it: what is not finite becomes null.
@@ -68,6 +69,8 @@ pub struct Detection {
 pub struct Visible {
     /// Code.
     pub code: String,
+    /// Where.
+    pub site: SiteName,
     /// Its parameter.
     pub parameter: String,
     /// Its size.
@@ -152,6 +155,29 @@ pub struct Finding {
     pub share: f64,
     /// Codes that fit as well.
     pub ties: Vec<String>,
+}
+
+/// Share of the held-out improvement below which a finding shows as 0 %.
+const NOTHING: f64 = 0.005;
+
+impl Finding {
+    /// Whether it brings nothing to the proof, and no interval parts its parameters from 0.
+    pub fn is_slight(&self) -> bool {
+        let holds_zero = |v: &Value| v.low <= 0.0 && v.high >= 0.0;
+        self.share < NOTHING && !self.parameters.is_empty() && self.parameters.iter().all(holds_zero)
+    }
+
+    /// Whether it is a fault of the data.
+    pub fn is_fault(&self) -> bool {
+        catalogue::find(&self.code).is_ok_and(|m| m.group == Group::Fault)
+    }
+}
+
+/// The findings that a sentence names, faults of the data and mechanisms apart: without slight ones,
+/// unless there are no others.
+pub fn told(findings: &[Finding]) -> (Vec<&Finding>, Vec<&Finding>) {
+    let all_slight = findings.iter().all(Finding::is_slight);
+    findings.iter().filter(|f| all_slight || !f.is_slight()).partition(|f| f.is_fault())
 }
 
 /// A value with its 95 % interval.
@@ -257,4 +283,38 @@ pub struct InputFile {
     pub file: String,
     /// SHA-256 in hexadecimal.
     pub sha256: String,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn finding(code: &str, share: f64, low: f64) -> Finding {
+        let value = Value { name: "a".into(), value: 1.0, low, high: 2.0, unit: "1".into() };
+        Finding {
+            code: code.into(),
+            site: SiteName { kind: "state".into(), name: "v".into() },
+            term: String::new(),
+            says: String::new(),
+            parameters: vec![value],
+            p_value: 0.0,
+            share,
+            ties: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_sentence_parts_faults_from_mechanisms_and_leaves_slight_ones_out() {
+        let all = [
+            finding("outliers", 0.0, f64::NAN),
+            finding("dry-friction", 0.997, 0.5),
+            finding("linear-damping", 0.003, -1.0),
+            finding("backlash", 0.0, 0.5),
+        ];
+        let codes = |v: Vec<&Finding>| v.iter().map(|f| f.code.clone()).collect::<Vec<_>>();
+        let (faults, others) = told(&all);
+        assert_eq!(codes(faults), ["outliers"]);
+        assert_eq!(codes(others), ["dry-friction", "backlash"]);
+        assert_eq!(told(&all[2..3]).1.len(), 1);
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::answer::{
     Answer, Detection, Finding, InputFile, Located, Made, ParameterChange, Proof, SignalChance, SiteName,
-    Unexplained, Value, Verdict, Visible,
+    Unexplained, Value, Verdict, Visible, told,
 };
 use super::bench::Bench;
 use super::catalogue::Proposal;
@@ -16,7 +16,6 @@ use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
 use crate::record::quality::Fault;
-use crate::units::figure;
 
 /// Mechanisms whose smallest visible size is told.
 const VISIBLE: usize = 12;
@@ -204,6 +203,7 @@ impl Assembly<'_> {
             let deviation = s.score.weights[0].abs() / s.score.chi2.sqrt();
             visible.push(Visible {
                 code: p.code.to_string(),
+                site: site(p),
                 parameter: a.name.clone(),
                 value: a.unit.difference_from_si(SEEN * deviation),
                 unit: a.unit.text().to_string(),
@@ -235,7 +235,8 @@ impl Assembly<'_> {
             }
         }
         let nothing = verdict == Verdict::NothingMissing;
-        let separating = self.found.taken.first().and_then(|t| next::separation(&t.proposal, &t.ties));
+        let separating =
+            self.found.taken.first().and_then(|t| next::separation(self.request.model, &t.proposal, &t.ties));
         Located {
             sites,
             time: if nothing { Vec::new() } else { locate::times(&self.found.base, &self.found.last) },
@@ -266,7 +267,8 @@ impl Assembly<'_> {
     }
 
     fn made(&self) -> Made {
-        let files = self.request.recordings.iter().chain(self.request.separate).flat_map(|r| &r.sources);
+        let recordings = self.request.recordings.iter().chain(self.request.separate);
+        let files = self.request.source.into_iter().chain(recordings.flat_map(|r| &r.sources));
         Made {
             program: concat!("gyrospec ", env!("CARGO_PKG_VERSION")).to_string(),
             seed: self.request.seed,
@@ -284,18 +286,18 @@ impl Assembly<'_> {
         blind: Option<&str>,
         rest: Option<&Rest>,
     ) -> String {
-        let list: Vec<&str> = findings.iter().map(|f| f.says.as_str()).collect();
+        let (faults, others) = told(findings);
+        let joined = |all: &[&Finding]| all.iter().map(|f| f.says.as_str()).collect::<Vec<_>>().join("; ");
+        let list = joined(&others);
         let gains: Vec<String> = proof
             .iter()
             .filter(|p| p.holdout_before.is_finite())
             .map(|p| {
                 format!(
-                    "On what was held out the error of {} is {} {} before and {} {} after.",
+                    "On what was held out the error of “{}” is {} before and {} after.",
                     p.output,
-                    figure(p.holdout_before),
-                    p.unit,
-                    figure(p.holdout_after),
-                    p.unit
+                    words::quantity(p.holdout_before, &p.unit),
+                    words::quantity(p.holdout_after, &p.unit)
                 )
             })
             .collect();
@@ -305,10 +307,9 @@ impl Assembly<'_> {
                 return "Nothing is missing: what the model leaves over looks like noise in every test."
                     .into();
             }
-            Verdict::Named => format!("The model leaves out: {}.", list.join("; ")),
+            Verdict::Named => format!("The model leaves out: {list}."),
             Verdict::Tie => format!(
-                "The model leaves out: {}. {} would fit as well.",
-                list.join("; "),
+                "The model leaves out: {list}. {} would fit as well.",
                 findings.first().map(|f| f.ties.join(", ")).unwrap_or_default()
             ),
             Verdict::Unknown if list.is_empty() && law.is_empty() => {
@@ -323,14 +324,16 @@ impl Assembly<'_> {
                 format!("Something is missing that the catalogue has no name for; it goes with {law}.")
             }
             Verdict::Unknown if law.is_empty() => format!(
-                "Something is missing, but no name for it stands on what was held out. It resembles: {}.",
-                list.join("; ")
+                "Something is missing, but no name for it stands on what was held out. It resembles: {list}."
             ),
             Verdict::Unknown => format!(
-                "Something is missing that the catalogue has no name for; it goes with {law}. It resembles: {}.",
-                list.join("; ")
+                "Something is missing that the catalogue has no name for; it goes with {law}. It resembles: {list}."
             ),
-            Verdict::DataFault => format!("The data are at fault: {}.", list.join("; ")),
+            Verdict::DataFault if list.is_empty() => format!("The data are at fault: {}.", joined(&faults)),
+            Verdict::DataFault => format!(
+                "The data are at fault: {}. Beside that the model leaves out: {list}.",
+                joined(&faults)
+            ),
             Verdict::NotIdentifiable => {
                 return format!(
                     "This recording cannot tell what is missing: {}.",

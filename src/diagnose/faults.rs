@@ -8,7 +8,7 @@ use crate::estimate::{Fit, fit};
 use crate::model::Model;
 use crate::record::quality::{self, Fault, FaultKind};
 use crate::record::{Recording, unwrap};
-use crate::units::{Unit, significant};
+use crate::units::{Unit, counted, significant};
 
 /// Faults of the channels that a model uses, and the recordings without them.
 pub struct Cleaned {
@@ -94,8 +94,13 @@ pub fn finding(model: &Model, recordings: &[Recording], f: &Fault) -> Finding {
         let (from, to) = (short(s.from), short(s.to));
         if from == to { format!(" at {from} s") } else { format!(" from {from} s to {to} s") }
     });
-    let more =
-        if f.spans.len() > 1 { format!(", and {} times more", f.spans.len() - 1) } else { String::new() };
+    let more = match f.spans.len() {
+        0 | 1 => String::new(),
+        2 => ", and once more".into(),
+        n => format!(", and {} more times", n - 1),
+    };
+    let first = if f.spans.len() > 1 { format!(", first{place}") } else { place.clone() };
+    let samples = counted(f.samples, "sample");
     let (name, value, unit_text) = match (f.kind, unit) {
         (FaultKind::Gap, _) => ("length", f.size, "s".to_string()),
         (FaultKind::ClockDrift, _) | (_, None) => ("relative", f.size, "1".to_string()),
@@ -105,8 +110,8 @@ pub fn finding(model: &Model, recordings: &[Recording], f: &Fault) -> Finding {
     let title = catalogue::find(f.kind.code()).map(|m| m.title).unwrap_or_default();
     let what = match f.kind {
         FaultKind::Frozen => format!("{} is stuck at {} {unit_text}{place}{more}", f.channel, short(value)),
-        FaultKind::Outliers => format!("{} has {} samples far off{place}{more}", f.channel, f.samples),
-        FaultKind::Gap => format!("{} lacks {} samples{place}{more}", f.channel, f.samples),
+        FaultKind::Outliers => format!("{} has {samples} far off{first}", f.channel),
+        FaultKind::Gap => format!("{} lacks {samples}{first}", f.channel),
         FaultKind::Quantisation => format!("{} moves in steps of {} {unit_text}", f.channel, short(value)),
         FaultKind::WrappedAngle => format!("{} jumps by a turn and is not marked `wraps = true`", f.channel),
         FaultKind::ClockDrift => format!("the clock of {} changes its rate{place}", f.channel),

@@ -30,7 +30,7 @@ use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::Progress;
 use crate::model::Model;
-use crate::record::Recording;
+use crate::record::{Recording, Source};
 use answer::Answer;
 use bench::Bench;
 use prove::Held;
@@ -39,6 +39,8 @@ use prove::Held;
 pub struct Request<'a> {
     /// The model.
     pub model: &'a Model,
+    /// The model's file, for the list of inputs.
+    pub source: Option<&'a Source>,
     /// Recordings that are fitted.
     pub recordings: &'a [Recording],
     /// Recordings that are held out whole.

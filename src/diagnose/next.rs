@@ -11,10 +11,11 @@ pub fn experiment(model: &Model, found: &Found, verdict: Verdict, blind: Option<
         Verdict::NotIdentifiable => blind.map(|b| format!("{b}: record again with what is missing there.")),
         Verdict::Tie => {
             let first = found.taken.first()?;
-            separation(&first.proposal, &first.ties)
+            separation(model, &first.proposal, &first.ties)
         }
         Verdict::Unknown => Some(format!(
-            "Repeat the recording at half and at twice the amplitude, and record {} beside it: a law of two signals shows itself when one of them is held.",
+            "Repeat the recording at half and at twice the amplitude of {}, and record {} beside it: a law of two signals shows itself when one of them is held.",
+            listed(model.inputs.iter().map(|i| &i.name)).unwrap_or_else(|| "its motion".into()),
             unseen_state(model).unwrap_or_else(|| "temperature and load".into())
         )),
         _ => None,
@@ -28,8 +29,10 @@ fn unseen_state(model: &Model) -> Option<String> {
 }
 
 /// What parts a mechanism from those that fit as well.
-pub fn separation(first: &Proposal, ties: &[Proposal]) -> Option<String> {
+pub fn separation(model: &Model, first: &Proposal, ties: &[Proposal]) -> Option<String> {
     let other = ties.first()?;
+    let inputs = listed(model.inputs.iter().map(|i| &i.name)).unwrap_or_else(|| "its inputs".into());
+    let outputs = listed(model.outputs.iter().map(|o| &o.name)).unwrap_or_else(|| "its outputs".into());
     let kinds = [first.site.kind, other.site.kind];
     let has = |k: SiteKind| kinds.contains(&k);
     let codes = format!("{} {}", first.code, other.code);
@@ -39,18 +42,34 @@ pub fn separation(first: &Proposal, ties: &[Proposal]) -> Option<String> {
             site_of(first, other, SiteKind::Output)
         )
     } else if codes.contains("offset") || codes.contains("constant") {
-        "a recording with the input switched off: an offset of the input goes with its cable, a force stays"
-            .to_string()
+        format!(
+            "a recording with {inputs} switched off: an offset of an input goes with its cable, a force stays"
+        )
     } else if codes.contains("lag") || codes.contains("delay") || codes.contains("inertia") {
-        "an input with faster changes, up to ten times the present band: lags, delays and inertias part there"
-            .to_string()
+        format!(
+            "faster changes of {inputs}, up to ten times the present band: lags, delays and inertias part there"
+        )
     } else if codes.contains("friction") || codes.contains("damping") || codes.contains("stiffness") {
-        "recordings at a third and at three times the amplitude: friction, damping and stiffness scale apart"
-            .to_string()
+        format!(
+            "recordings at a third and at three times the amplitude of {outputs}: friction, damping and stiffness scale apart"
+        )
     } else {
-        "a recording in which the signals of the two vary independently of each other".to_string()
+        let signals = listed([first, other].into_iter().map(|p| p.depends.first().unwrap_or(&p.site.name)));
+        format!("a recording in which {} vary independently of each other", signals.unwrap_or(outputs))
     };
     Some(format!("{} and {} fit alike here. What would part them: {text}.", first.code, other.code))
+}
+
+/// Different names, with "and" before the last; none where there are none.
+fn listed<'a>(names: impl Iterator<Item = &'a String>) -> Option<String> {
+    let mut different: Vec<&str> = Vec::new();
+    for name in names {
+        if !different.contains(&name.as_str()) {
+            different.push(name);
+        }
+    }
+    let (last, others) = different.split_last()?;
+    Some(if others.is_empty() { (*last).to_owned() } else { format!("{} and {last}", others.join(", ")) })
 }
 
 fn site_of<'a>(a: &'a Proposal, b: &'a Proposal, kind: SiteKind) -> &'a str {

@@ -39,7 +39,7 @@ mod scale;
 pub use evaluate::{Estimate, evaluate, evaluate_fast};
 
 use crate::{Error, Result};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// The numerator of the integrand.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -155,7 +155,7 @@ fn finite(name: &str, letter: &str, x: &[f64]) -> Result<()> {
 }
 
 /// How an answer was found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Method {

@@ -7,6 +7,7 @@ use super::form::{Form, toml};
 use super::places::{Places, Text};
 use super::{Definition, Initial, Input, Model, Output, Parameter, State, builtin};
 use crate::expression::{Expr, Function, is_name};
+use crate::record::Source;
 use crate::units::Unit;
 use crate::{Error, Result};
 use std::ops::Range;
@@ -18,12 +19,22 @@ impl Model {
     /// # Errors
     /// Everything wrong with the file, with its line and column and what to do.
     pub fn read(path: &Path) -> Result<Self> {
+        Ok(Self::read_with_source(path)?.0)
+    }
+
+    /// Reads a model file, and tells the file with the hash of its bytes.
+    ///
+    /// # Errors
+    /// As [`Model::read`].
+    pub fn read_with_source(path: &Path) -> Result<(Self, Source)> {
         let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
+        let source = Source::of(path, &bytes);
         let text = String::from_utf8(bytes).map_err(|e| {
             let message = format!("byte {} is no UTF-8 text", e.utf8_error().valid_up_to());
             Error::bad_input(message).with_file(path)
         })?;
-        Self::parse(text.trim_start_matches('\u{feff}')).map_err(|e| e.with_file(path))
+        let model = Self::parse(text.trim_start_matches('\u{feff}')).map_err(|e| e.with_file(path))?;
+        Ok((model, source))
     }
 
     /// Reads the text of a model file.

@@ -24,10 +24,17 @@ pub fn diagnose(
     holdout: Vec<PyRef<'_, Recording>>,
     seed: u64,
 ) -> PyResult<Told> {
-    let model = Arc::clone(&model.0);
+    let (model, source) = (Arc::clone(&model.0), model.1.clone());
     let (recordings, separate) = (owned(&recordings), owned(&holdout));
     let (found, json) = patiently(py, move |progress| {
-        let request = Request { model: &model, recordings: &recordings, separate: &separate, seed, progress };
+        let request = Request {
+            model: &model,
+            source: Some(&source),
+            recordings: &recordings,
+            separate: &separate,
+            seed,
+            progress,
+        };
         let found = find(&request)?;
         let json =
             serde_json::to_string_pretty(&found.answer).map_err(|e| Error::not_computed(e.to_string()))?;

@@ -19,7 +19,7 @@ pub fn fit(
     holdout: Vec<PyRef<'_, Recording>>,
     seed: u64,
 ) -> PyResult<Told> {
-    let model = Arc::clone(&model.0);
+    let (model, source) = (Arc::clone(&model.0), model.1.clone());
     let (recordings, separate) = (owned(&recordings), owned(&holdout));
     let (fitted, json, text, page) = patiently(py, move |progress| {
         let separate_holdout = !separate.is_empty();
@@ -28,6 +28,7 @@ pub fn fit(
         let held_out = run_held_out(&fitted, &recordings, &separate, &options)?;
         let report = FitReport {
             fit: &fitted,
+            source: &source,
             held_out: &held_out,
             recordings: &recordings,
             separate: &separate,

@@ -7,11 +7,25 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// A value of I_n with what is known of it.
-#[pyclass(frozen, module = "gyrospec")]
+#[pyclass(frozen, eq, module = "gyrospec")]
+#[derive(PartialEq)]
 pub struct Integral(Answer);
 
 #[pymethods]
 impl Integral {
+    /// An answer from its fields, as pickle keeps them.
+    #[staticmethod]
+    fn _of(value: f64, error_bound: f64, condition: f64, method: &str) -> PyResult<Self> {
+        let unknown = |_| Error::bad_input(format!("`{method}` is no method of the integral"));
+        let method = serde_json::from_value(method.into()).map_err(unknown)?;
+        Ok(Self(Answer { value, error_bound, condition, method }))
+    }
+
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (f64, f64, f64, String))> {
+        let Answer { value, error_bound, condition, .. } = slf.get().0;
+        Ok((slf.get_type().getattr("_of")?, (value, error_bound, condition, slf.get().method())))
+    }
+
     /// The integral.
     #[getter]
     fn value(&self) -> f64 {

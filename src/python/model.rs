@@ -2,6 +2,7 @@
 
 use crate::error::nearest;
 use crate::model;
+use crate::record::Source;
 use crate::units::Unit;
 use crate::{Error, Result};
 use pyo3::prelude::*;
@@ -11,12 +12,21 @@ use std::sync::Arc;
 
 /// A model: inputs, parameters, definitions, states, outputs; read once, used often.
 #[pyclass(frozen, eq, module = "gyrospec")]
-#[derive(PartialEq)]
-pub struct Model(pub Arc<model::Model>);
+pub struct Model(pub Arc<model::Model>, pub Source);
+
+impl PartialEq for Model {
+    /// Models are the same wherever they came from.
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0
+    }
+}
 
 impl From<model::Model> for Model {
+    /// A model that lies in memory; its name stands in angle brackets.
     fn from(model: model::Model) -> Self {
-        Self(Arc::new(model))
+        let place = PathBuf::from(format!("<{}>", model.name));
+        let source = Source::of(&place, model.to_toml().as_bytes());
+        Self(Arc::new(model), source)
     }
 }
 
@@ -25,7 +35,8 @@ impl Model {
     /// Reads a model file.
     #[staticmethod]
     fn read(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
-        Ok(py.detach(|| model::Model::read(&path))?.into())
+        let (model, source) = py.detach(|| model::Model::read_with_source(&path))?;
+        Ok(Self(Arc::new(model), source))
     }
 
     /// Reads the text of a model file.

@@ -42,13 +42,13 @@ impl Recording {
     #[staticmethod]
     fn of_columns(
         name: String,
-        time: Option<(Bound<'_, PyAny>, String)>,
+        time: Option<(Bound<'_, PyAny>, String, String)>,
         columns: Vec<Column<'_>>,
         known: Known,
     ) -> PyResult<Self> {
         let kind = if time.is_some() { Kind::Time } else { Kind::Trials };
-        let time: Arc<[f64]> = if let Some((values, unit)) = &time {
-            seconds(&array::column("the time", values)?, unit)?.into()
+        let time: Arc<[f64]> = if let Some((values, unit, name)) = &time {
+            seconds(&array::column("the time", values)?, unit, name)?.into()
         } else {
             let rows = columns.first().map_or(Ok(0), |c| c.2.len())?;
             (0..rows).map(|i| i as f64).collect()
@@ -112,10 +112,13 @@ impl Recording {
 }
 
 /// Times in s.
-fn seconds(values: &numpy::PyReadonlyArray1<'_, f64>, unit: &str) -> Result<Vec<f64>> {
-    let unit = Unit::parse(unit).map_err(|e| e.about("the time"))?;
+fn seconds(values: &numpy::PyReadonlyArray1<'_, f64>, unit: &str, name: &str) -> Result<Vec<f64>> {
+    let unit = Unit::parse(unit).map_err(|e| e.about(&format!("the column of time, `{name}`")))?;
     if unit.dimension() != Dimension::TIME {
-        return Err(Error::new(ErrorKind::Units, format!("the time is in {unit}, which is no unit of time")));
+        let says = format!("`{name}` is taken for the time, but it is in {unit}, which is no unit of time");
+        return Err(Error::new(ErrorKind::Units, says).with_hint(
+            "the first column is the time; else say which one is: time='...' (a frame's index by its name)",
+        ));
     }
     Ok(values.as_array().iter().map(|t| unit.to_si(*t)).collect())
 }

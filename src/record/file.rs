@@ -3,7 +3,7 @@
 use super::form::{ChannelForm, FormatForm, HoldForm, KindForm, QuantityForm, RecordingForm};
 use super::form::{SpansForm, StartForm, TableForm, TimeForm};
 use super::request::{Clock, Request, Wanted};
-use super::{Channel, Constant, Hold, Kind, Note, Recording, Span, Spans, csv, input, nmea};
+use super::{Channel, Constant, Hold, Kind, Note, Recording, Source, Span, Spans, csv, nmea};
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
 use std::collections::HashMap;
@@ -16,7 +16,12 @@ pub(super) fn read(path: &Path) -> Result<Recording> {
     let text = String::from_utf8(bytes).map_err(|_| {
         Error::bad_input("the file is no UTF-8 text").with_file(path).with_hint("save it as UTF-8")
     })?;
-    let file = File { path, text: &text };
+    parse(&text, path)
+}
+
+/// Reads the recording that a text describes, which stands or is to stand at the path.
+pub(super) fn parse(text: &str, path: &Path) -> Result<Recording> {
+    let file = File { path, text };
     file.recording().map_err(|e| if e.file().is_some() { e } else { e.with_file(path) })
 }
 
@@ -36,7 +41,7 @@ impl File<'_> {
         let mut recording = Recording {
             name: form.name.unwrap_or_else(|| stem.into_owned()),
             kind,
-            sources: vec![input::source_of(self.path, self.text.as_bytes())],
+            sources: vec![Source::of(self.path, self.text.as_bytes())],
             ..Recording::default()
         };
         if form.tables.is_empty() {

@@ -168,7 +168,9 @@ fn damaged(path: &Path, e: &io::Error, lines: usize) -> Error {
         .with_hint("copy the file again from where it was made; `gzip -t FILE` tests a copy")
 }
 
-/// The hash of bytes that were read already.
-pub(super) fn source_of(path: &Path, bytes: &[u8]) -> Source {
-    Source { file: path.to_owned(), sha256: hexadecimal(&Sha256::digest(bytes)) }
+impl Source {
+    /// A file whose bytes were read already.
+    pub fn of(path: &Path, bytes: &[u8]) -> Self {
+        Self { file: path.to_owned(), sha256: hexadecimal(&Sha256::digest(bytes)) }
+    }
 }

@@ -16,6 +16,7 @@ mod spans;
 mod summary;
 mod wrap;
 
+pub use csv::{Raw, columns};
 pub use recording::{Channel, Constant, Hold, Kind, Note, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 pub use summary::{Peak, Summary, summaries, summary};
@@ -50,7 +51,7 @@ impl Recording {
         }
         let stem = path.file_name().unwrap_or_default().to_string_lossy();
         let name = stem.split('.').next().unwrap_or_default().to_owned();
-        let table = if nmea::looks_like_log(&start_of(path)?) {
+        let table = if is_log(path)? {
             nmea::read(path, &nmea::Request { zero: None, wanted: Vec::new(), table: 0 })?
         } else {
             let clock = request::Clock::FirstColumn;
@@ -59,6 +60,23 @@ impl Recording {
         let (channels, sources, notes) = (table.channels, vec![table.source], table.notes);
         Ok(Self { name, channels, sources, notes, ..Self::default() })
     }
+
+    /// Reads the recording that the text of a TOML recording describes; `path` is where the text is to
+    /// stand, and the files that it names are relative to its folder.
+    ///
+    /// # Errors
+    /// As [`Recording::read`].
+    pub fn parse(text: &str, path: impl AsRef<Path>) -> Result<Self> {
+        file::parse(text, path.as_ref())
+    }
+}
+
+/// Whether a file is an NMEA 0183 log.
+///
+/// # Errors
+/// `Io`.
+pub fn is_log(path: &Path) -> Result<bool> {
+    Ok(nmea::looks_like_log(&start_of(path)?))
 }
 
 fn start_of(path: &Path) -> Result<Vec<u8>> {

@@ -126,7 +126,7 @@ pub struct Constant {
     pub unit: Unit,
 }
 
-/// A file that a recording was read from.
+/// A file that a recording, or another input, was read from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
     /// The path as it was opened.

@@ -1,10 +1,10 @@
 //! A fit as one page with pictures.
 
+use crate::diagnose::pictures::closer;
 use crate::estimate::Direction;
 use crate::estimate::fit::{Beside, Estimate, Fit, HeldOut, InitialEstimate, Series, Status};
 use crate::model::Output;
-use crate::record::{Kind, Recording};
-use crate::report::closer;
+use crate::record::{Kind, Recording, Source};
 use crate::report::page::{self, Page, Section, head, table, with_unit};
 use crate::report::svg::{Layer, Picture, escaped};
 use crate::units::{Unit, figure};
@@ -17,6 +17,8 @@ const DRAWN: usize = 3;
 pub struct FitReport<'a> {
     /// The fitted model.
     pub fit: &'a Fit,
+    /// The file of the model as given.
+    pub source: &'a Source,
     /// What it does where it was not fitted.
     pub held_out: &'a [HeldOut],
     /// The recordings that were fitted.
@@ -27,6 +29,14 @@ pub struct FitReport<'a> {
     pub spectra: &'a [ResidualSpectrum],
     /// Seed.
     pub seed: u64,
+}
+
+impl FitReport<'_> {
+    /// The files that it rests on: the model, then the recordings.
+    pub fn inputs(&self) -> impl Iterator<Item = &Source> {
+        let recordings = self.recordings.iter().chain(self.separate).flat_map(|r| &r.sources);
+        std::iter::once(self.source).chain(recordings)
+    }
 }
 
 /// The spectrum of what an output leaves over.
@@ -52,7 +62,6 @@ struct Course<'a> {
 pub fn page(r: &FitReport<'_>) -> String {
     let courses = courses(r);
     let drawn = |draw: fn(&Course<'_>) -> String| courses.iter().map(draw).collect::<String>();
-    let inputs = r.recordings.iter().chain(r.separate).flat_map(|r| &r.sources);
     let program = concat!("gyrospec ", env!("CARGO_PKG_VERSION"));
     let page = Page {
         kind: format!("Fit of the model “{}”", r.fit.model.name),
@@ -65,9 +74,9 @@ pub fn page(r: &FitReport<'_>) -> String {
             Section::new("spectra", "What it leaves in frequency", r.spectra.iter().map(spectrum).collect()),
             Section::new("parameters", "Parameters", parameters(r)),
             Section::new("errors", "Free-run error", errors(r)),
-            Section::new("unseen", "What these data do not tell", r.fit.unseen.iter().map(unseen).collect()),
+            Section::new("unseen", "What these data do not tell", unseen(&r.fit.unseen)),
             Section::new("warnings", "Warnings", warnings(r.fit)),
-            page::made(program, r.seed, inputs.map(|s| (Path::new(&s.file), s.sha256.as_str()))),
+            page::made(program, r.seed, r.inputs().map(|s| (Path::new(&s.file), s.sha256.as_str()))),
         ],
     };
     page.html()
@@ -248,14 +257,24 @@ fn errors(r: &FitReport<'_>) -> String {
     table(&["output", "#fitted", "#held out"], &rows)
 }
 
-fn unseen(d: &Direction) -> String {
-    let names: Vec<String> = d.weights.iter().map(|(name, _)| escaped(name)).collect();
+/// A direction that the data do not tell, in words that follow "these data do not tell".
+fn unseen_words(d: &Direction) -> String {
+    let names: Vec<&str> = d.weights.iter().map(|(name, _)| name.as_str()).collect();
     match names.as_slice() {
-        [one] => format!("<p>{one} leaves no trace in what is measured.</p>"),
-        several => {
-            format!("<p>{} apart: changes in them cancel in what is measured.</p>", several.join(" and "))
-        }
+        [one] => format!("{one}: it leaves no trace in what is measured"),
+        several => format!("{} apart: changes in them cancel in what is measured", several.join(" and ")),
     }
+}
+
+/// The same for a terminal, with its heading; empty where the data tell all.
+pub fn untold(directions: &[Direction]) -> String {
+    let lines: String = directions.iter().map(|d| format!("  {}\n", unseen_words(d))).collect();
+    if lines.is_empty() { lines } else { format!("\nNot identifiable: these data do not tell\n{lines}") }
+}
+
+/// What the data do not tell, a paragraph each; empty where they tell all.
+pub fn unseen(directions: &[Direction]) -> String {
+    directions.iter().map(|d| format!("<p>{}.</p>", escaped(&unseen_words(d)))).collect()
 }
 
 fn warnings(fit: &Fit) -> String {

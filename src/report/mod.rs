@@ -1,7 +1,6 @@
 //! Text, JSON and HTML reports; computes nothing.
 
 pub mod braille;
-mod closer;
 pub mod diagnosis;
 pub mod fit;
 pub mod page;

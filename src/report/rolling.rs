@@ -24,6 +24,8 @@ pub struct Rolling<'a> {
     pub recorded: Option<Recorded<'a>>,
     /// What of the numbers to trust, in paragraphs.
     pub trust: &'a str,
+    /// Whether the mean to trust is that by the measured spectrum.
+    pub by_spectrum: bool,
     /// The mean error as a formula, where one is kept.
     pub formula: Option<String>,
     /// Files with their SHA-256.
@@ -97,13 +99,19 @@ fn degrees(x: f64) -> String {
 }
 
 fn sentence(r: &Rolling<'_>) -> String {
-    let worst = r.rows.iter().max_by(|a, b| a.mean.abs().total_cmp(&b.mean.abs()));
+    let mean = |x: &Row| x.measured.filter(|_| r.by_spectrum).unwrap_or(x.mean);
+    let worst = r.rows.iter().max_by(|a, b| mean(a).abs().total_cmp(&mean(b).abs()));
     let Some(w) = worst else { return "There is nothing to compute.".into() };
     let (what, unit) = r.against.split_once(", ").unwrap_or((r.against, ""));
     format!(
-        "On this roll the compass is off by {}{}° in the mean at {what} {}{}{unit}, and swings by ±{}° about it.",
-        if w.mean < 0.0 { "−" } else { "+" },
-        significant(w.mean.abs(), 3),
+        "On this roll the compass is off by {}{}° in the mean{} at {what} {}{}{unit}, and swings by ±{}° about it.",
+        if mean(w) < 0.0 { "−" } else { "+" },
+        significant(mean(w).abs(), 3),
+        match (r.by_spectrum, r.recorded.is_some()) {
+            (true, _) => " (by its measured spectrum)",
+            (false, true) => " (by its fit)",
+            _ => "",
+        },
         figure(w.value),
         if unit == "°" { "" } else { " " },
         significant(w.spread, 3)

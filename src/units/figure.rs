@@ -21,6 +21,16 @@ pub fn figure(x: f64) -> String {
     without_zeros(&format!("{x:.decimals$}")).to_string()
 }
 
+/// A number of things: `1 sample`, `2 samples`.
+///
+/// ```
+/// use gyrospec::units::counted;
+/// assert_eq!([counted(1, "sample"), counted(0, "sample")], ["1 sample", "0 samples"]);
+/// ```
+pub fn counted(number: usize, thing: &str) -> String {
+    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
+}
+
 fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }

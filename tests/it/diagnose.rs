@@ -50,7 +50,8 @@ fn recording(force: Option<&str>) -> (Model, Recording) {
 
 fn diagnosed(model: &Model, recording: Recording) -> Diagnosis {
     let recordings = [recording];
-    let request = Request { model, recordings: &recordings, separate: &[], seed: 1, progress: &Silent };
+    let request =
+        Request { model, source: None, recordings: &recordings, separate: &[], seed: 1, progress: &Silent };
     diagnose(&request).unwrap()
 }
 

@@ -5,7 +5,8 @@ use gyrospec::diagnose::answer::{
     Answer, Band, Detection, Finding, InputFile, Located, Made, ParameterChange, Proof, SignalChance,
     SiteName, Stretch, Unexplained, Value, Verdict, Visible,
 };
-use gyrospec::diagnose::pictures::{Course, Faulty, Law, Pictures, Spectrum, Standing, Tried};
+use gyrospec::diagnose::pictures::{Close, Course, Faulty, Law, Pictures, Spectrum, Standing, Tried};
+use gyrospec::estimate::Direction;
 use gyrospec::report::diagnosis::page;
 use std::path::Path;
 use std::process::Command;
@@ -51,6 +52,7 @@ fn answer(verdict: Verdict) -> Answer {
             p_value: 0.3,
             smallest_visible: vec![Visible {
                 code: "dry-friction".into(),
+                site: site(),
                 parameter: "Fc".into(),
                 value: 0.1,
                 unit: "N".into(),
@@ -115,10 +117,12 @@ fn pictures(verdict: Verdict) -> Pictures {
         after: wave(0.99),
         residual_before: wave(0.2),
         residual_after: wave(0.01),
+        close: Some(Close { measured: wave(1.0), before: wave(0.8), after: wave(0.99) }),
     };
     let law = Law {
         code: "dry-friction".into(),
         term: "-Fc*sign(v)/M".into(),
+        formula: "-Fc*sign(v)".into(),
         signal: "v".into(),
         signal_unit: "m/s".into(),
         effect: "what is missing at v".into(),
@@ -159,7 +163,7 @@ fn pictures(verdict: Verdict) -> Pictures {
 }
 
 fn made(verdict: Verdict) -> String {
-    page("axis <1>", &answer(verdict), &pictures(verdict))
+    page("axis <1>", &answer(verdict), &pictures(verdict), &[])
 }
 
 /// The sections of a page and what stands in each.
@@ -228,6 +232,7 @@ fn the_verdict_is_one_sentence() {
     assert_eq!(heading(Verdict::Named), "The model leaves out dry (Coulomb) friction (state v).");
     assert!(heading(Verdict::Tie).contains("would fit as well"));
     assert_eq!(heading(Verdict::NothingMissing), "Nothing is missing.");
+    assert_eq!(heading(Verdict::DataFault), "The data are at fault: a stuck channel (state v).");
     assert!(VERDICTS.iter().all(|v| heading(*v).ends_with('.')));
 }
 
@@ -315,6 +320,10 @@ fn a_page_of_the_rolling_error_has_its_sections() {
     assert_eq!(sections[0].1.matches("<path class=\"mean\"").count(), 1);
     assert_eq!(sections[1].1.matches("<figure>").count(), 3);
     assert!(page.len() < 300_000 && !page.contains("NaN") && !page.contains("http"));
+    // the verdict follows the mean that the page says to trust
+    let by_spectrum = sections[3].1.contains("trust the last column");
+    let verdict = page.split("</h1>").next().unwrap();
+    assert!(verdict.contains(if by_spectrum { "(by its measured spectrum)" } else { "(by its fit)" }));
     let by_latitude = page_of(&["roll-error", "--against", "latitude"]);
     assert!(by_latitude.contains("<polygon class=\"band\"") && by_latitude.contains("latitude, °"));
 }
@@ -333,9 +342,35 @@ fn a_page_of_a_fit_has_its_sections() {
 }
 
 #[test]
+fn faults_and_physics_are_two_sentences_and_each_page_says_what_would_confirm_it() {
+    let mut a = answer(Verdict::DataFault);
+    a.findings.extend(finding(Verdict::Named));
+    a.next_experiment = None;
+    let shown = |a: &Answer| page("axis", a, &pictures(a.verdict), &[]);
+    let text = shown(&a);
+    let heading = "The data are at fault: a stuck channel (state v). The model also leaves out dry (Coulomb) friction (state v).";
+    assert!(text.contains(heading), "{text:.3000}");
+    assert!(text.contains("Record v again without the fault"));
+    let mut a = answer(Verdict::Named);
+    a.next_experiment = None;
+    assert!(shown(&a).contains("would confirm it"));
+    let slight = Value { name: "c".into(), value: 0.1, low: -1.0, high: 1.0, unit: "N".into() };
+    a.findings.push(Finding {
+        code: "linear-damping".into(),
+        share: 0.001,
+        parameters: vec![slight],
+        ..a.findings[0].clone()
+    });
+    assert!(shown(&a).contains("The model leaves out dry (Coulomb) friction (state v)."));
+    let dark = Direction { weights: vec![("M".into(), 0.9), ("k".into(), 0.4)], deviation: 9.0 };
+    let text = page("axis", &a, &pictures(a.verdict), &[dark]);
+    assert!(text.contains("M and k apart: changes in them cancel in what is measured."));
+}
+
+#[test]
 fn sentences_lose_needless_zeros() {
     let mut a = answer(Verdict::DataFault);
     a.says = "needle is stuck at 5.125000 deg from 25.000000 s to 249.250000 s in 3.0.10".into();
-    let page = page("axis", &a, &pictures(Verdict::DataFault));
+    let page = page("axis", &a, &pictures(Verdict::DataFault), &[]);
     assert!(page.contains("needle is stuck at 5.125 deg from 25 s to 249.25 s in 3.0.10"), "{page:.3000}");
 }

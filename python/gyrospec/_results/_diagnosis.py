@@ -22,6 +22,7 @@ class Visible:
     """The smallest size of a mechanism that this recording would have shown."""
 
     code: str
+    site: Site
     parameter: str
     value: float
     unit: str

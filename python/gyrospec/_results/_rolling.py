@@ -42,6 +42,8 @@ class RollError(Report):
     against: str
     rows: list[RollErrorRow]
     note: str
+    trusted_mean: str = "mean_deg"
+    """The column of the mean to trust: `mean_deg`, or `measured_spectrum_mean_deg`."""
     svg: str = field(default="", repr=False, compare=False)
     """The polar picture of the error; empty where the rows do not run over headings."""
 
@@ -58,16 +60,19 @@ class RollError(Report):
             raise KeyError(f"{name}: a row has {', '.join(names)}")
         return np.array([getattr(row, name) for row in self.rows], dtype=np.float64)
 
+    def _mean(self, row: RollErrorRow) -> float:
+        return float(getattr(row, self.trusted_mean))
+
     def __repr__(self) -> str:
-        worst = max(self.rows, key=lambda r: abs(r.mean_deg))
+        worst = max(self.rows, key=lambda r: abs(self._mean(r)))
         told = (
-            f"largest mean {worst.mean_deg:.4g}° ± {worst.spread_deg:.2g}° on heading {worst.heading_deg:g}°"
+            f"largest mean {self._mean(worst):.4g}° ± {worst.spread_deg:.2g}° on heading {worst.heading_deg:g}°"
         )
         return f"RollError({self.instrument}; {self.motion}: {len(self.rows)} rows, {told})"
 
     def _repr_html_(self) -> str:
         name = self.against
         head = (name, "mean, °", "spread, °")
-        rows = [(f"{getattr(r, name):.6g}", f"{r.mean_deg:.5f}", f"{r.spread_deg:.5f}") for r in self.rows]
+        rows = [(f"{getattr(r, name):.6g}", f"{self._mean(r):.5f}", f"{r.spread_deg:.5f}") for r in self.rows]
         words = f"<p>{escape(self.instrument)}; {escape(self.motion)}</p>"
         return words + self.svg + table(head, rows) + f"<p>{escape(self.note)}</p>"

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .._errors import UsageError
 from .._gyrospec import Simulated
 from .._inputs import Floats
 from ._report import number, table
@@ -39,7 +40,8 @@ class Simulation:
     outputs: list[SimulatedOutput]
     warnings: list[str]
     solver_error: float
-    _simulated: Simulated = field(repr=False, compare=False)
+    _simulated: Simulated | None = field(repr=False, compare=False)
+    _text: str = field(repr=False, compare=False, default="")
 
     @classmethod
     def _of(cls, ran: Simulated) -> Simulation:
@@ -58,6 +60,11 @@ class Simulation:
     def trace(self, time: Floats | list[float] | None = None) -> dict[str, NDArray[np.float64]]:
         """All states and definitions at rising times in s, by default those of the first output."""
         at = self.outputs[0].time if time is None else np.asarray(time, dtype=np.float64)
+        if self._simulated is None:
+            raise UsageError(
+                "a simulation that came out of a pickle has its outputs, but no trace\n"
+                "help: take the trace where it was simulated"
+            )
         columns = {name: values for name, _, values in self._simulated.trace(at)}
         return {"time": at, **columns}
 
@@ -81,8 +88,15 @@ class Simulation:
         """The same as JSON."""
         return json.dumps(self.to_dict())
 
+    def __getstate__(self) -> dict[str, Any]:
+        # the native half stays behind; its words go along
+        return {**self.__dict__, "_simulated": None, "_text": str(self)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state)
+
     def __str__(self) -> str:
-        return self._simulated.text
+        return self._simulated.text if self._simulated else self._text
 
     def __repr__(self) -> str:
         return f"Simulation({', '.join(map(repr, self.outputs))})"

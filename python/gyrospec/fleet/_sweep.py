@@ -10,11 +10,12 @@ from typing import Any
 
 import numpy as np
 import pyarrow as pa
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from .. import _gyrospec as native
 from .._api import roll_error_sweep
 from .._errors import InputError
+from .._inputs import Column
 from ._parts import CARD, Progress, digest, do, finish, open_folder, part, read_card, write_part
 
 Axes = dict[str, NDArray[np.float64]]
@@ -24,7 +25,7 @@ ROWS_PER_PART = 1_000_000
 
 
 def roll_error(
-    grid: Mapping[str, ArrayLike],
+    grid: Mapping[str, Column],
     out: str | os.PathLike[str],
     client: Any = None,
     *,

@@ -31,7 +31,7 @@ pub fn render(told: &FitReport<'_>) -> Result<String> {
         "made": {
             "program": concat!("gyrospec ", env!("CARGO_PKG_VERSION")),
             "seed": told.seed,
-            "inputs": told.recordings.iter().chain(told.separate).flat_map(|r| &r.sources).map(|s| json!({
+            "inputs": told.inputs().map(|s| json!({
                 "file": s.file.display().to_string(), "sha256": s.sha256,
             })).collect::<Vec<_>>(),
         },

@@ -1,7 +1,7 @@
 //! The result of a fit in words and a table.
 
 use crate::estimate::fit::{Estimate, Status};
-use crate::report::fit::FitReport;
+use crate::report::fit::{FitReport, untold};
 use crate::units::{Unit, digits_within, significant};
 use std::fmt::Write;
 
@@ -30,7 +30,7 @@ pub fn render(told: &FitReport<'_>) -> String {
             _ => text.push_str(", nothing held out\n"),
         }
     }
-    text.push_str(&unseen(told));
+    text.push_str(&untold(&told.fit.unseen));
     text
 }
 
@@ -55,25 +55,4 @@ fn row(name: &str, values: [f64; 3], unit: &Unit, remark: Option<&str>) -> Strin
     };
     let shown = if remark == Some("fixed") { format!("{value}") } else { significant(value, digits) };
     format!("  {name:<16} {shown:>14}   {interval:<28} {}\n", unit.text())
-}
-
-fn unseen(told: &FitReport<'_>) -> String {
-    if told.fit.unseen.is_empty() {
-        return String::new();
-    }
-    let mut text = String::from("\nNot identifiable: these data do not tell\n");
-    for direction in &told.fit.unseen {
-        let names: Vec<&str> = direction.weights.iter().map(|(name, _)| name.as_str()).collect();
-        let _ = match names.as_slice() {
-            [one] => writeln!(text, "  {one}"),
-            several => {
-                writeln!(
-                    text,
-                    "  {} apart: changes in them cancel in what is measured",
-                    several.join(" and ")
-                )
-            }
-        };
-    }
-    text
 }

@@ -1,20 +1,18 @@
 //! A recording file guessed from a CSV.
+//!
+//! The record room looks at the table; this guesses what its columns mean, writes that down, and has the
+//! record room read the result: what comes out is a recording, or the reason why it is none.
 
-use crate::units::Unit;
+use crate::record::{self, Raw, Recording};
+use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
 use std::collections::BTreeSet;
-use std::fmt::Write;
-use std::io::Read;
 use std::path::Path;
 
-/// Rows that are looked at.
-const ROWS: usize = 20_000;
-
-/// A column as the file has it.
-struct Column {
-    header: String,
-    values: Vec<f64>,
-}
+/// First words of names that mean the time.
+const TIMES: [&str; 9] = ["t", "time", "timestamp", "seconds", "clock", "date", "datetime", "utc", "epoch"];
+/// Seconds by which the steps of stamps may differ and still be even.
+const EVEN: f64 = 1e-6;
 
 /// What a column is taken for, and why.
 struct Guess {
@@ -25,92 +23,139 @@ struct Guess {
 }
 
 /// The text of a recording file; every guess is marked.
+///
+/// # Errors
+/// What the record room says of a table that it cannot read, with file, line and column.
 pub fn guessed(csv: &Path) -> Result<String> {
-    let columns = columns(csv)?;
+    if record::is_log(csv)? {
+        return Err(Error::bad_input("this is an NMEA 0183 log, not a CSV file").with_file(csv).with_hint(
+            "`gyrospec record FILE` reads it as it is; its help shows how a recording file names it",
+        ));
+    }
+    let columns = record::columns(csv)?;
     let stem = csv.file_name().unwrap_or_default().to_string_lossy();
     let stem = stem.split('.').next().unwrap_or_default();
-    let time = columns.iter().position(is_time);
+    let time = time_of(&columns);
     let mut out = format!(
-        "# Guessed from the header and the first rows: look at every line marked GUESS.\nname = {}\n\n[[tables]]\nfile = {}\n",
+        "# Guessed from the header and the rows: look at every line marked GUESS.\nname = {}\n\n[[tables]]\nfile = {}\n",
         quoted(stem),
         quoted(&csv.display().to_string())
     );
-    match time.map(|i| (&columns[i], guess(&columns[i], &mut BTreeSet::new()))) {
-        Some((c, g)) => {
-            let (unit, because) = match Unit::parse(&g.unit) {
-                Ok(u) if u.dimension() == crate::units::Dimension::TIME => (g.unit, g.because),
-                _ => ("s".into(), "GUESS: seconds, as the header names no unit of time".into()),
-            };
-            let _ = writeln!(out, "time = {{ column = {}, unit = \"{unit}\" }}  # {because}", quoted(&c.header));
-        }
-        None => out.push_str(
-            "time = { start = 0.0, step = 1.0, unit = \"s\" }  # GUESS: no column rises like time; set the step, or write kind = \"trials\" above and drop this line where each row is a steady trial\n",
-        ),
-    }
+    out += &clock(time.map(|i| (i, &columns[i])), csv)?;
     out.push_str("[tables.channels]\n");
     let mut taken = BTreeSet::new();
-    for (_, c) in columns.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
-        let g = guess(c, &mut taken);
-        let wraps = if g.wraps { ", wraps = true" } else { "" };
-        let _ = writeln!(
-            out,
-            "{} = {{ column = {}, unit = \"{}\"{wraps} }}  # {}",
-            g.name,
-            quoted(&c.header),
-            g.unit,
-            g.because
-        );
+    for (i, c) in columns.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
+        out += &channel(i, c, &mut taken);
     }
     out.push_str("\n# What is held out; without this the last 40 % of the time.\n# [spans]\n# fit = [[0.0, 600.0]]\n# holdout = [[600.0, 1000.0]]\n");
+    if taken.is_empty() {
+        return Err(Error::bad_input("no column beside the time holds numbers")
+            .with_file(csv)
+            .with_line(1)
+            .with_hint("channels need numbers below their names"));
+    }
+    Recording::parse(&out, "recording.toml")?;
     Ok(out)
+}
+
+/// The line of the file that says where the time is.
+fn clock(time: Option<(usize, &Raw)>, csv: &Path) -> Result<String> {
+    let Some((index, c)) = time else {
+        return Ok("time = { start = 0.0, step = 1.0, unit = \"s\" }  # GUESS: no column rises like time; set the step, or write kind = \"trials\" above and drop this line where each row is a steady trial\n".into());
+    };
+    if let Some((line, text)) = c.text.as_ref().filter(|_| !c.stamps.is_empty()) {
+        let step = even_step(c).ok_or_else(|| {
+            Error::bad_input(format!(
+                "column {} `{}` holds dates such as `{text}`, which are no numbers and follow each other unevenly",
+                index + 1,
+                c.name
+            ))
+            .with_file(csv)
+            .with_line(*line)
+            .with_column(index + 1)
+            .with_hint("write the time as seconds since the first row: 0, 0.5, 1.2 …")
+        })?;
+        return Ok(format!(
+            "time = {{ start = 0.0, step = {step:?}, unit = \"s\" }}  # GUESS: {} counts from {text} in even steps\n",
+            c.name
+        ));
+    }
+    let g = guess(index, c, &mut BTreeSet::new());
+    let (unit, because) = match Unit::parse(&g.unit) {
+        Ok(u) if u.dimension() == Dimension::TIME => (g.unit, g.because),
+        _ => ("s".into(), "GUESS: seconds, as the header names no unit of time".into()),
+    };
+    Ok(format!("time = {{ column = {}, unit = \"{unit}\" }}  # {because}\n", quoted(&c.name)))
+}
+
+/// The line of the file that makes a column a channel; a comment where it holds no numbers.
+fn channel(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> String {
+    if c.values.iter().all(|v| v.is_nan()) {
+        let holds = c
+            .text
+            .as_ref()
+            .map_or_else(|| "nothing".to_owned(), |(_, text)| format!("text, such as {text:?}"));
+        return format!("# {}: left out, as it holds {holds}\n", quoted(&c.name));
+    }
+    let g = guess(index, c, taken);
+    let wraps = if g.wraps { ", wraps = true" } else { "" };
+    format!(
+        "{} = {{ column = {}, unit = \"{}\"{wraps} }}  # {}\n",
+        g.name,
+        quoted(&c.name),
+        g.unit,
+        g.because
+    )
 }
 
 fn quoted(text: &str) -> String {
     toml::Value::String(text.to_string()).to_string()
 }
 
-fn columns(path: &Path) -> Result<Vec<Column>> {
-    let file = std::fs::File::open(path).map_err(|e| Error::io(path, &e))?;
-    let packed = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("gz"));
-    let input: Box<dyn Read> =
-        if packed { Box::new(flate2::read::MultiGzDecoder::new(file)) } else { Box::new(file) };
-    let mut reader = csv::ReaderBuilder::new().flexible(true).trim(csv::Trim::All).from_reader(input);
-    let wrong = |e: csv::Error| Error::bad_input(format!("{}: {e}", path.display()));
-    let header = reader.headers().map_err(wrong)?.clone();
-    if header.is_empty() || header.iter().all(|h| h.parse::<f64>().is_ok()) {
-        return Err(Error::bad_input(format!("{}: the first line holds no names", path.display()))
-            .with_hint("put a line such as `t [s],roll [deg]` before the first row"));
-    }
-    let mut columns: Vec<Column> =
-        header.iter().map(|h| Column { header: h.to_string(), values: Vec::new() }).collect();
-    for row in reader.records().take(ROWS) {
-        let row = row.map_err(wrong)?;
-        for (i, c) in columns.iter_mut().enumerate() {
-            c.values.push(row.get(i).and_then(|f| f.parse().ok()).unwrap_or(f64::NAN));
-        }
-    }
-    Ok(columns)
+/// The column of time: named like it or in a unit of time, and rising if there is such a one.
+fn time_of(columns: &[Raw]) -> Option<usize> {
+    let rises = |c: &Raw| c.values.windows(2).all(|w| w[0] < w[1]) || c.stamps.len() == c.values.len();
+    let candidates = || columns.iter().enumerate().filter(|(_, c)| like_time(c));
+    let rising = candidates().find(|(_, c)| rises(c));
+    // a clock that stands or falls is still the clock: whoever reads it says what is wrong
+    rising.or_else(|| candidates().next()).map(|(i, _)| i)
 }
 
-/// Whether a column is named like time and rises.
-fn is_time(c: &Column) -> bool {
-    let (name, _, _) = parted(&c.header);
-    let first = name.to_lowercase();
-    let first = first.split('_').next().unwrap_or_default().to_string();
-    let named = ["t", "time", "timestamp", "seconds", "clock"].contains(&first.as_str());
-    named && c.values.windows(2).all(|w| w[0] < w[1])
+fn like_time(c: &Raw) -> bool {
+    let (name, unit, in_brackets) = parted(c);
+    let unit = unit.and_then(|u| Unit::parse(&u).ok()).map(|u| u.dimension());
+    let whole = name.to_lowercase();
+    let first = whole.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
+    if c.stamps.len() == c.values.len() && !c.stamps.is_empty() {
+        return true;
+    }
+    match unit {
+        Some(Dimension::TIME) => in_brackets && whole.starts_with('t') || TIMES.contains(&first),
+        Some(_) => false,
+        None => TIMES.contains(&whole.as_str()) || first != "t" && TIMES.contains(&first),
+    }
+}
+
+/// The step in s of the stamps of a column, if all its fields are such and follow each other evenly.
+fn even_step(c: &Raw) -> Option<f64> {
+    let [first, second, ..] = c.stamps[..] else { return None };
+    let step = (second - first) as f64 * 1e-9;
+    let at = |(k, s): (usize, &i128)| ((s - first) as f64 * 1e-9 - k as f64 * step).abs() <= EVEN;
+    let all = c.stamps.len() == c.values.len() && step > 0.0;
+    (all && c.stamps.iter().enumerate().all(at)).then_some(step)
 }
 
 /// A header's name, its unit, and whether the unit stands in brackets.
-fn parted(header: &str) -> (String, Option<String>, bool) {
-    for (open, close) in [('[', ']'), ('(', ')')] {
-        if let Some((name, unit)) = header.strip_suffix(close).and_then(|h| h.rsplit_once(open)) {
-            return (name.trim().to_string(), Some(unit.trim().to_string()), true);
-        }
+fn parted(c: &Raw) -> (String, Option<String>, bool) {
+    if let Some(unit) = &c.unit {
+        return (c.name.clone(), Some(unit.clone()), true);
     }
-    match header.rsplit_once(['_', ' ']) {
+    if let Some((name, unit)) = c.name.strip_suffix(')').and_then(|h| h.rsplit_once('(')) {
+        return (name.trim().to_string(), Some(unit.trim().to_string()), true);
+    }
+    match c.name.rsplit_once(['_', ' ']) {
         Some((name, unit)) if spelled(unit).is_some() => (name.to_string(), spelled(unit), false),
-        _ => (header.to_string(), None, false),
+        _ => (c.name.clone(), None, false),
     }
 }
 
@@ -133,8 +178,8 @@ fn spelled(word: &str) -> Option<String> {
     (!doubtful && known != "1" && Unit::parse(&known).is_ok()).then_some(known)
 }
 
-fn guess(c: &Column, taken: &mut BTreeSet<String>) -> Guess {
-    let (name, unit, in_brackets) = parted(&c.header);
+fn guess(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> Guess {
+    let (name, unit, in_brackets) = parted(c);
     let read =
         unit.as_deref().and_then(|u| Unit::parse(u).is_ok().then(|| u.to_string()).or_else(|| spelled(u)));
     let mut because = match (&unit, &read) {
@@ -148,9 +193,7 @@ fn guess(c: &Column, taken: &mut BTreeSet<String>) -> Guess {
     if wraps {
         because += "; GUESS: it jumps by a turn, so it wraps";
     }
-    if c.values.iter().all(|v| v.is_nan()) {
-        because += "; GUESS: it holds no numbers, leave it out";
-    }
+    let name = if name.chars().any(char::is_alphanumeric) { name } else { format!("column {}", index + 1) };
     Guess { name: identifier(&name, taken), unit, wraps, because }
 }
 
@@ -158,6 +201,7 @@ fn guess(c: &Column, taken: &mut BTreeSet<String>) -> Guess {
 fn turns(unit: &str, values: &[f64]) -> bool {
     let turn = match unit {
         "deg" => 360.0,
+        "arcmin" => 21_600.0,
         "rad" => std::f64::consts::TAU,
         _ => return false,
     };
@@ -188,23 +232,68 @@ mod tests {
     use super::*;
     use crate::record::Recording;
 
-    #[test]
-    fn a_guessed_recording_reads() {
+    /// What is guessed of a table, and the recording that it then is.
+    fn guess_of(text: &str) -> Result<(String, Recording)> {
         let folder = tempfile::tempdir().unwrap();
         let csv = folder.path().join("ship.csv");
-        let rows: String = (0..50)
-            .map(|i| format!("{},{},{},{},{}\n", f64::from(i) * 0.1, (355 + i) % 360, i, i, 2 * i))
-            .collect();
-        std::fs::write(&csv, format!("t_s,heading_deg,roll [deg],Load (kg),odd one\n{rows}")).unwrap();
-        let text = guessed(&csv).unwrap();
+        std::fs::write(&csv, text).unwrap();
+        let text = guessed(&csv)?;
         let toml = folder.path().join("ship.toml");
         std::fs::write(&toml, &text).unwrap();
         let recording = Recording::read(&toml).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        Ok((text, recording))
+    }
+
+    #[test]
+    fn a_guessed_recording_reads() {
+        let rows: String = (0..50)
+            .map(|i| format!("{},{},{},{},{}\n", f64::from(i) * 0.1, (355 + i) % 360, i, i, 2 * i))
+            .collect();
+        let (text, recording) =
+            guess_of(&format!("t_s,heading_deg,roll [deg],Load (kg),odd one\n{rows}")).unwrap();
         let heading = recording.channel("heading").unwrap();
         assert!(heading.wraps && heading.unit.text() == "deg");
         assert_eq!(recording.channel("Load").unwrap().unit.text(), "kg");
         assert_eq!(recording.channel("odd_one").unwrap().unit.text(), "1");
         let guesses = text.lines().filter(|l| l.contains("GUESS") && !l.starts_with('#')).count();
         assert_eq!(guesses, 3, "{text}");
+    }
+
+    #[test]
+    fn quoted_names_texts_and_dates_become_a_recording() {
+        let (text, recording) = guess_of(
+            "\"date, UTC\",\"roll, port [deg]\",state,\n2026-01-02T03:04:05Z,1.5,calm,7\n2026-01-02T03:04:05.5Z,2.5,calm,8\n2026-01-02T03:04:06Z,,rough,9\n",
+        )
+        .unwrap();
+        let roll = recording.channel("roll__port").unwrap();
+        assert_eq!(roll.time.to_vec(), [0.0, 0.5, 1.0]);
+        assert_eq!(roll.values[1], 2.5_f64.to_radians());
+        assert_eq!(recording.channel("column_4").unwrap().values, [7.0, 8.0, 9.0]);
+        assert!(text.contains("# \"state\": left out") && recording.channels.len() == 2, "{text}");
+    }
+
+    #[test]
+    fn what_is_no_recording_is_refused_with_its_place() {
+        for (text, line, column, says) in [
+            ("t [s];roll [deg]\n0;1\n", 1, 6, "semicolons"),
+            ("t [s]\troll [deg]\n0\t1\n", 1, 6, "tabs"),
+            ("\u{feff}t [s],roll [deg]\n0,1\n", 1, 1, "byte-order mark"),
+            ("t,roll,roll\n0,1,2\n", 1, 8, "both named"),
+            ("t,roll\n0,1\n2,1\n1,1\n", 4, 1, "backwards"),
+            ("t,roll\n0,1\n1,two\n", 3, 3, "no number"),
+            ("t,roll\n0,1\n1\n", 3, 1, "fields"),
+            (
+                "time,roll\n2026-01-02 00:00:00,1\n2026-01-02 00:00:01,1\n2026-01-02 00:00:03,1\n",
+                2,
+                1,
+                "dates",
+            ),
+            ("t,state\n0,calm\n1,calm\n", 1, 0, "no column beside the time"),
+        ] {
+            let error = guess_of(text).expect_err(text);
+            let place = (error.line().unwrap_or(0), error.column().unwrap_or(0));
+            assert_eq!(place, (line, column), "{error}");
+            assert!(error.to_string().contains(says) && error.file().is_some(), "{error}");
+        }
     }
 }

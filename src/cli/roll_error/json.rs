@@ -23,6 +23,7 @@ pub fn text(plan: &Plan, rows: &[&Row]) -> Result<String> {
         "motion": plan.motion_says,
         "roll": roll(plan),
         "against": against,
+        "trusted_mean": if plan.by_spectrum { "measured_spectrum_mean_deg" } else { "mean_deg" },
         "rows": rows.iter().map(|r| row(r, against)).collect::<Vec<_>>(),
         "note": plan.after.trim_end(),
     });

@@ -93,6 +93,30 @@ struct Moments {
     measured: f64,
 }
 
+/// Percent of the mean by the fit from which on its form, or its tail, counts.
+const MUCH: f64 = 10.0;
+/// Misfit of the correlation function from which on the fit is no longer good.
+const FAIR: f64 = 0.05;
+
+impl Moments {
+    /// Part of the mean by the fit, in percent.
+    fn part(&self, x: f64) -> f64 {
+        100.0 * x / self.integral
+    }
+
+    /// What of the mean by the fit lies above the measured band, and by how much the fit's form makes it
+    /// too large inside the band; percent.
+    fn gaps(&self) -> (f64, f64) {
+        (self.part(self.integral - self.banded), self.part(self.banded - self.measured))
+    }
+
+    /// Whether the mean by the measured spectrum is the one to trust.
+    fn is_surer(&self, fit: &CorrelationFit) -> bool {
+        let (above, shape) = self.gaps();
+        above >= MUCH || shape.abs() >= MUCH || fit.misfit >= FAIR
+    }
+}
+
 fn moments(a: &Analysis, lag: f64) -> Result<Moments> {
     // ω⁴/(1 + ω²T²)
     let weight = |w: f64| w.powi(4) / (1.0 + (w * lag).powi(2));
@@ -145,9 +169,11 @@ pub fn plan(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowO
         });
         cases.push(Case { instrument, motion: motion(), heading, value: heading.to_degrees(), measured });
     }
+    let by_spectrum = lag && m.is_surer(&analysis.fit);
     Ok(Plan {
         motion_says: motion().says,
-        after: tail(&m, lag),
+        after: tail(&m, lag, by_spectrum),
+        by_spectrum,
         roll: Some(analysis.fit.roll),
         recorded: Some(analysis),
         cases,
@@ -185,7 +211,7 @@ pub fn words(a: &Analysis) -> String {
         ),
     };
     let verdict = match a.fit.misfit {
-        m if m < 0.05 => "a good fit",
+        m if m < FAIR => "a good fit",
         m if m < 0.15 => "a fair fit: trust the column of the measured spectrum more",
         _ => "a poor fit: this roll is not of the form (3.3); use the column of the measured spectrum",
     };
@@ -229,19 +255,18 @@ fn trusted(intervals: Option<&RollIntervals>) -> String {
     )
 }
 
-/// Why the two means differ, and what of the answer hangs on frequencies that nobody measured.
-fn tail(m: &Moments, lag: bool) -> String {
-    let part = |x: f64| 100.0 * x / m.integral;
-    let (above, shape) = (part(m.integral - m.banded), part(m.banded - m.measured));
+/// Why the two means differ, and what of the answer depends on frequencies that nobody measured.
+fn tail(m: &Moments, lag: bool, by_spectrum: bool) -> String {
+    let (above, shape) = m.gaps();
     let mut text =
         format!("{above:.0} % of the mean by the fit comes from frequencies above the measured band");
-    text.push_str(if above < 10.0 {
+    text.push_str(if above < MUCH {
         ".\n"
     } else {
         ", where (3.3) gives the\nacceleration a white tail of infinite variance: nothing measured supports it.\n"
     });
     if lag {
-        let gap = part(m.integral - m.measured);
+        let gap = m.part(m.integral - m.measured);
         let than = |x: f64| format!("{:.0} % {}", x.abs(), if x < 0.0 { "larger" } else { "smaller" });
         text.push_str(&format!(
             "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\
@@ -251,7 +276,7 @@ fn tail(m: &Moments, lag: bool) -> String {
             than(shape)
         ));
     }
-    if lag && (above >= 10.0 || shape.abs() >= 10.0) {
+    if by_spectrum {
         text.push_str("The measured spectrum has no form forced upon it: trust the last column more.\n");
     }
     text

@@ -26,6 +26,7 @@ pub fn html(plan: &Plan, (all, some): (&[Row], &[&Row]), part: Part, a: &Argumen
         card: plan.goes_round().then(|| plan.polar(all)).transpose()?,
         recorded: plan.recorded.as_ref().map(|r| recorded(r, &says)),
         trust: &plan.after,
+        by_spectrum: plan.by_spectrum,
         formula: formulas::derived(part).ok().filter(|_| !a.motion.is_sea()).map(|d| d.formula.text()),
         inputs: sources.map(|s| (Path::new(&s.file), s.sha256.as_str())).collect(),
         seed: a.rows.seed,

@@ -34,6 +34,8 @@ pub struct Plan {
     pub roll: Option<Roll>,
     pub cases: Vec<Case>,
     pub against: Against,
+    /// Whether the mean to trust is that by the measured spectrum.
+    pub by_spectrum: bool,
 }
 
 /// One row computed.
@@ -57,7 +59,16 @@ impl Plan {
         let cases = cases(&compass, &roll, a, rows)?;
         let after = tail(&compass.instrument(&a.instrument)?, &described)?;
         let roll = a.motion.irregular_roll(&roll)?;
-        Ok(Self { compass, motion_says, recorded: None, after, roll, cases, against: rows.against })
+        Ok(Self {
+            compass,
+            motion_says,
+            recorded: None,
+            after,
+            roll,
+            cases,
+            against: rows.against,
+            by_spectrum: false,
+        })
     }
 
     /// Computes the rows, with so many days simulated beside each.
@@ -70,6 +81,11 @@ impl Plan {
         self.against == Against::Heading && self.cases.len() > 8
     }
 
+    /// The mean of a row to trust, rad.
+    pub fn mean(&self, row: &Row) -> f64 {
+        row.measured.filter(|_| self.by_spectrum).unwrap_or_else(|| row.error.mean())
+    }
+
     /// The polar picture of the rows, where they run over headings.
     pub fn polar(&self, rows: &[Row]) -> Result<Polar> {
         if self.against != Against::Heading {
@@ -77,11 +93,16 @@ impl Plan {
         }
         let point = |r: &Row| Point {
             heading: r.heading,
-            mean: r.error.mean().to_degrees(),
+            mean: self.mean(r).to_degrees(),
             spread: r.error.spread.to_degrees(),
         };
         let title = format!("Heading error, {}", self.compass.instrument_name);
-        Ok(Polar { title, subtitle: self.motion_says.clone(), points: rows.iter().map(point).collect() })
+        let by = if self.by_spectrum { "; the mean is that by the measured spectrum" } else { "" };
+        Ok(Polar {
+            title,
+            subtitle: format!("{}{by}", self.motion_says),
+            points: rows.iter().map(point).collect(),
+        })
     }
 }
 
@@ -144,7 +165,7 @@ impl Case {
     }
 }
 
-/// What of the error hangs on a white tail of the acceleration.
+/// What of the error depends on a white tail of the acceleration.
 fn tail(instrument: &Instrument, described: &Described) -> Result<String> {
     if !described.motion.has_white_acceleration() || described.regular {
         return Ok(String::new());
@@ -156,7 +177,7 @@ fn tail(instrument: &Instrument, described: &Described) -> Result<String> {
         instrument.rectified_error(&described.motion.band_limited(corner, 2)?, heading)?.to_degrees();
     Ok(format!(
         "This motion's acceleration has a white tail (infinite variance), which no ship has. On heading 45°\n\
-         the mean is {whole:.3}° with it and {banded:.3}° behind two low-passes at {corner} rad/s: {:.0} % of it hang on the tail (see --band).\n",
+         the mean is {whole:.3}° with it and {banded:.3}° behind two low-passes at {corner} rad/s: {:.0} % of it depend on the tail (see --band).\n",
         100.0 * (1.0 - banded / whole).abs()
     ))
 }

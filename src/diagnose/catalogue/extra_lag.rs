@@ -67,7 +67,7 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     for time in scene.times() {
         d.start(&[m.size / scene.size(q), time]);
     }
-    d.done(&format!("a relaxing part of stiffness {{0}} and time {{1}} hangs on {}", scene.words(q)))
+    d.done(&format!("a relaxing part of stiffness {{0}} and time {{1}} is attached to {}", scene.words(q)))
 }
 
 fn after(scene: &Scene, name: &str, in_parallel: bool) -> Option<Proposal> {

@@ -61,7 +61,7 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     for w in scene.frequencies() {
         d.start(&[m.size / scene.size(q), w, 0.1]);
     }
-    d.done(&format!("a second part hangs on {} and swings at {{1}}", scene.words(q)))
+    d.done(&format!("a second part is attached to {} and swings at {{1}}", scene.words(q)))
 }
 
 fn after(scene: &Scene, m: &Motion) -> Option<Proposal> {

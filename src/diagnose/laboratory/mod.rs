@@ -36,7 +36,14 @@ use std::path::Path;
 pub fn examine(folder: &Path, number: usize, seed: u64) -> Result<Answer> {
     let model = Model::read(&folder.join(format!("model-{number}.toml")))?;
     let recordings = [Recording::read(folder.join(format!("case-{number}.csv")))?];
-    let request = Request { model: &model, recordings: &recordings, separate: &[], seed, progress: &Silent };
+    let request = Request {
+        model: &model,
+        source: None,
+        recordings: &recordings,
+        separate: &[],
+        seed,
+        progress: &Silent,
+    };
     Ok(diagnose(&request)?.answer)
 }
 

@@ -1,6 +1,6 @@
 //! Outputs over time: measured, and both models running freely.
 
-use super::{Assembly, Course, thinned};
+use super::{Assembly, Close, Course, Point, closer, thinned};
 use crate::Result;
 use crate::diagnose::answer::Stretch;
 use crate::diagnose::bench::Stand;
@@ -81,24 +81,34 @@ fn pair(
             };
             let (before, after) = (of(runs.0), of(runs.1));
             let unit = o.unit.of_differences();
-            let residual =
-                |v: &[(f64, f64)]| thinned(v.iter().map(|(t, e)| [*t, unit.difference_from_si(*e)]));
-            let predicted = |v: &[(f64, f64)]| {
-                thinned(v.iter().map(|(t, e)| [*t, o.unit.from_si(measured(channel, *t) - e)]))
+            let residual = |v: &[(f64, f64)]| -> Vec<Point> {
+                v.iter().map(|(t, e)| [*t, unit.difference_from_si(*e)]).collect()
             };
-            let level =
-                thinned(before.iter().map(|(t, e)| [*t, o.unit.from_si(measured(channel, *t)) + 0.0 * e]));
+            let predicted = |v: &[(f64, f64)]| -> Vec<Point> {
+                v.iter().map(|(t, e)| [*t, o.unit.from_si(measured(channel, *t) - e)]).collect()
+            };
+            // a gap of the residual is one of the measurement
+            let level: Vec<Point> =
+                before.iter().map(|(t, e)| [*t, o.unit.from_si(measured(channel, *t)) + 0.0 * e]).collect();
+            let (left, with) = (residual(&before), residual(&after));
+            let (before, after) = (predicted(&before), predicted(&after));
+            let close = closer::span(&left).map(|span| {
+                let of = |points: &[Point]| thinned(closer::within(points, span).into_iter());
+                Close { measured: of(&level), before: of(&before), after: of(&after) }
+            });
+            let whole = |points: Vec<Point>| thinned(points.into_iter());
             (!level.is_empty()).then(|| Course {
                 output: o.name.clone(),
                 unit: o.unit.text().to_string(),
                 difference_unit: unit.text().to_string(),
                 recording: recording.name.clone(),
                 held: held.to_vec(),
-                measured: level,
-                before: predicted(&before),
-                after: predicted(&after),
-                residual_before: residual(&before),
-                residual_after: residual(&after),
+                measured: whole(level),
+                before: whole(before),
+                after: whole(after),
+                residual_before: whole(left),
+                residual_after: whole(with),
+                close,
             })
         })
         .collect()

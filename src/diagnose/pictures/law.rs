@@ -8,7 +8,7 @@
 //! by differentiation of a smoothed output, the rate that the model gives without the finding is taken
 //! from it, along the run of the fitted model; what is left stands beside the finding's own effect.
 //! Where the finding acts on an output, the same is done with the output. Else the free-run residual
-//! of the model as given stands beside how far the finding moves the prediction.
+//! of the model without the finding, but with all others, stands beside how far it moves the prediction.
 //!
 //! # References
 //! R. A. Berk, D. E. Booth, Statistical Methods & Applications 4 (1995) 263 (partial residuals).
@@ -22,6 +22,7 @@ use super::{Assembly, Law, Point};
 use crate::diagnose::catalogue::{Proposal, edit};
 use crate::estimate::Fit;
 use crate::estimate::fit::seen::{Seen, seen_states};
+use crate::estimate::fit::{Effort, setup};
 use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
 use crate::model::Model;
@@ -53,6 +54,8 @@ struct Target {
     unit: Unit,
     /// Words for the axis.
     words: String,
+    /// The finding's term in the unit of the drawn effect; empty where it cannot be told.
+    formula: String,
     /// How the expression is measured: a derivative of an output.
     measured: Seen,
 }
@@ -64,6 +67,7 @@ fn target(model: &Model, p: &Proposal) -> Option<Target> {
         let Some(seen) = seen.filter(|s| s.order < 2 && touched(&whole)) else { continue };
         let unit = edit::unit_of(edit::sum_of(model, &s.rate), &|n| edit::unit_of_name(model, n));
         return Some(Target {
+            formula: inner_term(model, &s.rate, p).map_or_else(String::new, |e| e.to_string()),
             factor: opened(model, &edit::with_sum(model, &s.rate, &|_| Expr::Number(1.0))),
             whole,
             unit,
@@ -77,8 +81,34 @@ fn target(model: &Model, p: &Proposal) -> Option<Target> {
         factor: Expr::Number(1.0),
         unit: o.unit.of_differences(),
         words: format!("what is missing in {}", o.name),
+        formula: p.term.clone(),
         measured: Seen { output, order: 0 },
     })
+}
+
+/// What a finding adds to the innermost sum of a rate: its term without what stands around that sum.
+fn inner_term(model: &Model, rate: &Expr, p: &Proposal) -> Option<Expr> {
+    const PLACE: &str = "place_of_the_sum";
+    let around = edit::with_sum(model, rate, &|_| Expr::name(PLACE));
+    within(&around, &Expr::parse(&p.term).ok()?, PLACE)
+}
+
+/// The part of a term that stands where a pattern has a name.
+fn within(pattern: &Expr, term: &Expr, place: &str) -> Option<Expr> {
+    match (pattern, term) {
+        (Expr::Name(n), _) if n == place => Some(term.clone()),
+        (_, Expr::Neg(a)) => Some(Expr::Neg(Box::new(within(pattern, a, place)?))),
+        (Expr::Binary(p, a, b), Expr::Binary(q, c, d)) if p == q => {
+            if b == d {
+                within(a, c, place)
+            } else if a == c {
+                within(b, d, place)
+            } else {
+                None
+            }
+        }
+        _ => None,
+    }
 }
 
 /// Partial residuals of the rate or the output that the finding acts on.
@@ -118,7 +148,13 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
         data.push(Sample { x, y: of_y(difference / factor), deviation: 0.0, row });
         curve.push(Sample { x, y: of_y((whole - rest) / factor), deviation, row });
     }
-    let words = (signal, signal_unit, target.words, target.unit);
+    let words = Words {
+        signal,
+        signal_unit,
+        effect: target.words,
+        effect_unit: target.unit,
+        formula: target.formula,
+    };
     Some(law(p, words, &data, &curve))
 }
 
@@ -126,34 +162,91 @@ fn turned(x: f64) -> f64 {
     x - std::f64::consts::TAU * (x / std::f64::consts::TAU).round()
 }
 
-/// Free-run residual of the model as given, beside how far the findings move the prediction.
+/// An output of the first recording without and with a finding, both running free.
+struct Moved {
+    output: usize,
+    time: Vec<f64>,
+    without: Vec<f64>,
+    with: Vec<f64>,
+}
+
+impl Moved {
+    /// How much of what is left without the finding it takes away or adds.
+    fn share(&self) -> f64 {
+        let square = |v: f64| if v.is_finite() { v * v } else { 0.0 };
+        let left: f64 = self.without.iter().map(|b| square(*b)).sum();
+        let moved: f64 = self.without.iter().zip(&self.with).map(|(b, a)| square(b - a)).sum();
+        if left > 0.0 { moved / left } else { 0.0 }
+    }
+}
+
+/// The output that a finding moves most; all other findings stay as they are.
+fn most_moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Moved> {
+    let (bench, last) = (&assembly.bench, &assembly.found.last);
+    let spans = bench.spans(&last.model, 0);
+    let options = bench.options(Effort::Near, 0);
+    let record = setup::record(&last.model, bench.recordings.first()?, 0, &spans, &options).ok()?;
+    let initials = &last.records.first()?.initials;
+    let given: Vec<f64> = last.model.parameters.iter().map(|q| q.value).collect();
+    let mut at_rest = given.clone();
+    for (a, value) in p.added.iter().zip(p.neutral.as_ref()?) {
+        at_rest[last.model.parameters.iter().position(|q| q.name == a.name)?] = *value;
+    }
+    let residuals = |parameters: &[f64]| -> Option<Vec<Vec<f64>>> {
+        let run = record.run(parameters, initials, &[]).ok()?;
+        Some(record.tracks.iter().zip(&run.predictions).map(|(t, y)| t.residual(y)).collect())
+    };
+    let pairs = residuals(&at_rest)?.into_iter().zip(residuals(&given)?);
+    let all = record.tracks.iter().zip(pairs).map(|(track, (without, with))| Moved {
+        output: track.output,
+        time: track.time.clone(),
+        without,
+        with,
+    });
+    all.max_by(|a, b| a.share().total_cmp(&b.share()))
+}
+
+/// Free-run residual of the model without the finding, beside how far the finding moves the prediction.
 fn moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     let (bench, found) = (&assembly.bench, &assembly.found);
-    let (before, after) = (found.base.records.first()?, found.last.records.first()?);
-    let (b, a) = (before.series.first()?, after.series.first()?);
+    let m = most_moved(assembly, p)?;
     let (signal, along, signal_unit) = accused(&found.last.model, p);
-    let stride = b.time.len().div_ceil(SAMPLES).max(1);
-    let at: Vec<usize> = (0..b.time.len().min(a.time.len())).step_by(stride).collect();
-    let times: Vec<f64> = at.iter().map(|i| b.time[*i]).collect();
+    let stride = m.time.len().div_ceil(SAMPLES).max(1);
+    let at: Vec<usize> = (0..m.time.len()).step_by(stride).collect();
+    let times: Vec<f64> = at.iter().map(|i| m.time[*i]).collect();
     let mut probe = Probe::of(&found.last.model);
     probe.watch(along);
     let rows = probe.run(bench, &found.last, &times)?;
-    let output = &found.base.model.outputs[b.output];
+    let output = &found.last.model.outputs[m.output];
     let unit = output.unit.of_differences();
     let (mut data, mut curve) = (Vec::new(), Vec::new());
     for (row, (t, v)) in rows.iter().enumerate() {
         let Some(i) = at.get(times.partition_point(|x| x < t)) else { continue };
         let x = signal_unit.from_si(v[0]);
         let sample = |y: f64| Sample { x, y: unit.difference_from_si(y), deviation: 0.0, row };
-        data.push(sample(b.residual[*i]));
-        curve.push(sample(b.residual[*i] - a.residual[*i]));
+        data.push(sample(m.without[*i]));
+        curve.push(sample(m.without[*i] - m.with[*i]));
     }
-    let words = format!("{}: measured less the model as given", output.name);
-    Some(law(p, (signal, signal_unit, words, unit), &data, &curve))
+    let words = Words {
+        signal,
+        signal_unit,
+        effect: format!("{}: measured less the model without it", output.name),
+        effect_unit: unit,
+        formula: String::new(),
+    };
+    Some(law(p, words, &data, &curve))
 }
 
-fn law(p: &Proposal, words: (String, Unit, String, Unit), data: &[Sample], curve: &[Sample]) -> Law {
-    let (signal, signal_unit, effect, effect_unit) = words;
+/// What stands along the axes and beside the curve.
+struct Words {
+    signal: String,
+    signal_unit: Unit,
+    effect: String,
+    effect_unit: Unit,
+    formula: String,
+}
+
+fn law(p: &Proposal, words: Words, data: &[Sample], curve: &[Sample]) -> Law {
     let mut order: Vec<f64> = data.iter().map(|s| s.y).filter(|y| y.is_finite()).collect();
     order.sort_unstable_by(f64::total_cmp);
     let cut = order.len() / 100;
@@ -162,10 +255,11 @@ fn law(p: &Proposal, words: (String, Unit, String, Unit), data: &[Sample], curve
     Law {
         code: p.code.to_string(),
         term: p.term.clone(),
-        signal,
-        signal_unit: signal_unit.text().to_string(),
-        effect,
-        effect_unit: effect_unit.text().to_string(),
+        formula: words.formula,
+        signal: words.signal,
+        signal_unit: words.signal_unit.text().to_string(),
+        effect: words.effect,
+        effect_unit: words.effect_unit.text().to_string(),
         samples: drawn.map(|s| [s.x, s.y]).collect(),
         means: bins::means(data, MEANS),
         curve: bins::curve(curve, CURVE),
@@ -216,5 +310,23 @@ impl Spread {
             square += row.iter().zip(pulls).map(|(r, b)| a * r * b).sum::<f64>();
         }
         square.max(0.0).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::within;
+    use crate::expression::Expr;
+
+    #[test]
+    fn a_term_is_told_without_what_stands_around_its_sum() {
+        let told = |pattern: &str, term: &str| {
+            let parsed = |text: &str| Expr::parse(text).unwrap();
+            within(&parsed(pattern), &parsed(term), "x").map(|e| e.to_string())
+        };
+        assert_eq!(told("x/M", "-Fc*sign(v)/M").unwrap(), "-Fc*sign(v)");
+        assert_eq!(told("k*(x/M)", "k*(F*v/M)").unwrap(), "F*v");
+        assert_eq!(told("x", "a*v/M").unwrap(), "a*v/M");
+        assert_eq!(told("x/M", "a*v/J"), None);
     }
 }

@@ -8,6 +8,7 @@
 //! peak is lost.
 
 mod bins;
+pub mod closer;
 mod course;
 mod law;
 mod probe;
@@ -68,6 +69,19 @@ pub struct Course {
     pub residual_before: Vec<Point>,
     /// Measured less the model with the findings.
     pub residual_after: Vec<Point>,
+    /// The part where measurement and model part most, of a long series.
+    pub close: Option<Close>,
+}
+
+/// A short part of a course, with all the samples that it has room for.
+#[derive(Debug, Clone, Serialize)]
+pub struct Close {
+    /// Measured.
+    pub measured: Vec<Point>,
+    /// The model as given, fitted.
+    pub before: Vec<Point>,
+    /// The model with the findings.
+    pub after: Vec<Point>,
 }
 
 /// The residual of an output in frequency.
@@ -90,6 +104,8 @@ pub struct Law {
     pub code: String,
     /// Its term.
     pub term: String,
+    /// The term in the unit of the effect; empty where that cannot be told.
+    pub formula: String,
     /// The signal.
     pub signal: String,
     /// Its unit.

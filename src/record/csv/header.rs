@@ -26,16 +26,14 @@ pub(super) struct Header {
 }
 
 /// `name [unit]` of one column.
-struct Cell {
-    at: usize,
-    name: String,
-    unit: Option<String>,
+pub(super) struct Cell {
+    pub at: usize,
+    pub name: String,
+    pub unit: Option<String>,
 }
 
 impl Header {
     pub(super) fn parse(line: &[u8], request: &Request) -> Result<Self> {
-        refuse_marks(line)?;
-        refuse_other_separators(line)?;
         let cells = cells(line)?;
         let mut header = Self {
             names: cells.iter().map(|c| c.name.clone()).collect(),
@@ -81,18 +79,9 @@ impl Header {
 
     fn every_column(&mut self, cells: &[Cell]) -> Result<Vec<Column>> {
         let time = self.time.as_ref().map(|t| t.index);
+        refuse_twins(cells)?;
         let mut channels = Vec::new();
         for (index, cell) in cells.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
-            if let Some(first) = cells[..index].iter().position(|c| c.name == cell.name) {
-                return Err(Error::bad_input(format!(
-                    "columns {} and {} are both named `{}`",
-                    first + 1,
-                    index + 1,
-                    cell.name
-                ))
-                .with_column(cell.at + 1)
-                .with_hint("rename one of them in the header"));
-            }
             channels.push(self.column(cell, index, plain(&cell.name, None))?);
         }
         if channels.is_empty() {
@@ -166,7 +155,27 @@ fn refuse_other_separators(line: &[u8]) -> Result<()> {
         .with_hint("save the table with commas between columns and decimal points in the numbers"))
 }
 
-fn cells(line: &[u8]) -> Result<Vec<Cell>> {
+/// Refuses two columns of the same name.
+pub(super) fn refuse_twins(cells: &[Cell]) -> Result<()> {
+    for (index, cell) in cells.iter().enumerate() {
+        if let Some(first) = cells[..index].iter().position(|c| c.name == cell.name) {
+            return Err(Error::bad_input(format!(
+                "columns {} and {} are both named `{}`",
+                first + 1,
+                index + 1,
+                cell.name
+            ))
+            .with_column(cell.at + 1)
+            .with_hint("rename one of them in the header"));
+        }
+    }
+    Ok(())
+}
+
+/// The cells of a header line, which is text between commas.
+pub(super) fn cells(line: &[u8]) -> Result<Vec<Cell>> {
+    refuse_marks(line)?;
+    refuse_other_separators(line)?;
     let fields = field::split(line)
         .ok_or_else(|| Error::bad_input("a double quote in the header is not closed").with_column(1))?;
     if fields.iter().all(|f| !f.text.is_empty() && field::number(&f.text).is_some_and(|v| !v.is_nan())) {

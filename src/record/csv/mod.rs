@@ -2,6 +2,7 @@
 
 mod field;
 mod header;
+mod look;
 mod rows;
 
 use super::input::{self, Sink};
@@ -9,6 +10,7 @@ use super::request::{Clock, Request, finished};
 use super::{Channel, Note, Source};
 use crate::{Error, Result};
 use header::Header;
+pub use look::{Raw, columns};
 use rows::Rows;
 use std::path::Path;
 use std::sync::Arc;
@@ -34,6 +36,11 @@ pub(super) fn read(path: &Path, request: &Request) -> Result<Table> {
 
 fn place(e: Error, path: &Path) -> Error {
     if e.file().is_some() { e } else { e.with_file(path) }
+}
+
+fn empty() -> Error {
+    Error::bad_input("the file is empty")
+        .with_hint("a recording begins with a header line such as `t [s],roll [deg]`")
 }
 
 struct Reader<'a> {
@@ -80,8 +87,7 @@ impl Reader<'_> {
 
     fn finish(self) -> Result<(Vec<Channel>, Notes)> {
         let (Some(header), Some(rows)) = (self.header, self.rows) else {
-            return Err(Error::bad_input("the file is empty")
-                .with_hint("a recording begins with a header line such as `t [s],roll [deg]`"));
+            return Err(empty());
         };
         let (mut columns, mut notes) = rows.finish()?;
         notes.extend(header.notes.iter().map(|says| (Some(1), says.clone())));

@@ -2,11 +2,13 @@
 
 use super::figures;
 use super::tables;
-use super::text::headline;
+use super::text::{headline, hints};
 use crate::diagnose::Diagnosis;
-use crate::diagnose::answer::{Answer, Verdict};
+use crate::diagnose::answer::{Answer, Finding, Verdict, told};
 use crate::diagnose::catalogue;
 use crate::diagnose::pictures::Pictures;
+use crate::estimate::Direction;
+use crate::report::fit;
 use crate::report::page::{self, Page, Section};
 use crate::report::svg::escaped;
 use crate::units::without_needless_zeros;
@@ -14,22 +16,22 @@ use std::path::Path;
 
 /// The page of a diagnosis.
 pub fn html(d: &Diagnosis) -> String {
-    page(&d.before.model.name, &d.answer, &d.pictures)
+    page(&d.before.model.name, &d.answer, &d.pictures, &d.after.unseen)
 }
 
-/// The page of an answer about a model, with its pictures.
-pub fn page(model: &str, a: &Answer, pictures: &Pictures) -> String {
+/// The page of an answer about a model, with its pictures and what the data do not tell of its unknowns.
+pub fn page(model: &str, a: &Answer, pictures: &Pictures, unseen: &[Direction]) -> String {
     let page = Page {
         kind: format!("Diagnosis of the model “{model}”"),
         title: format!("{model}: {}", headline(a.verdict).to_lowercase()),
         verdict: sentence(a),
         lead: without_needless_zeros(&a.says),
-        sections: sections(a, pictures),
+        sections: sections(a, pictures, fit::unseen(unseen)),
     };
     page.html()
 }
 
-fn sections(a: &Answer, pictures: &Pictures) -> Vec<Section> {
+fn sections(a: &Answer, pictures: &Pictures, unseen: String) -> Vec<Section> {
     let sure = !matches!(a.verdict, Verdict::Unknown | Verdict::NotIdentifiable);
     let inputs = a.made.inputs.iter().map(|i| (Path::new(&i.file), i.sha256.as_str()));
     vec![
@@ -47,6 +49,7 @@ fn sections(a: &Answer, pictures: &Pictures) -> Vec<Section> {
         Section::new("sites", "What was considered", tables::tried(pictures, a)),
         Section::new("unexplained", "What no name explains", figures::unexplained(a)),
         Section::new("parameters", "Parameters before and after", tables::parameters(a)),
+        Section::new("unseen", "What these data do not tell", unseen),
         Section::new("visible", "What would have been seen", tables::visible(a)),
         Section::new("next", "What would tell next", next(a)),
         page::made(&a.made.program, a.made.seed, inputs),
@@ -55,22 +58,35 @@ fn sections(a: &Answer, pictures: &Pictures) -> Vec<Section> {
 
 /// The verdict in one sentence.
 fn sentence(a: &Answer) -> String {
-    let names: Vec<&str> = a.findings.iter().map(|f| title(&f.code)).collect();
-    let at = a.findings.first().map(|f| format!(" ({} {})", f.site.kind, f.site.name)).unwrap_or_default();
+    let (faults, others) = told(&a.findings);
+    let titles =
+        |all: &[&Finding]| -> Vec<String> { all.iter().map(|f| title(&f.code).to_owned()).collect() };
+    let place = |all: &[&Finding]| match all {
+        [f] => format!(" ({} {})", f.site.kind, f.site.name),
+        _ => String::new(),
+    };
+    let (names, at) = (titles(&others), place(&others[..others.len().min(1)]));
     match a.verdict {
-        Verdict::Named if names.len() == 1 => format!("The model leaves out {}{at}.", names[0]),
-        Verdict::Named => format!("The model leaves out {}.", listed(&names)),
+        Verdict::Named => format!("The model leaves out {}{}.", listed(&names), place(&others)),
         Verdict::Tie => {
-            let ties: Vec<&str> = a.findings.iter().flat_map(|f| &f.ties).map(|c| title(c)).collect();
+            let ties: Vec<String> =
+                a.findings.iter().flat_map(|f| &f.ties).map(|c| title(c).to_owned()).collect();
             format!(
                 "The model leaves out {}{at}; {} would fit as well.",
-                names.first().unwrap_or(&"something"),
+                names.first().map_or("something", String::as_str),
                 listed(&ties)
             )
         }
         Verdict::Unknown => "Something is missing that no name of the catalogue fits.".into(),
         Verdict::NothingMissing => "Nothing is missing.".into(),
-        Verdict::DataFault => format!("The data are at fault: {}{at}.", listed(&names)),
+        Verdict::DataFault => {
+            let beside = if others.is_empty() {
+                String::new()
+            } else {
+                format!(" The model also leaves out {}{}.", listed(&names), place(&others))
+            };
+            format!("The data are at fault: {}{}.{beside}", listed(&titles(&faults)), place(&faults))
+        }
         Verdict::NotIdentifiable => "This recording cannot tell what is missing.".into(),
     }
 }
@@ -80,21 +96,38 @@ pub(super) fn title(code: &str) -> &str {
     catalogue::find(code).map_or(code, |m| m.title)
 }
 
-fn listed(names: &[&str]) -> String {
+fn listed(names: &[String]) -> String {
     match names {
         [] => "something".into(),
-        [one] => (*one).into(),
+        [one] => one.clone(),
         [most @ .., last] => format!("{} and {last}", most.join(", ")),
     }
 }
 
+/// What would tell next; where nothing was asked for, what would confirm the answer.
 fn next(a: &Answer) -> String {
-    let hints = a.next_experiment.iter().chain(&a.located.separating_measurement);
-    let mut said: Vec<&String> = Vec::new();
-    for hint in hints {
-        if !said.contains(&hint) {
-            said.push(hint);
-        }
+    let said = hints(a);
+    if said.is_empty() {
+        return format!("<p>{}</p>", escaped(&confirmation(a)));
     }
     said.iter().map(|s| format!("<p>{}</p>", escaped(s))).collect()
+}
+
+/// What would confirm an answer that asks for no experiment.
+fn confirmation(a: &Answer) -> String {
+    let (faults, others) = told(&a.findings);
+    let mut channels: Vec<String> = faults.iter().map(|f| f.site.name.clone()).collect();
+    channels.dedup();
+    match a.verdict {
+        Verdict::DataFault if others.is_empty() => format!(
+            "Record {} again without the fault and diagnose again: only that can show whether anything else is missing.",
+            listed(&channels)
+        ),
+        Verdict::DataFault => format!(
+            "Record {} again without the fault and diagnose again: what was found beside it rests on the other samples alone.",
+            listed(&channels)
+        ),
+        Verdict::NothingMissing => "Nothing further is needed.".into(),
+        _ => "Nothing further is needed for the name; another recording, given with --holdout, would confirm it.".into(),
+    }
 }

@@ -3,7 +3,7 @@
 use super::text;
 use crate::diagnose::answer::{Answer, Verdict};
 use crate::diagnose::pictures::{Pictures, Standing};
-use crate::report::page::{estimates, head, interval, quantity, table};
+use crate::report::page::{estimates, head, quantity, table};
 use crate::report::svg::escaped;
 use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
@@ -72,7 +72,7 @@ pub fn proof(a: &Answer) -> String {
                 figure(p.fit_after),
                 format!("<b>{}</b>", figure(p.holdout_before)),
                 format!("<b>{}</b>", figure(p.holdout_after)),
-                interval(p.improvement_low, p.improvement_high),
+                text::fall(p),
                 figure(p.noise_floor),
             ]
         })
@@ -158,10 +158,19 @@ pub fn visible(a: &Answer) -> String {
         .detection
         .smallest_visible
         .iter()
-        .map(|v| vec![escaped(&v.code), escaped(&v.parameter), quantity(v.value, &v.unit)])
+        .map(|v| {
+            vec![
+                escaped(&v.code),
+                escaped(&format!("{} {}", v.site.kind, v.site.name)),
+                escaped(&v.parameter),
+                quantity(v.value, &v.unit),
+            ]
+        })
         .collect();
-    let table =
-        table(&["mechanism", "parameter", "#smallest size that this recording would have shown"], &rows);
+    let table = table(
+        &["mechanism", "where", "parameter", "#smallest size that this recording would have shown"],
+        &rows,
+    );
     if table.is_empty() {
         table
     } else {

@@ -1,8 +1,9 @@
 //! A diagnosis in the terminal.
 
 use crate::diagnose::Diagnosis;
-use crate::diagnose::answer::{Answer, Finding, Value, Verdict};
-use crate::report::page::{estimate, estimates};
+use crate::diagnose::answer::{Answer, Finding, Proof, Value, Verdict};
+use crate::report::fit::untold;
+use crate::report::page::{estimate, estimates, interval};
 use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
 
@@ -25,9 +26,11 @@ pub fn text(d: &Diagnosis) -> String {
     findings(&mut out, a);
     proof(&mut out, a);
     parameters(&mut out, a);
+    out += &untold(&d.after.unseen);
     located(&mut out, a);
-    if let Some(next) = &a.next_experiment {
-        let _ = write!(out, "\nNext:\n{}\n", wrapped(next));
+    let hints = hints(a);
+    if !hints.is_empty() {
+        let _ = write!(out, "\nNext:\n{}\n", wrapped(&hints.join(" ")));
     }
     if a.verdict == Verdict::NothingMissing {
         visible(&mut out, a);
@@ -69,6 +72,23 @@ pub(super) fn values(f: &Finding) -> Vec<String> {
     f.parameters.iter().map(said).collect()
 }
 
+/// The fall of the held-out error; a dash where nothing was added that could lower it.
+pub(super) fn fall(p: &Proof) -> String {
+    let none = p.improvement_low == 0.0 && p.improvement_high == 0.0;
+    if none { "–".into() } else { interval(p.improvement_low, p.improvement_high) }
+}
+
+/// What would tell more, each hint once.
+pub(super) fn hints(a: &Answer) -> Vec<&str> {
+    let mut said: Vec<&str> = Vec::new();
+    for hint in a.next_experiment.iter().chain(&a.located.separating_measurement) {
+        if !said.contains(&hint.as_str()) {
+            said.push(hint);
+        }
+    }
+    said
+}
+
 fn proof(out: &mut String, a: &Answer) {
     out.push_str("\nFree-run error (root mean square):\n");
     let _ = writeln!(
@@ -79,15 +99,14 @@ fn proof(out: &mut String, a: &Answer) {
     for p in &a.proof {
         let _ = writeln!(
             out,
-            "  {:<16} {:>11} {:>11} {:>13} {:>13}   {} to {} {}",
+            "  {:<16} {:>11} {:>11} {:>13} {:>13}   {}{}",
             p.output,
             figure(p.fit_before),
             figure(p.fit_after),
             figure(p.holdout_before),
             figure(p.holdout_after),
-            figure(p.improvement_low),
-            figure(p.improvement_high),
-            p.unit
+            fall(p),
+            behind(&p.unit)
         );
     }
 }
@@ -116,9 +135,6 @@ fn located(out: &mut String, a: &Answer) {
             sites.join(", ")
         );
     }
-    if let Some(m) = &l.separating_measurement {
-        let _ = writeln!(out, "{}", wrapped(m));
-    }
     if let Some(u) = &a.unexplained {
         let _ = writeln!(out, "\nWhat is left goes with {} (chance {}).", u.signal, figure(u.p_value));
     }
@@ -130,8 +146,15 @@ fn visible(out: &mut String, a: &Answer) {
     }
     out.push_str("\nThis recording would have shown:\n");
     for v in &a.detection.smallest_visible {
-        let _ =
-            writeln!(out, "  {:<22} from {} = {}{}", v.code, v.parameter, figure(v.value), behind(&v.unit));
+        let _ = writeln!(
+            out,
+            "  {:<22} {:<22} from {} = {}{}",
+            v.code,
+            format!("{} {}", v.site.kind, v.site.name),
+            v.parameter,
+            figure(v.value),
+            behind(&v.unit)
+        );
     }
 }
 

@@ -17,8 +17,13 @@ use std::fmt::Write;
 
 /// Width and height of a picture in its own units.
 const SIZE: (f64, f64) = (720.0, 320.0);
-/// Room left, top, right and bottom of the frame.
+/// Room left (at least), top, right and bottom of the frame.
 const MARGIN: [f64; 4] = [78.0, 32.0, 14.0, 56.0];
+/// Room between a tick's text and its axis.
+const GAP: f64 = 6.0;
+/// Width of a digit in the widest common face at the size that texts have on a phone, 21; a minus sign is
+/// wider by a third.
+const DIGIT: f64 = 13.4;
 
 /// What a picture is made of; classes give the colours.
 #[derive(Debug, Clone)]
@@ -145,11 +150,12 @@ impl Picture {
     /// The figure with caption and legend; empty where there is nothing to draw.
     pub fn draw(&self) -> String {
         let corners: Vec<[f64; 2]> = self.layers.iter().flat_map(Layer::corners).collect();
-        let [left, top, right, bottom] = MARGIN;
+        let [room, top, right, bottom] = MARGIN;
         let (w, h) = SIZE;
         let along = |k: usize| corners.iter().map(move |c| c[k]);
-        let Some(x) = Axis::over(along(0), self.x.1, (left, w - right), false) else { return String::new() };
         let Some(y) = Axis::over(along(1), self.y.1, (h - bottom, top), true) else { return String::new() };
+        let left = y.ticks(5).iter().map(|t| width(&t.1) + 2.0 * GAP).fold(room, f64::max).min(0.4 * w);
+        let Some(x) = Axis::over(along(0), self.x.1, (left, w - right), false) else { return String::new() };
         let title = escaped(&self.title);
         let mut svg = format!(
             "<figure><figcaption>{title}</figcaption><svg viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{title}\">"
@@ -162,29 +168,30 @@ impl Picture {
             }
         };
         layers(&mut svg, true);
-        self.frame(&mut svg, &x, &y);
+        self.frame(&mut svg, &x, &y, left);
         layers(&mut svg, false);
         svg.push_str("</svg>");
-        self.legend(&mut svg);
+        self.legend(&mut svg, &x);
         svg + "</figure>\n"
     }
 
-    fn frame(&self, svg: &mut String, x: &Axis, y: &Axis) {
-        let [left, top, right, bottom] = MARGIN;
+    fn frame(&self, svg: &mut String, x: &Axis, y: &Axis, left: f64) {
+        let [_, top, right, bottom] = MARGIN;
         let (w, h) = SIZE;
         for (at, text) in y.ticks(5) {
             let _ = write!(
                 svg,
                 "<path class=\"grid\" d=\"M{left} {at:.1}H{:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
                 w - right,
-                left - 6.0,
+                left - GAP,
                 at + 5.0
             );
         }
-        for (at, text) in x.ticks(7) {
+        for (at, text) in self.x_ticks(x, left) {
+            let inside = at.min(w - 0.5 * width(&text));
             let _ = write!(
                 svg,
-                "<path class=\"tick\" d=\"M{at:.1} {:.1}v5\"/><text x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{text}</text>",
+                "<path class=\"tick\" d=\"M{at:.1} {:.1}v5\"/><text x=\"{inside:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{text}</text>",
                 h - bottom,
                 h - bottom + 20.0
             );
@@ -201,8 +208,22 @@ impl Picture {
         );
     }
 
-    fn legend(&self, svg: &mut String) {
-        let named: Vec<_> = self.layers.iter().map(Layer::legend).filter(|l| !l.1.is_empty()).collect();
+    /// As many ticks as have room for their texts.
+    fn x_ticks(&self, x: &Axis, left: f64) -> Vec<(f64, String)> {
+        let fits = |ticks: &[(f64, String)]| {
+            let needed: f64 = ticks.iter().map(|t| width(&t.1) + DIGIT).sum();
+            needed <= SIZE.0 - left
+        };
+        (2..=7).rev().map(|about| x.ticks(about)).find(|t| fits(t)).unwrap_or_else(|| x.ticks(2))
+    }
+
+    fn legend(&self, svg: &mut String, x: &Axis) {
+        let seen = |l: &&Layer| match l {
+            Layer::Span { spans, .. } => spans.iter().any(|s| x.clipped(*s).is_some()),
+            _ => true,
+        };
+        let named: Vec<_> =
+            self.layers.iter().filter(seen).map(Layer::legend).filter(|l| !l.1.is_empty()).collect();
         if named.is_empty() {
             return;
         }
@@ -221,6 +242,11 @@ impl Picture {
         }
         svg.push_str("</p>");
     }
+}
+
+/// Width of a tick's text on a phone, where texts are largest in the picture's own units.
+fn width(text: &str) -> f64 {
+    text.chars().map(|c| if c == '−' { 1.34 * DIGIT } else { DIGIT }).sum()
 }
 
 fn layer(svg: &mut String, layer: &Layer, x: &Axis, y: &Axis) {
@@ -299,6 +325,20 @@ mod tests {
         // x runs from 78 to 706, and a span beyond the frame ends at it
         assert!(drawn.contains("x=\"392.0\"") && drawn.contains("width=\"314.0\""), "{drawn}");
         assert!(drawn.find("held").unwrap() < drawn.find("polyline").unwrap());
+    }
+
+    #[test]
+    fn long_texts_of_an_axis_have_room_and_the_legend_names_what_is_seen() {
+        let line = |y: f64| Layer::line("after", "line", vec![[0.0, -y], [1.0, y]]);
+        let drawn = Picture::new("", "x", "y")
+            .with(line(0.00123))
+            .with(Layer::span("held", "held out", vec![[2.0, 3.0]]))
+            .draw();
+        // "−0.0010": six digits and a minus sign end 6 before the axis, and begin inside the picture
+        assert!(drawn.contains(">−0.0010</text>"), "{drawn}");
+        let at = drawn.split("<text x=\"").nth(1).and_then(|t| t.split('"').next()).unwrap();
+        assert!(at.parse::<f64>().unwrap() > 7.0 * DIGIT, "{at}");
+        assert!(drawn.contains("> line</span>") && !drawn.contains("held out"));
     }
 
     #[test]
