@@ -251,7 +251,9 @@ fn law(p: &Proposal, words: Words, data: &[Sample], curve: &[Sample]) -> Law {
     order.sort_unstable_by(f64::total_cmp);
     let cut = order.len() / 100;
     let inside = |y: f64| order.get(cut).is_some_and(|l| y >= *l) && y <= order[order.len() - 1 - cut];
-    let drawn = data.iter().step_by(data.len().div_ceil(DRAWN).max(1)).filter(|s| inside(s.y));
+    // the wildest are derivatives at the ends of a stretch, which would hide the law
+    let kept: Vec<Sample> = data.iter().filter(|s| inside(s.y)).copied().collect();
+    let drawn = kept.iter().step_by(kept.len().div_ceil(DRAWN).max(1));
     Law {
         code: p.code.to_string(),
         term: p.term.clone(),
@@ -261,7 +263,7 @@ fn law(p: &Proposal, words: Words, data: &[Sample], curve: &[Sample]) -> Law {
         effect: words.effect,
         effect_unit: words.effect_unit.text().to_string(),
         samples: drawn.map(|s| [s.x, s.y]).collect(),
-        means: bins::means(data, MEANS),
+        means: bins::means(&kept, MEANS),
         curve: bins::curve(curve, CURVE),
     }
 }
