@@ -181,7 +181,7 @@ impl Picture {
         for (at, text) in y.ticks(5) {
             let _ = write!(
                 svg,
-                "<path class=\"grid\" d=\"M{left} {at:.1}H{:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
+                "<path class=\"grid\" d=\"M{left:.1} {at:.1}H{:.1}\"/><text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{text}</text>",
                 w - right,
                 left - GAP,
                 at + 5.0
@@ -198,7 +198,7 @@ impl Picture {
         }
         let _ = write!(
             svg,
-            "<path class=\"frame\" d=\"M{left} {top}V{:.1}H{:.1}\"/><text class=\"words\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text><text class=\"words\" x=\"4\" y=\"18\">{}</text>",
+            "<path class=\"frame\" d=\"M{left:.1} {top}V{:.1}H{:.1}\"/><text class=\"words\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text><text class=\"words\" x=\"4\" y=\"18\">{}</text>",
             h - bottom,
             w - right,
             0.5 * (left + w - right),
@@ -334,10 +334,10 @@ mod tests {
             .with(line(0.00123))
             .with(Layer::span("held", "held out", vec![[2.0, 3.0]]))
             .draw();
-        // "−0.0010": six digits and a minus sign end 6 before the axis, and begin inside the picture
-        assert!(drawn.contains(">−0.0010</text>"), "{drawn}");
+        // a minus sign and five characters end before the axis, and begin inside the picture
+        assert!(drawn.contains(">−0.001</text>"), "{drawn}");
         let at = drawn.split("<text x=\"").nth(1).and_then(|t| t.split('"').next()).unwrap();
-        assert!(at.parse::<f64>().unwrap() > 7.0 * DIGIT, "{at}");
+        assert!(at.parse::<f64>().unwrap() > 6.0 * DIGIT, "{at}");
         assert!(drawn.contains("> line</span>") && !drawn.contains("held out"));
     }
 
