@@ -187,7 +187,7 @@ impl Picture {
                 at + 5.0
             );
         }
-        for (at, text) in self.x_ticks(x, left) {
+        for (at, text) in ticks_with_room(x, left) {
             let inside = at.min(w - 0.5 * width(&text));
             let _ = write!(
                 svg,
@@ -206,15 +206,6 @@ impl Picture {
             escaped(&self.x.0),
             escaped(&self.y.0)
         );
-    }
-
-    /// As many ticks as have room for their texts.
-    fn x_ticks(&self, x: &Axis, left: f64) -> Vec<(f64, String)> {
-        let fits = |ticks: &[(f64, String)]| {
-            let needed: f64 = ticks.iter().map(|t| width(&t.1) + DIGIT).sum();
-            needed <= SIZE.0 - left
-        };
-        (2..=7).rev().map(|about| x.ticks(about)).find(|t| fits(t)).unwrap_or_else(|| x.ticks(2))
     }
 
     fn legend(&self, svg: &mut String, x: &Axis) {
@@ -242,6 +233,15 @@ impl Picture {
         }
         svg.push_str("</p>");
     }
+}
+
+/// As many ticks as have room for their texts.
+fn ticks_with_room(x: &Axis, left: f64) -> Vec<(f64, String)> {
+    let fits = |ticks: &[(f64, String)]| {
+        let needed: f64 = ticks.iter().map(|t| width(&t.1) + DIGIT).sum();
+        needed <= SIZE.0 - left
+    };
+    (2..=7).rev().map(|about| x.ticks(about)).find(|t| fits(t)).unwrap_or_else(|| x.ticks(2))
 }
 
 /// Width of a tick's text on a phone, where texts are largest in the picture's own units.
