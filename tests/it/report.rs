@@ -232,7 +232,7 @@ fn the_verdict_is_one_sentence() {
     assert_eq!(heading(Verdict::Named), "The model leaves out dry (Coulomb) friction (state v).");
     assert!(heading(Verdict::Tie).contains("would fit as well"));
     assert_eq!(heading(Verdict::NothingMissing), "Nothing is missing.");
-    assert_eq!(heading(Verdict::DataFault), "The data are at fault: a stuck channel (state v).");
+    assert_eq!(heading(Verdict::DataFault), "The data are at fault: a channel that is stuck (state v).");
     assert!(VERDICTS.iter().all(|v| heading(*v).ends_with('.')));
 }
 
@@ -348,7 +348,7 @@ fn faults_and_physics_are_two_sentences_and_each_page_says_what_would_confirm_it
     a.next_experiment = None;
     let shown = |a: &Answer| page("axis", a, &pictures(a.verdict), &[]);
     let text = shown(&a);
-    let heading = "The data are at fault: a stuck channel (state v). The model also leaves out dry (Coulomb) friction (state v).";
+    let heading = "The data are at fault: a channel that is stuck (state v). The model also leaves out dry (Coulomb) friction (state v).";
     assert!(text.contains(heading), "{text:.3000}");
     assert!(text.contains("Record v again without the fault"));
     let mut a = answer(Verdict::Named);
