@@ -268,7 +268,8 @@ def _doubles(name: str, values: Any) -> tuple[Floats, bool]:
     except (TypeError, ValueError):
         row, value = next((i, x) for i, x in enumerate(array.tolist()) if not _is_number(x))
         raise InputError(
-            f"the column `{name}` holds {value!r} in row {row} (from 0), which is no number\nhelp: a gap is NaN"
+            f"the column `{name}` holds {value!r} in row {row} (from 0), which is no number\n"
+            "help: a gap is NaN"
         ) from None
 
 

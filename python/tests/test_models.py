@@ -92,7 +92,7 @@ def test_the_time_may_have_a_zone_and_may_be_the_index() -> None:
     asked = gyrospec.recording(named, units={"roll": "deg", "t": "min"}, time="t")
     assert asked.channel("roll")[0].tolist() == [0.0, 60.0, 120.0]
     with pytest.raises(gyrospec.UnitsError, match="`roll` is taken for the time, but it is in deg"):
-        gyrospec.recording(pd.DataFrame({"roll": [1.0, 2.0], "pitch": [0.0, 1.0]}), units={"roll": "deg", "pitch": "deg"})
+        gyrospec.recording({"roll": [1.0, 2.0], "pitch": [0.0, 1.0]}, units={"roll": "deg", "pitch": "deg"})
     twins = pd.DataFrame([[0.0, 1.0, 2.0]], columns=["t", "roll", "roll"])
     with pytest.raises(gyrospec.InputError, match="two columns have the name `roll`"):
         gyrospec.recording(twins, units={"t": "s", "roll": "deg"})

@@ -66,7 +66,8 @@ class RollError(Report):
     def __repr__(self) -> str:
         worst = max(self.rows, key=lambda r: abs(self._mean(r)))
         told = (
-            f"largest mean {self._mean(worst):.4g}° ± {worst.spread_deg:.2g}° on heading {worst.heading_deg:g}°"
+            f"largest mean {self._mean(worst):.4g}° ± {worst.spread_deg:.2g}° "
+            f"on heading {worst.heading_deg:g}°"
         )
         return f"RollError({self.instrument}; {self.motion}: {len(self.rows)} rows, {told})"
 
