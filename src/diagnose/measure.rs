@@ -47,6 +47,12 @@ impl Scale {
             if trials { vec![1; fit.noise.len()] } else { fit.noise.iter().map(|n| n.decimation).collect() };
         Self { weights: fit.rmse.iter().map(inverse).collect(), decimation, trials }
     }
+
+    /// Free-run sum of squares of a fit, every output weighed by this scale.
+    pub fn squares(&self, fit: &Fit) -> f64 {
+        let series = fit.records.iter().flat_map(|r| &r.series);
+        series.map(|s| self.weights[s.output] * s.residual.iter().map(|e| e * e).sum::<f64>()).sum()
+    }
 }
 
 /// How good a fit is.

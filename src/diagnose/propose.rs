@@ -17,6 +17,7 @@
 use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
 use super::choose::CHANCE;
+use super::measure::Scale;
 use super::response::Response;
 use super::screen::{Score, Screen, log_chance};
 use super::search::Taken;
@@ -304,14 +305,15 @@ fn cosine(a: &Score, b: &Score) -> f64 {
 }
 
 /// The best starts of a screened proposal inside the model, from several sizes of its effect.
-pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened) -> Vec<Stand> {
+pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened, scale: &Scale) -> Vec<Stand> {
     let (p, base) = (&s.proposal, &view.stand);
     let likely = sizes(s).into_iter().next().unwrap_or_else(|| s.start.clone());
     let model = base.extended(&p.model, &likely).placed(&p.model);
     let Ok(records) = bench.ready(&model, view.tolerance) else { return Vec::new() };
     let squares = |stand: &Stand| {
         let tracks = bench::run(&records, stand, &[]).ok();
-        tracks.map_or(f64::INFINITY, |t| t.iter().flat_map(|t| &t.residual).map(|e| e * e).sum())
+        let of = |t: &Track| scale.weights[t.output] * t.residual.iter().map(|e| e * e).sum::<f64>();
+        tracks.map_or(f64::INFINITY, |t| t.iter().map(of).sum())
     };
     let mut from_given = base.clone();
     from_given.parameters[..given.len()].copy_from_slice(given);

@@ -127,7 +127,7 @@ fn round(bench: &Bench, current: &Fit, state: &State<'_>, given: &[f64]) -> Resu
     // A last small one may follow a large one where it would leave nothing else.
     let least = if screening.ends_with_one(&view) { floor(0.0) } else { floor(*gains) };
     let chosen = worth_fitting(&screening, most, least);
-    let finished = race::run(bench, current, &view, given, &chosen);
+    let finished = race::run(bench, &view, given, &chosen, (scale.squares(current), scale));
     let mut fitted: Vec<Refitted> = finished
         .into_par_iter()
         .map(|(s, fit)| {
