@@ -12,6 +12,7 @@
 //! is foretold from the roughness of the steps (their embedded error), which grows with it; where
 //! it is foretold too large, or a run blows up, the run is repeated with more or stiff steps.
 
+use super::probe::Clock;
 use super::run::{Course, Ran, run};
 use super::steps::Method;
 use crate::Result;
@@ -155,7 +156,7 @@ impl Search<'_> {
         let (mut substeps, mut last) = (1, f64::INFINITY);
         while substeps < most {
             let fine = self.run(method, 2 * substeps)?;
-            let error = difference(&coarse, &fine);
+            let error = difference(self.course.clocks, &coarse, &fine);
             let this = plan(substeps, error, &coarse);
             let rank = |p: &Plan| (p.blew_up, p.error.max(self.tolerance));
             // Of runs that blow up before they agree, the one with a few steps an interval is kept.
@@ -181,13 +182,22 @@ impl Search<'_> {
 }
 
 /// The largest root-mean-square difference of an output, as a share of its spread.
-fn difference(a: &Ran<f64>, b: &Ran<f64>) -> f64 {
+fn difference(clocks: &[Clock], a: &Ran<f64>, b: &Ran<f64>) -> f64 {
     if a.blew_up.is_some() != b.blew_up.is_some() {
         return f64::INFINITY;
     }
     let part = if a.blew_up.is_some() { BEFORE_THE_END } else { 1.0 };
-    let shares = a.values.iter().zip(&b.values).map(|(a, b)| share(a, b, part));
-    shares.fold(0.0, |worst, share| if share.is_nan() { f64::INFINITY } else { worst.max(share) })
+    let one = |((clock, a), b): ((&Clock, &Vec<f64>), &Vec<f64>)| {
+        // Outputs of one clock stand side by side, each in its own unit.
+        let width = clock.registers.len();
+        let column = |v: &[f64], j: usize| v.iter().skip(j).step_by(width).copied().collect::<Vec<_>>();
+        (0..width).map(|j| share(&column(a, j), &column(b, j), part)).fold(0.0, worse)
+    };
+    clocks.iter().zip(&a.values).zip(&b.values).map(one).fold(0.0, worse)
+}
+
+fn worse(a: f64, b: f64) -> f64 {
+    if b.is_nan() { f64::INFINITY } else { a.max(b) }
 }
 
 fn share(a: &[f64], b: &[f64], part: f64) -> f64 {

@@ -161,6 +161,21 @@ fn outliers_are_found_and_masked() {
 }
 
 #[test]
+fn the_top_of_a_quick_transient_is_no_outlier() {
+    let mut rng = ChaCha12Rng::seed_from_u64(16);
+    let mut values: Vec<f64> = (0..2000).map(|_| rng.random_range(-0.001..0.001)).collect();
+    // The current after steps of a voltage: e^(−t/T₁) − e^(−t/T₂)
+    for (at, quick) in [(200, 1.1), (600, 1.3), (1000, 1.7), (1400, 2.3)] {
+        for k in 0..400 {
+            let t = k as f64;
+            values[at + k] += 10.0 * ((-t / 60.0).exp() - (-t / quick).exp());
+        }
+    }
+    let found = faults(channel("m", values));
+    assert!(found.iter().all(|f| f.kind != FaultKind::Outliers), "{found:?}");
+}
+
+#[test]
 fn gaps_are_holes_in_values_or_times() {
     let mut c = channel("m", (0..1000).map(|i| f64::from(i).sin()).collect());
     c.values[100..110].fill(f64::NAN);

@@ -64,7 +64,6 @@ impl Assembly<'_> {
             rmse: self.rmse(&records),
             records,
             noise,
-            sum_of_squares: self.minimum.sum_of_squares,
             unseen,
             warnings: [self.warnings.clone(), warnings::all(&self, fitted)].concat(),
             tolerance: self.tolerance,

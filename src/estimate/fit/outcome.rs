@@ -161,8 +161,6 @@ pub struct Fit {
     pub noise: Vec<NoiseModel>,
     /// Free-run root mean square of each output over the fitted parts, SI.
     pub rmse: Vec<f64>,
-    /// The weighted sum of squares that was minimised.
-    pub sum_of_squares: f64,
     /// Directions in parameter space that the data do not see.
     pub unseen: Vec<Direction>,
     /// What a user should know.

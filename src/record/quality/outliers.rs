@@ -4,8 +4,8 @@
 //! this channel: the larger of the spread by the median absolute deviation, the spread by the
 //! 97th percentile (which grows where pulses are the channel's nature), the quantum, and the 80th
 //! percentile nearby (which grows where the motion is fast just there). It must be twelve times
-//! that, the sample must stand out to one side from both neighbours, and these must agree among
-//! themselves.
+//! that, the sample must stand out by as much from both neighbours, and these must agree among
+//! themselves: the top of a smooth peak stands two fifths of that distance above its neighbours.
 //!
 //! References: P. J. Huber, E. M. Ronchetti, Robust Statistics, 2nd ed. (2009).
 
@@ -21,6 +21,8 @@ const NORMAL_80: f64 = 1.282;
 const NEARBY: usize = 30;
 /// Neighbours may differ by this share of the outlier's distance.
 const NEIGHBOURS_AGREE: f64 = 0.3;
+/// Share of the distance by which a sample stands out from each neighbour at least.
+const ALONE: f64 = 0.7;
 const FEWEST_SAMPLES: usize = 30;
 /// More than one sample in so many are the channel's nature.
 const MOST: usize = 20;
@@ -73,5 +75,6 @@ fn distance(w: &[f64]) -> f64 {
 
 fn stands_out(w: &[f64], distance: f64) -> bool {
     let (before, after) = (w[2] - w[1], w[2] - w[3]);
-    before * after > 0.0 && (before - after).abs() < NEIGHBOURS_AGREE * distance
+    let alone = before * after > 0.0 && before.abs().min(after.abs()) > ALONE * distance;
+    alone && (before - after).abs() < NEIGHBOURS_AGREE * distance
 }

@@ -60,6 +60,33 @@ fn what_is_sampled_finely_takes_two_evaluations_a_step_until_it_moves_faster() {
 }
 
 #[test]
+fn an_output_of_small_numbers_is_kept_as_exact_as_one_of_large_numbers() {
+    let model = r#"
+        name = "a quick current beside a large angle"
+        [parameters]
+        I = { value = 1, unit = "A" }
+        w = { value = 9, unit = "rad/s" }
+        T = { value = 0.05, unit = "s" }
+        W = { value = 1e6, unit = "rad/s" }
+        [states]
+        i = { rate = "(I*sin(w*t) - i)/T", unit = "A", initial = 0 }
+        a = { rate = "W", unit = "rad", initial = 0 }
+        [outputs]
+        current = { equals = "i", unit = "A" }
+        angle = { equals = "a", unit = "rad" }
+    "#;
+    let time = times(20.0, 0.04);
+    let r = recording(vec![channel("current", "A", &time, |_| 0.0), channel("angle", "rad", &time, |t| t)]);
+    let s = Simulator::new(&Model::parse(model).unwrap(), &r, &Options::default()).unwrap();
+    let run = s.run(&s.parameters(), &s.initials()).unwrap();
+    // i' = (sin ωt − i)/T from rest
+    let (w, t1) = (9.0, 0.05f64);
+    let exact =
+        |t: f64| ((w * t).sin() - w * t1 * ((w * t).cos() - (-t / t1).exp())) / (1.0 + (w * t1).powi(2));
+    assert!(worst(&time, &run.outputs[0], exact) < 1e-4, "{}", worst(&time, &run.outputs[0], exact));
+}
+
+#[test]
 fn inputs_are_straight_between_their_samples() {
     // y' = (u - y)/T with u a ramp: y = t - T + T exp(-t/T)
     let model = r#"
