@@ -23,7 +23,7 @@ const ANCHORED: f64 = 0.6;
 /// Chance, after correction, above which nothing is added.
 pub const CHANCE: f64 = 0.01;
 /// Gain from which on a mechanism counts as seen by the free run.
-const MUCH: f64 = 0.2;
+pub const MUCH: f64 = 0.2;
 /// Relative fall of the left-out root mean square below which nothing is added.
 pub const FLOOR: f64 = 0.02;
 /// Difference in log-likelihood up to which two extensions fit as well: odds of 20 to 1.

@@ -135,13 +135,15 @@ pub fn finding(model: &Model, recordings: &[Recording], f: &Fault) -> Finding {
 }
 
 /// Factors between units that people confuse, with words.
-const FACTORS: [(f64, &str, &str); 10] = [
+const FACTORS: [(f64, &str, &str); 12] = [
     (std::f64::consts::PI / 180.0, "degrees for radians", "rad"),
     (180.0 / std::f64::consts::PI, "radians for degrees", "rad"),
     (1852.0 / 3600.0, "knots for metres a second", "m/s"),
     (3600.0 / 1852.0, "metres a second for knots", "m/s"),
     (1e3, "a thousandth for the whole", ""),
     (1e-3, "the whole for a thousandth", ""),
+    (10.0, "a tenth for the whole", ""),
+    (0.1, "the whole for a tenth", ""),
     (9.80665, "g for metres a second squared", "m/s^2"),
     (1.0 / 9.80665, "metres a second squared for g", "m/s^2"),
     (60.0, "minutes for seconds, or the other way", "s"),

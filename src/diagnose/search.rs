@@ -124,8 +124,13 @@ fn round(bench: &Bench, current: &Fit, state: &State<'_>, given: &[f64]) -> Resu
     let screening = screen(bench, &scene, &view, taken);
     let tried = screening.screened.len().max(1) as f64;
     let most = if *is_last { 0 } else { bench.patience(&current.model) };
-    // A last small one may follow a large one where it would leave nothing else.
-    let least = if screening.ends_with_one(&view) { floor(0.0) } else { floor(*gains) };
+    // A last small one may follow a large one where it would leave nothing else; where the noise's own
+    // colour hides what is left, one of some size.
+    let least = match screening.p_value < choose::CHANCE {
+        true if screening.ends_with_one(&view) => floor(0.0),
+        true => floor(*gains),
+        false => floor(*gains).min(choose::MUCH),
+    };
     let chosen = worth_fitting(&screening, most, least);
     let finished = race::run(bench, &view, given, &chosen, (scale.squares(current), scale));
     let mut fitted: Vec<Refitted> = finished
