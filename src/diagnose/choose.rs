@@ -124,7 +124,8 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let alike = |i: usize, to: usize| {
         let (r, t) = (&round.fitted[i], &round.fitted[to]);
         let likelier = t.measure.likelihood - now.likelihood;
-        let same = commute(r.proposal.code, t.proposal.code) || r.proposal.code == t.proposal.code;
+        let elsewhere = r.proposal.code == t.proposal.code && r.proposal.site != t.proposal.site;
+        let same = commute(r.proposal.code, t.proposal.code) || elsewhere;
         let tolerance = if same { TIE.max(COMMUTES * likelier) } else { TIE };
         let by_start_alone = commute(r.proposal.code, t.proposal.code) && fall(r) > (1.0 - STARTS) * fall(t);
         (by_start_alone || worth(r) > worth(t) - tolerance)
@@ -138,7 +139,8 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
         rivals.iter().copied().filter(|i| commuting(i) && alike(*i, likeliest)).min_by_key(|i| place(*i));
     // Among those that fit alike the one with the fewest parameters stands first.
     let fewest = |i: &usize| round.fitted[*i].proposal.added.len();
-    let simpler = rivals.iter().copied().filter(|i| alike(*i, likeliest) && fewest(i) < fewest(&likeliest));
+    let as_likely = |i: &usize| worth(&round.fitted[*i]) > worth(&round.fitted[likeliest]) - TIE;
+    let simpler = rivals.iter().copied().filter(|i| as_likely(i) && fewest(i) < fewest(&likeliest));
     let simplest = simpler.min_by_key(|i| fewest(i));
     let best = simplest.or(first.filter(|i| place(*i) < place(likeliest))).unwrap_or(likeliest);
     let chosen = &round.fitted[best].proposal;

@@ -172,7 +172,8 @@ pub fn screen(bench: &Bench, scene: &Scene, view: &View, taken: &[Taken]) -> Scr
 }
 
 impl Screening {
-    /// Whether one of the best proposals alone would leave nothing that another one sees, to first order.
+    /// Whether one of the best proposals alone would leave nothing that another one sees, to first order,
+    /// and nothing that follows from sample to sample, as in trials in a row: chances are too small then.
     pub fn ends_with_one(&self, view: &View) -> bool {
         let leaves_nothing = |best: &Screened| {
             let along = |d: &[f32], e: &[f64]| d.iter().zip(e).map(|(d, e)| f64::from(*d) * e).sum::<f64>();
@@ -182,12 +183,11 @@ impl Screening {
             rest.iter_mut().zip(own).for_each(|(e, d)| *e -= size * f64::from(*d));
             let largest = self.screened.iter().map(|s| along(&s.score.direction, &rest).powi(2));
             let largest = largest.fold(0.0, f64::max);
-            self.screened.len() as f64 * log_chance(largest, 1).exp() > CHANCE
+            let next = rest.windows(2).map(|w| w[0] * w[1]).sum::<f64>().abs();
+            next < 3.0 * (rest.len() as f64).sqrt()
+                && self.screened.len() as f64 * log_chance(largest, 1).exp() > CHANCE
         };
-        let e = &view.screen.residual;
-        let follows = e.windows(2).map(|w| w[0] * w[1]).sum::<f64>().abs() > 3.0 * (e.len() as f64).sqrt();
-        // Residuals that follow one another, as in trials in a row, make chances that are too small.
-        !follows && self.p_value < CHANCE && self.screened.iter().take(LAST).any(leaves_nothing)
+        self.p_value < CHANCE && self.screened.iter().take(LAST).any(leaves_nothing)
     }
 }
 

@@ -20,6 +20,8 @@
 //! # Example
 //! A gyrocompass model that knows roll alone while the ship pitches.
 
+use crate::expression::Expr;
+
 use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, edit};
 
 /// Another recorded motion acts.
@@ -80,13 +82,17 @@ fn harmonics(scene: &Scene) -> Vec<Proposal> {
     let mut all = Vec::new();
     for o in &scene.model.outputs {
         for h in scene.headings() {
+            // The model may have one of the two parts already; where the heading stands but once in it, the
+            // other part is a misalignment.
+            let often = times(scene, &h.name) > 1;
+            let parts: &[&[&str]] = if often { &[&["sin", "cos"], &["sin"], &["cos"]] } else { &[&["sin", "cos"]] };
             for order in [1, 2, 4] {
-                all.extend(harmonic(scene, &o.name, &h.name, order));
+                all.extend(parts.iter().filter_map(|p| harmonic(scene, (&o.name, &h.name), order, p)));
             }
         }
         for s in scene.moving(&[SignalKind::Channel, SignalKind::Input]).filter(|s| !s.is_heading()) {
             for factor in std::iter::once(String::new()).chain(scene.factors(s)) {
-                all.extend(beside(scene, &o.name, s, &factor));
+                all.extend([true, false].iter().filter_map(|about| beside(scene, &o.name, s, (&factor, *about))));
             }
         }
     }
@@ -94,26 +100,41 @@ fn harmonics(scene: &Scene) -> Vec<Proposal> {
     all
 }
 
-fn harmonic(scene: &Scene, output: &str, heading: &str, order: u32) -> Option<Proposal> {
+/// How often a name stands in the outputs and definitions.
+fn times(scene: &Scene, name: &str) -> usize {
+    let mut count = 0;
+    let texts = scene.model.outputs.iter().map(|o| &o.equals);
+    for e in texts.chain(scene.model.definitions.iter().map(|d| &d.equals)) {
+        e.visit(&mut |part| count += usize::from(*part == Expr::name(name)));
+    }
+    count
+}
+
+fn harmonic(scene: &Scene, (output, heading): (&str, &str), order: u32, parts: &[&str]) -> Option<Proposal> {
     let mut d = Draft::new(scene, "cross-coupling", SiteKind::Output, output);
     let size = scene.signal(output)?.spread;
     let unit = scene.unit(output);
-    let s = d.amplitude("h_sin", &unit, ANY, "sine part of the harmonic");
-    let c = d.amplitude("h_cos", &unit, ANY, "cosine part of the harmonic");
     let angle = if order == 1 { heading.to_string() } else { format!("{order}*{heading}") };
-    d.output(output, &format!("{{}} + {s}*sin({angle}) + {c}*cos({angle})"));
+    let mut text = "{}".to_string();
+    let mut says = Vec::new();
+    for (i, part) in parts.iter().enumerate() {
+        let h = d.amplitude(&format!("h_{part}"), &unit, ANY, &format!("part with the {part} of {angle}"));
+        text += &format!(" + {h}*{part}({angle})");
+        says.push(format!("{{{i}}} {part}({angle})"));
+    }
+    d.output(output, &text);
     d.uses(heading);
-    d.start(&[size, size]);
-    d.done(&format!("{} has a part with {order} times {}, {{0}} (sine) and {{1}} (cosine)", scene.words(output), scene.words(heading)))
+    d.start(&vec![size; parts.len()]);
+    d.done(&format!("{} has a part that turns with {heading}: {}", scene.words(output), says.join(" + ")))
 }
 
-fn beside(scene: &Scene, output: &str, signal: &Signal, factor: &str) -> Option<Proposal> {
+/// A signal beside an output, about its mean or as it stands.
+fn beside(scene: &Scene, output: &str, signal: &Signal, (factor, about_mean): (&str, bool)) -> Option<Proposal> {
     let mut d = Draft::new(scene, "cross-coupling", SiteKind::Output, output);
     let c = d.amplitude("c", &scene.unit(output).over(&signal.unit), ANY, "coupling");
     d.uses(&signal.name);
-    let mean = d.constant(&format!("{}_mean", signal.name), &signal.unit, signal.mean, "mean of the recording");
-    let part = if factor.is_empty() { format!("({} - {mean})", signal.name) } else { format!("{}{factor}", signal.name) };
-    d.output(output, &format!("{{}} + {c}*{part}"));
+    let part = if about_mean { d.centred(signal) } else { signal.name.clone() };
+    d.output(output, &format!("{{}} + {c}*{part}{factor}"));
     d.start(&[scene.signal(output)?.spread / signal.spread]);
     d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(output)))
 }

@@ -91,7 +91,7 @@ impl Proposal {
         model
     }
 
-    /// States and inputs in its term; none where the term remembers their past.
+    /// States and inputs that its term is a law of, not only turned by them; none where it remembers.
     pub fn law_of(&self) -> Vec<String> {
         let Ok(term) = Expr::parse(&self.term) else { return Vec::new() };
         if edit::find(&term, &|e| matches!(e, Expr::Call(f, _) if f.has_memory())).is_some() {
@@ -99,7 +99,7 @@ impl Proposal {
         }
         let inputs = self.model.inputs.iter().map(|i| &i.name);
         let signals = self.model.states.iter().map(|s| &s.name).chain(inputs);
-        signals.filter(|s| term.mentions(s)).cloned().collect()
+        signals.filter(|s| edit::is_plainly_in(&term, s)).cloned().collect()
     }
 
     /// Whether its effect is a single force that may have one sign alone.

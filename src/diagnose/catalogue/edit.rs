@@ -199,6 +199,15 @@ pub fn reaches(model: &Model, e: &Expr, name: &str) -> bool {
             .any(|d| d.name != name && e.mentions(&d.name) && reaches(model, &d.equals, name))
 }
 
+/// Whether a name stands in an expression outside its sines and cosines.
+pub fn is_plainly_in(e: &Expr, name: &str) -> bool {
+    match e {
+        Expr::Name(n) => n == name,
+        Expr::Call(Function::Sin | Function::Cos, _) => false,
+        _ => e.children().into_iter().any(|child| is_plainly_in(child, name)),
+    }
+}
+
 /// An expression with every subtree passed through `with`, from the leaves up.
 pub fn rebuilt(e: &Expr, with: &dyn Fn(Expr) -> Expr) -> Expr {
     let inner = e.map_children(&mut |child| rebuilt(child, with));

@@ -11,7 +11,7 @@
 //! # Equation
 //! ```text
 //!     s' = … + k A lag(B, T)     (gyrosphere: A = W2, B = W1, k = P^2/(g^2 C0 H), mean by I_n)
-//!     y  = … + k a^2 sin(2 K)    (steady trials of amplitude a, or a w^2, at heading K)
+//!     y  = … + k a^2 sin(2 K)/(1 + w^2 T^2)    (steady trials of amplitude a, or a w^2, at heading K)
 //! ```
 //!
 //! # What else looks like this
@@ -46,45 +46,94 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     all
 }
 
-/// In a table of steady trials: what goes with the square of an amplitude, or of an amplitude times the
-/// square of a frequency, and with twice the heading.
+/// What a steady trial swings with: a column of angular rates ω, or of periods 2π/ω.
+struct Swing<'a> {
+    signal: &'a Signal,
+    text: String,
+    unit: Unit,
+    size: f64,
+}
+
+impl<'a> Swing<'a> {
+    fn of(signal: &'a Signal) -> Option<Self> {
+        if edit::is_frequency(&signal.unit) {
+            return Some(Self { signal, text: signal.name.clone(), unit: signal.unit.clone(), size: signal.size() });
+        }
+        is_time(&signal.unit).then(|| Self {
+            signal,
+            text: format!("(2*pi/{})", signal.name),
+            unit: Unit::one().over(&signal.unit),
+            size: 2.0 * std::f64::consts::PI / signal.size(),
+        })
+    }
+}
+
+fn is_time(unit: &Unit) -> bool {
+    Unit::parse("s").is_ok_and(|s| s.dimension() == unit.dimension())
+}
+
+/// In a table of steady trials: what goes with the square of an amplitude, or of an amplitude times ω²,
+/// and with twice the heading; perhaps behind a lag.
 fn steady(scene: &Scene) -> Vec<Proposal> {
     let moving: Vec<&Signal> = scene.moving(&[SignalKind::Input, SignalKind::Channel]).collect();
-    let is_rate = |s: &&&Signal| edit::is_frequency(&s.unit);
-    let amplitudes = moving.iter().filter(|s| s.min >= 0.0 && !s.is_heading() && !is_rate(s));
+    let swings: Vec<Swing<'_>> = moving.iter().filter_map(|s| Swing::of(s)).collect();
+    let amplitudes = moving.iter().filter(|s| s.min >= 0.0 && !s.is_heading() && Swing::of(s).is_none());
     let mut all = Vec::new();
     for o in &scene.model.outputs {
         for h in scene.headings() {
             for a in amplitudes.clone() {
-                all.extend(in_trials(scene, &o.name, &h.name, (a, None)));
-                let rates = moving.iter().filter(is_rate);
-                all.extend(rates.filter_map(|w| in_trials(scene, &o.name, &h.name, (a, Some(w)))));
+                let law = |w: Option<&Swing<'_>>, lag| in_trials(scene, (&o.name, &h.name), a, (w, lag));
+                all.extend(law(None, None));
+                for w in &swings {
+                    all.extend([law(Some(w), None), law(None, Some(w)), law(Some(w), Some(w))].into_iter().flatten());
+                }
             }
         }
     }
     all
 }
 
-fn in_trials(scene: &Scene, output: &str, heading: &str, (a, w): (&Signal, Option<&Signal>)) -> Option<Proposal> {
+/// y = … + k A² sin 2K/(1 + ω²T²), A an amplitude a or a ω²: the mean of the product of two accelerations,
+/// one of them behind a lag T (Potemkin, from (2.1)).
+fn in_trials(
+    scene: &Scene,
+    (output, heading): (&str, &str),
+    a: &Signal,
+    (of_rate, lag): (Option<&Swing<'_>>, Option<&Swing<'_>>),
+) -> Option<Proposal> {
     let mut d = Draft::new(scene, "rectified-motion", SiteKind::Output, output);
-    let (text, unit, size) = match w {
-        Some(w) => (
-            format!("({}*{}^2)", a.name, w.name),
-            a.unit.times(&w.unit.power(2.0)),
-            a.size() * w.size().powi(2),
-        ),
+    let (text, unit, size) = match of_rate {
+        Some(w) => {
+            (format!("({}*{}^2)", a.name, w.text), a.unit.times(&w.unit.power(2.0)), a.size() * w.size.powi(2))
+        }
         None => (a.name.clone(), a.unit.clone(), a.size()),
     };
     let k = d.amplitude("k_rect", &scene.unit(output).over(&unit.power(2.0)), ANY, "strength of the rectified motion");
-    for s in [Some(a), w].into_iter().flatten() {
-        d.uses(&s.name);
+    d.uses(&a.name);
+    if let Some(w) = of_rate.or(lag) {
+        d.uses(&w.signal.name);
     }
     d.uses(heading);
-    let term = format!("{k}*{text}^2*sin(2*{heading})");
+    let strength = scene.signal(output)?.spread / size.powi(2);
+    let (under, behind) = match lag {
+        Some(w) => {
+            let longest = 10.0 / w.size;
+            let t = d.parameter("T_rect", &Unit::parse("s").ok()?, (0.0, longest), "lag of the shifted part");
+            for share in [0.3, 1.0, 3.0] {
+                d.start(&[strength, share / w.size]);
+            }
+            (format!("/(1 + ({}*{t})^2)", w.text), ", behind a lag of {1}")
+        }
+        None => {
+            d.start(&[strength]);
+            (String::new(), "")
+        }
+    };
+    let term = format!("{k}*{text}^2*sin(2*{heading}){under}");
     d.output(output, &format!("{{}} + {term}"));
     d.term(&term);
-    d.start(&[scene.signal(output)?.spread / size.powi(2)]);
-    d.done(&format!("{} shows {{0}} times the square of {text} and the sine of twice {heading}: a rectified motion", scene.words(output)))
+    let words = scene.words(output);
+    d.done(&format!("{words} shows {{0}} times the square of {text} and the sine of twice {heading}{behind}: a rectified motion"))
 }
 
 /// Pairs whose product may have a mean. Of two components of one motion the order makes no
