@@ -115,20 +115,17 @@ fn in_trials(
     }
     d.uses(heading);
     let strength = scene.signal(output)?.spread / size.powi(2);
-    let (under, behind) = match lag {
-        Some(w) => {
-            let longest = 10.0 / w.size;
-            let t = d.parameter("T_rect", &Unit::parse("s").ok()?, (0.0, longest), "lag of the shifted part");
-            for share in [0.3, 1.0, 3.0] {
-                d.start(&[strength, share / w.size]);
-            }
-            (format!("/(1 + ({}*{t})^2)", w.text), ", behind a lag of {1}")
+    let (mut under, mut behind) = (String::new(), "");
+    if let Some(w) = lag {
+        let t = d.parameter("T_rect", &Unit::parse("s").ok()?, (0.0, 10.0 / w.size), "lag of the shifted part");
+        under = format!("/(1 + ({}*{t})^2)", w.text);
+        behind = ", behind a lag of {1}";
+        for share in [0.3, 1.0, 3.0] {
+            d.start(&[strength, share / w.size]);
         }
-        None => {
-            d.start(&[strength]);
-            (String::new(), "")
-        }
-    };
+    } else {
+        d.start(&[strength]);
+    }
     let term = format!("{k}*{text}^2*sin(2*{heading}){under}");
     d.output(output, &format!("{{}} + {term}"));
     d.term(&term);
