@@ -10,7 +10,7 @@ use super::propose::View;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::{self, Found, Taken};
-use super::verdict::Evidence;
+use super::verdict::{Evidence, proved, settle};
 use super::{Diagnosis, Request, locate, next, pictures, words};
 use crate::Result;
 use crate::estimate::Fit;
@@ -57,7 +57,8 @@ impl Assembly<'_> {
         let mut all = self.faults.clone();
         all.extend(findings);
         let proof = self.proof(&before, &after);
-        let verdict = proved(verdict, &proof, left && self.bench.is_trials());
+        let verdict =
+            proved(verdict, &proof, self.falls_whitened(&before, &after), left && self.bench.is_trials());
         let next_experiment = next::experiment(self.request.model, &self.found, verdict, blind.as_deref());
         let answer = Answer {
             schema: "gyrospec.diagnosis/1",
@@ -188,6 +189,16 @@ impl Assembly<'_> {
                 }
             })
             .collect()
+    }
+
+    /// Whether the held-out innovations of an output fall for sure, by the noise of the last fit.
+    fn falls_whitened(&self, before: &[Held], after: &[Held]) -> bool {
+        let noise = &self.found.last.noise;
+        let falls = |k: usize| {
+            let whitened = |held: &[Held]| held[k].whitened(&noise[k]);
+            whitened(before).fall(&whitened(after), self.request.seed).0 > 0.0
+        };
+        !self.bench.is_trials() && (0..noise.len()).any(falls)
     }
 
     fn detection(&self) -> Detection {
@@ -347,39 +358,6 @@ impl Assembly<'_> {
 
 fn site(p: &Proposal) -> SiteName {
     SiteName { kind: p.site.kind.word().to_string(), name: p.site.name.clone() }
-}
-
-/// The finding with the largest share decides: by its ties between named and tie, and it only resembles
-/// what is missing if none of its amplitudes differs from 0 for sure.
-fn settle(verdict: Verdict, findings: &[Finding], found: &Found) -> Verdict {
-    let Some(first) = findings.first().filter(|_| matches!(verdict, Verdict::Named | Verdict::Tie)) else {
-        return verdict;
-    };
-    let proposal =
-        found.taken.iter().map(|t| &t.proposal).find(|p| p.code == first.code && p.term == first.term);
-    let amplitudes: Vec<&Value> =
-        proposal.iter().flat_map(|p| &p.amplitudes).filter_map(|k| first.parameters.get(*k)).collect();
-    let unsure = |v: &&Value| v.low <= 0.0 && v.high >= 0.0;
-    if !amplitudes.is_empty() && amplitudes.iter().all(unsure) {
-        Verdict::Unknown
-    } else if first.ties.is_empty() {
-        Verdict::Named
-    } else {
-        Verdict::Tie
-    }
-}
-
-/// Error at levels held out over the error of the fit, in a table of trials that still holds a law, from
-/// which on the names do not reach beyond the levels that they were fitted to.
-const BEYOND: f64 = 1.5;
-
-/// Names that lower no held-out error for sure, or that miss held-out levels while a law is left, only
-/// resemble what is missing.
-fn proved(verdict: Verdict, proof: &[Proof], left_in_trials: bool) -> Verdict {
-    let fails = !proof.is_empty() && proof.iter().all(|p| p.improvement_low <= 0.0);
-    let misses = left_in_trials && proof.iter().any(|p| p.holdout_after > BEYOND * p.fit_after);
-    let named = matches!(verdict, Verdict::Named | Verdict::Tie);
-    if named && (fails || misses) { Verdict::Unknown } else { verdict }
 }
 
 fn unexplained(rest: &Rest) -> Option<Unexplained> {

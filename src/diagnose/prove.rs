@@ -14,6 +14,7 @@
 use super::bench::{self, Bench, Stand};
 use crate::Result;
 use crate::estimate::fit::{Effort, Series, holdout};
+use crate::estimate::noise::NoiseModel;
 use crate::estimate::{Fit, fit, improvement};
 use crate::model::Model;
 use crate::record::Recording;
@@ -35,6 +36,12 @@ impl Held {
     pub fn rmse(&self) -> f64 {
         let n: usize = self.residual.iter().map(Vec::len).sum();
         (self.residual.iter().flatten().map(|e| e * e).sum::<f64>() / n as f64).sqrt()
+    }
+
+    /// Innovations of the same by a noise model.
+    #[must_use]
+    pub fn whitened(&self, noise: &NoiseModel) -> Self {
+        Self { residual: self.residual.iter().map(|r| noise.whiten(r)).collect(), time: Vec::new() }
     }
 
     fn views(&self) -> Vec<&[f64]> {

@@ -1,6 +1,6 @@
 //! From what was found to one verdict.
 
-use super::answer::{Finding, Verdict};
+use super::answer::{Finding, Proof, Value, Verdict};
 use super::rest::Rest;
 use super::search::{Found, is_pressed};
 
@@ -71,4 +71,38 @@ impl Evidence<'_> {
             Verdict::Tie
         }
     }
+}
+
+/// The finding with the largest share decides: by its ties between named and tie, and it only resembles
+/// what is missing if none of its amplitudes differs from 0 for sure.
+pub fn settle(verdict: Verdict, findings: &[Finding], found: &Found) -> Verdict {
+    let Some(first) = findings.first().filter(|_| matches!(verdict, Verdict::Named | Verdict::Tie)) else {
+        return verdict;
+    };
+    let proposal =
+        found.taken.iter().map(|t| &t.proposal).find(|p| p.code == first.code && p.term == first.term);
+    let amplitudes: Vec<&Value> =
+        proposal.iter().flat_map(|p| &p.amplitudes).filter_map(|k| first.parameters.get(*k)).collect();
+    let unsure = |v: &&Value| v.low <= 0.0 && v.high >= 0.0;
+    if !amplitudes.is_empty() && amplitudes.iter().all(unsure) {
+        Verdict::Unknown
+    } else if first.ties.is_empty() {
+        Verdict::Named
+    } else {
+        Verdict::Tie
+    }
+}
+
+/// Error at levels held out over the error of the fit, in a table of trials that still holds a law, from
+/// which on the names do not reach beyond the levels that they were fitted to.
+const BEYOND: f64 = 1.5;
+
+/// Names that lower no held-out error for sure, neither as it stands nor by its innovations (slow noise may
+/// hide in the one what the other shows), or that miss held-out levels while a law is left, only resemble
+/// what is missing.
+pub fn proved(verdict: Verdict, proof: &[Proof], falls_whitened: bool, left_in_trials: bool) -> Verdict {
+    let fails = !proof.is_empty() && proof.iter().all(|p| p.improvement_low <= 0.0) && !falls_whitened;
+    let misses = left_in_trials && proof.iter().any(|p| p.holdout_after > BEYOND * p.fit_after);
+    let named = matches!(verdict, Verdict::Named | Verdict::Tie);
+    if named && (fails || misses) { Verdict::Unknown } else { verdict }
 }
