@@ -45,6 +45,7 @@ fn at(scene: &Scene, m: &Motion, into: Option<&Motion>) -> Option<Proposal> {
         return None;
     }
     let mut d = Draft::at(scene, "overflow", m);
+    d.uses(s);
     let k = d.amplitude("ko", &m.force.over(&signal.unit), POSITIVE, "flow over the edge for a unit of level");
     let edge = d.parameter("so", &signal.unit, (signal.min, 1.5 * signal.max), "level of the edge");
     let flow = format!("max({s} - {edge}, 0*{edge})");
