@@ -21,6 +21,8 @@ use crate::record::quality::Fault;
 const VISIBLE: usize = 12;
 /// Standard deviations from which on an effect would have been named.
 const SEEN: f64 = 4.5;
+/// Sizes beyond so many times the term that an effect stands beside are not told.
+const FAR: f64 = 3.0;
 
 /// Everything that the answer is made of.
 pub struct Assembly<'a> {
@@ -59,7 +61,8 @@ impl Assembly<'_> {
         let proof = self.proof(&before, &after);
         let verdict =
             proved(verdict, &proof, self.falls_whitened(&before, &after), left && self.bench.is_trials());
-        let next_experiment = next::experiment(self.request.model, &self.found, verdict, blind.as_deref());
+        let next_experiment =
+            next::experiment(self.request.model, &self.bench, &self.found, verdict, blind.as_deref());
         let answer = Answer {
             schema: "gyrospec.diagnosis/1",
             verdict,
@@ -212,6 +215,10 @@ impl Assembly<'_> {
             }
             let a = &p.added[p.amplitudes[0]];
             let deviation = s.score.weights[0].abs() / s.score.chi2.sqrt();
+            // Far beyond the size of the term that it stands beside it is no such thing any more.
+            if SEEN * deviation > FAR * s.start[p.amplitudes[0]].abs() {
+                continue;
+            }
             visible.push(Visible {
                 code: p.code.to_string(),
                 site: site(p),
@@ -312,17 +319,20 @@ impl Assembly<'_> {
                 )
             })
             .collect();
-        let law = rest.and_then(|r| r.laws.first()).map(|l| l.signals.join(" and ")).unwrap_or_default();
+        let named = |s: &String| words::signal(self.request.model, s);
+        let signals = |l: &rest::Law| l.signals.iter().map(named).collect::<Vec<_>>().join(" and ");
+        let law = rest.and_then(|r| r.laws.first()).map(signals).unwrap_or_default();
         let opening = match verdict {
             Verdict::NothingMissing => {
                 return "Nothing is missing: what the model leaves over looks like noise in every test."
                     .into();
             }
             Verdict::Named => format!("The model leaves out: {list}."),
-            Verdict::Tie => format!(
-                "The model leaves out: {list}. {} would fit as well.",
-                findings.first().map(|f| f.ties.join(", ")).unwrap_or_default()
-            ),
+            Verdict::Tie => {
+                let ties = findings.first().map(|f| f.ties.join(", ")).unwrap_or_default();
+                let of = if others.len() > 1 { "In place of the first, " } else { "" };
+                format!("The model leaves out: {list}. {of}{ties} would fit as well.")
+            }
             Verdict::Unknown if list.is_empty() && law.is_empty() => {
                 let nearest = self.found.first.screened.first().map_or_else(String::new, |s| {
                     format!(" Nearest in shape: {} at {}.", s.proposal.code, s.proposal.site.name)

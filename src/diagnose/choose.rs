@@ -101,6 +101,8 @@ pub struct Choice {
     pub ties: Vec<Proposal>,
     /// The same mechanism elsewhere that fits as well.
     pub elsewhere: Vec<Proposal>,
+    /// Number of the first of the others.
+    pub rival: Option<usize>,
 }
 
 /// Takes the likeliest of those whose gain is near the largest; with its ties.
@@ -146,13 +148,15 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let chosen = &round.fitted[best].proposal;
     let mut ties: Vec<Proposal> = Vec::new();
     let mut elsewhere: Vec<Proposal> = Vec::new();
+    let mut rival = None;
     for i in rivals.into_iter().filter(|i| *i != best && alike(*i, likeliest)) {
         let p = &round.fitted[i].proposal;
         if p.code == chosen.code {
             elsewhere.push(p.clone());
         } else if ties.iter().all(|t| t.code != p.code) {
             ties.push(p.clone());
+            rival = rival.or(Some(i));
         }
     }
-    Some(Choice { best, ties, elsewhere })
+    Some(Choice { best, ties, elsewhere, rival })
 }

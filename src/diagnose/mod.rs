@@ -4,6 +4,7 @@
 //! what the model leaves out, and proves what it finds on what was held out.
 
 pub mod answer;
+mod apart;
 mod assemble;
 pub mod bench;
 pub mod catalogue;

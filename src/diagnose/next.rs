@@ -1,17 +1,39 @@
 //! What would tell more: the experiment or the measurement that parts what this recording cannot.
 
 use super::answer::Verdict;
+use super::apart::{self, Apart};
+use super::bench::Bench;
 use super::catalogue::{Proposal, SiteKind};
-use super::search::Found;
+use super::search::{Found, Taken};
+use super::words;
 use crate::model::Model;
+use crate::units::figure;
+
+/// Difference of two predictions, over what is left, from which on a recording shows it.
+const SEEN: f64 = 0.5;
+/// The same below which two predictions are one.
+const SAME: f64 = 1e-3;
 
 /// What the next experiment should be, for a verdict.
-pub fn experiment(model: &Model, found: &Found, verdict: Verdict, blind: Option<&str>) -> Option<String> {
+pub fn experiment(
+    model: &Model,
+    bench: &Bench,
+    found: &Found,
+    verdict: Verdict,
+    blind: Option<&str>,
+) -> Option<String> {
     match verdict {
-        Verdict::NotIdentifiable => blind.map(|b| format!("{b}: record again with what is missing there.")),
+        Verdict::NotIdentifiable => {
+            blind.map(|b| format!("Record again, for longer and over more of the range: {b}."))
+        }
         Verdict::Tie => {
             let first = found.taken.first()?;
-            separation(model, &first.proposal, &first.ties)
+            let text = separation(model, &first.proposal, &first.ties)?;
+            Some(
+                format!("{text} {}", expected(model, bench, first).unwrap_or_default())
+                    .trim_end()
+                    .to_string(),
+            )
         }
         Verdict::Unknown => Some(format!(
             "Repeat the recording at half and at twice the amplitude of {}, and record {} beside it: a law of two signals shows itself when one of them is held.",
@@ -26,6 +48,28 @@ pub fn experiment(model: &Model, found: &Found, verdict: Verdict, blind: Option<
 fn unseen_state(model: &Model) -> Option<String> {
     let shown = |name: &str| model.outputs.iter().any(|o| o.equals.mentions(name));
     model.states.iter().find(|s| !shown(&s.name)).map(|s| s.meaning.clone().unwrap_or_else(|| s.name.clone()))
+}
+
+/// By how much it and the first that fits as well would part, in words.
+fn expected(model: &Model, bench: &Bench, taken: &Taken) -> Option<String> {
+    let Apart { input, swing, output, difference, ratio } = apart::farthest(bench, taken.rivals.as_ref()?)?;
+    let output = &model.outputs[output];
+    let unit = output.unit.of_differences();
+    let size = words::quantity(unit.difference_from_si(difference), unit.text());
+    Some(if ratio < SAME {
+        "Inputs of half or twice the size would not: both predict the same.".to_string()
+    } else if ratio < SEEN {
+        format!(
+            "Inputs of half or twice the size would not: the two would part by {size} in {} at most, less than half of what is left there now.",
+            output.name
+        )
+    } else {
+        format!(
+            "With {input} at {swing} its size the two would part by {size} in {} (root mean square), {} times what is left there now.",
+            output.name,
+            figure(ratio)
+        )
+    })
 }
 
 /// What parts a mechanism from those that fit as well.

@@ -67,6 +67,8 @@ pub struct Taken {
     pub ties: Vec<Proposal>,
     /// The same mechanism at other sites that fit as well.
     pub elsewhere: Vec<Proposal>,
+    /// The model fitted with it, and with the first of those that fit as well, when it was taken.
+    pub rivals: Option<Box<(Fit, Fit)>>,
 }
 
 /// Where the search ended.
@@ -166,7 +168,7 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
         let state = State { now: &now, scale: &scale, gains, taken: &taken, is_last: taken.len() >= MOST };
         let mut round = round(bench, &current, &state, &given)?;
         trace(&round, &now);
-        let Some(Choice { best, ties, elsewhere }) = choose(&round, &now) else {
+        let Some(Choice { best, ties, elsewhere, rival }) = choose(&round, &now) else {
             let rest = round.screening;
             let (first, rest) = match first {
                 Some(f) => (f, rest),
@@ -181,12 +183,14 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
             drop_needless(bench, &mut found);
             return Ok(found);
         };
+        let fits = |i: usize| (round.fitted[best].fit.clone(), round.fitted[i].fit.clone());
+        let rivals = rival.map(|i| Box::new(fits(i)));
         let r = round.fitted.swap_remove(best);
         gains += gain(&now, &r.measure);
         let names = r.proposal.model.parameters.len();
         given.extend(r.fit.model.parameters[given.len()..names].iter().map(|p| p.value));
         current = r.fit;
-        taken.push(Taken { proposal: r.proposal, p_value: r.p_value, ties, elsewhere });
+        taken.push(Taken { proposal: r.proposal, p_value: r.p_value, ties, elsewhere, rivals });
         first.get_or_insert(round.screening);
     }
 }

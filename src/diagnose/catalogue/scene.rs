@@ -170,14 +170,7 @@ impl Scene<'_> {
 
     /// Words for a signal: its meaning where the model gives one, else its name.
     pub fn words(&self, name: &str) -> String {
-        let m = self.model;
-        let state = m.states.iter().find(|s| s.name == name).and_then(|s| s.meaning.clone());
-        let input = || m.inputs.iter().find(|i| i.name == name).and_then(|i| i.meaning.clone());
-        let output = || m.outputs.iter().find(|o| o.name == name).and_then(|o| o.meaning.clone());
-        let parameter = || m.parameters.iter().find(|p| p.name == name).and_then(|p| p.meaning.clone());
-        let definition = || m.definitions.iter().find(|d| d.name == name).and_then(|d| d.meaning.clone());
-        let meaning = state.or_else(input).or_else(output).or_else(parameter).or_else(definition);
-        meaning.map_or_else(|| name.to_string(), |words| format!("{words} ({name})"))
+        crate::diagnose::words::signal(self.model, name)
     }
 
     /// Root mean square of a signal, 1 where it is not known.

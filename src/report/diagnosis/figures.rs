@@ -1,6 +1,7 @@
 //! The pictures of the page.
 
 use super::html::title;
+use super::tables::chance;
 use crate::diagnose::answer::{Answer, Stretch};
 use crate::diagnose::pictures::{Course, Law, Pictures, Point};
 use crate::report::page::with_unit;
@@ -169,9 +170,9 @@ pub fn unexplained(a: &Answer) -> String {
     .with(Layer::Bars { class: "mean", name: "effect with 95 %".into(), points: u.shape.clone() })
     .draw();
     format!(
-        "<p>It goes with {}; the chance that it is noise is {:.2e}.</p>{picture}",
+        "<p>It goes with {}; the chance that it is noise is {}.</p>{picture}",
         escaped(&u.signal),
-        u.p_value
+        chance(u.p_value)
     )
 }
 

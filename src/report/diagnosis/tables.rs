@@ -9,7 +9,7 @@ use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
 
 /// A chance as people read it.
-fn chance(p: f64) -> String {
+pub(super) fn chance(p: f64) -> String {
     if !p.is_finite() {
         "–".into()
     } else if p < 1e-12 {

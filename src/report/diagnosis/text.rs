@@ -1,5 +1,6 @@
 //! A diagnosis in the terminal.
 
+use super::tables::chance;
 use crate::diagnose::Diagnosis;
 use crate::diagnose::answer::{Answer, Finding, Proof, Value, Verdict};
 use crate::report::fit::untold;
@@ -82,7 +83,7 @@ pub(super) fn fall(p: &Proof) -> String {
 pub(super) fn hints(a: &Answer) -> Vec<&str> {
     let mut said: Vec<&str> = Vec::new();
     for hint in a.next_experiment.iter().chain(&a.located.separating_measurement) {
-        if !said.contains(&hint.as_str()) {
+        if !said.iter().any(|s| s.starts_with(hint.as_str())) {
             said.push(hint);
         }
     }
@@ -136,7 +137,7 @@ fn located(out: &mut String, a: &Answer) {
         );
     }
     if let Some(u) = &a.unexplained {
-        let _ = writeln!(out, "\nWhat is left goes with {} (chance {}).", u.signal, figure(u.p_value));
+        let _ = writeln!(out, "\nWhat is left goes with {} (chance {}).", u.signal, chance(u.p_value));
     }
 }
 
