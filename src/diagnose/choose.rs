@@ -57,9 +57,14 @@ pub fn is_anchored(p: &Proposal) -> bool {
     codes.contains(&p.code) || is_timed_wave(p)
 }
 
+/// Whether it is a wave, whose free frequency makes it look like much else.
+pub fn is_wave(p: &Proposal) -> bool {
+    p.code == "periodic-force"
+}
+
 /// Whether it is a wave in time, whose frequency was read from the residual.
 pub fn is_timed_wave(p: &Proposal) -> bool {
-    p.code == "periodic-force" && p.term.contains("*t)")
+    is_wave(p) && p.term.contains("*t)")
 }
 
 /// Out of how many a proposal was chosen before it was tried: the frequency of a wave in time is the best

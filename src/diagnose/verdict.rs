@@ -1,6 +1,7 @@
 //! From what was found to one verdict.
 
 use super::answer::{Finding, Proof, Value, Verdict};
+use super::choose::is_wave;
 use super::rest::Rest;
 use super::search::{Found, is_pressed};
 
@@ -63,7 +64,8 @@ impl Evidence<'_> {
             let something = self.is_left() || self.found.first.p_value < SURE;
             return if something { Verdict::Unknown } else { Verdict::NothingMissing };
         };
-        if self.outweighs() || self.is_left() && self.is_pressed() {
+        let doubtful = self.is_pressed() || is_wave(&first.proposal);
+        if self.outweighs() || self.is_left() && doubtful {
             Verdict::Unknown
         } else if first.ties.is_empty() {
             Verdict::Named

@@ -112,13 +112,22 @@ fn quoted(text: &str) -> String {
     toml::Value::String(text.to_string()).to_string()
 }
 
-/// The column of time: named like it or in a unit of time, and rising if there is such a one.
+/// The column of time: named like it or in a unit of time, and rising if there is such a one; else the first
+/// column if it rises in even steps.
 fn time_of(columns: &[Raw]) -> Option<usize> {
     let rises = |c: &Raw| c.values.windows(2).all(|w| w[0] < w[1]) || c.stamps.len() == c.values.len();
     let candidates = || columns.iter().enumerate().filter(|(_, c)| like_time(c));
     let rising = candidates().find(|(_, c)| rises(c));
     // a clock that stands or falls is still the clock: whoever reads it says what is wrong
-    rising.or_else(|| candidates().next()).map(|(i, _)| i)
+    let named = rising.or_else(|| candidates().next()).map(|(i, _)| i);
+    named.or_else(|| columns.first().filter(|c| counts(&c.values)).map(|_| 0))
+}
+
+/// Whether values rise in even steps, as a counter or a clock does.
+fn counts(values: &[f64]) -> bool {
+    let [first, .., last] = *values else { return false };
+    let step = (last - first) / (values.len() - 1) as f64;
+    values.len() > 3 && step > 0.0 && values.windows(2).all(|w| (w[1] - w[0] - step).abs() <= 0.01 * step)
 }
 
 fn like_time(c: &Raw) -> bool {
@@ -132,7 +141,7 @@ fn like_time(c: &Raw) -> bool {
     match unit {
         Some(Dimension::TIME) => in_brackets && whole.starts_with('t') || TIMES.contains(&first),
         Some(_) => false,
-        None => TIMES.contains(&whole.as_str()) || first != "t" && TIMES.contains(&first),
+        None => first != "t" && TIMES.contains(&first) || whole == "t" || whole.ends_with("time"),
     }
 }
 
@@ -155,6 +164,7 @@ fn parted(c: &Raw) -> (String, Option<String>, bool) {
     }
     match c.name.rsplit_once(['_', ' ']) {
         Some((name, unit)) if spelled(unit).is_some() => (name.to_string(), spelled(unit), false),
+        _ if c.name.eq_ignore_ascii_case("rpm") => (c.name.clone(), Some("rpm".into()), false),
         _ => (c.name.clone(), None, false),
     }
 }
@@ -270,6 +280,19 @@ mod tests {
         assert_eq!(roll.values[1], 2.5_f64.to_radians());
         assert_eq!(recording.channel("column_4").unwrap().values, [7.0, 8.0, 9.0]);
         assert!(text.contains("# \"state\": left out") && recording.channels.len() == 2, "{text}");
+    }
+
+    #[test]
+    fn a_clock_without_a_known_name_is_still_the_clock() {
+        for header in ["unixtime,temp,rpm", "n,temp,rpm"] {
+            let (text, recording) = guess_of(&format!(
+                "{header}\n1700000000.0,1,600\n1700000000.5,2,610\n1700000001.0,4,620\n1700000001.5,3,630\n"
+            ))
+            .unwrap();
+            let rpm = recording.channel("rpm").unwrap();
+            assert_eq!((rpm.time[1] - rpm.time[0], rpm.unit.text()), (0.5, "rpm"), "{text}");
+            assert_eq!(recording.channels.len(), 2, "{text}");
+        }
     }
 
     #[test]
