@@ -6,6 +6,9 @@ use crate::integral::{Answer, Integrand, evaluate};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+/// What a pickle makes an integral of again: its type and the fields of it.
+type Reduced<'py> = (Bound<'py, PyAny>, (f64, f64, f64, String));
+
 /// A value of I_n with what is known of it.
 #[pyclass(frozen, eq, module = "gyrospec")]
 #[derive(PartialEq)]
@@ -21,7 +24,7 @@ impl Integral {
         Ok(Self(Answer { value, error_bound, condition, method }))
     }
 
-    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (f64, f64, f64, String))> {
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
         let Answer { value, error_bound, condition, .. } = slf.get().0;
         Ok((slf.get_type().getattr("_of")?, (value, error_bound, condition, slf.get().method())))
     }
