@@ -1,7 +1,9 @@
 //! The sweep of roll errors by the batch path, the exact spread, and identification.
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use gyrospec::gyro::{Gyrosphere, Instrument, MonteCarlo, Motion, Trial, elastic, identify, seed, sweep};
+use gyrospec::gyro::{
+    Drive, Gyrosphere, Instrument, MonteCarlo, Motion, Trial, elastic, identify, seed, sweep,
+};
 use gyrospec::spectrum::Roll;
 use std::hint::black_box;
 
@@ -40,9 +42,9 @@ fn instruments(c: &mut Criterion) {
     });
     let table = trials(6000);
     c.bench_function("identification from 6000 trials", |b| b.iter(|| identify(black_box(&table), &sphere)));
-    let system = compass.system(&motion, heading).expect("a sound compass");
+    let drive = Drive::irregular(&motion);
     let day = MonteCarlo { step: 0.1, duration: 86400.0, settle: 0.0, runs: 2, seed: 1 };
-    c.bench_function("two days at 10 Hz", |b| b.iter(|| day.run(black_box(&system), 0, 0.0)));
+    c.bench_function("two days at 10 Hz", |b| b.iter(|| day.run(black_box(&compass), &drive, heading)));
 }
 
 criterion_group! {

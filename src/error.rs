@@ -1,5 +1,6 @@
 //! One opaque error for the whole crate: what is wrong, where, and what to do.
 
+use crate::text::{in_line, shown};
 use std::fmt;
 use std::io::BufRead;
 use std::path::{Path, PathBuf};
@@ -137,9 +138,12 @@ impl Error {
         let (Some(file), Some(line), Some(column)) = (self.file(), self.line(), self.column()) else {
             return self;
         };
-        let text = std::fs::File::open(file).ok().and_then(|f| {
+        // A pipe is read once, and `-` is no file of that name.
+        let there = file != Path::new("-") && std::fs::metadata(file).is_ok_and(|m| m.is_file());
+        let text = there.then(|| std::fs::File::open(file).ok()).flatten().and_then(|f| {
             let mut lines = std::io::BufReader::new(f).lines();
-            lines.nth(line.checked_sub(1)?)?.ok()
+            let text = lines.nth(line.checked_sub(1)?)?.ok()?;
+            Some(text.trim_start_matches('\u{feff}').to_owned())
         });
         let Some(text) = text.filter(|_| self.0.excerpt.is_none()) else { return self };
         let start = column.saturating_sub(1);
@@ -214,7 +218,7 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let e = &*self.0;
         if let Some(file) = &e.file {
-            write!(f, "{}:", file.display())?;
+            write!(f, "{}:", in_line(&named(file)))?;
             for number in [e.line, e.column].into_iter().flatten() {
                 write!(f, "{number}:")?;
             }
@@ -224,7 +228,7 @@ impl fmt::Display for Error {
         }
         write!(f, "{}", e.message)?;
         if let Some((text, start, length)) = &e.excerpt {
-            let (text, start, length) = excerpt(text, *start, *length);
+            let (text, start, length) = widened(excerpt(text, *start, *length));
             write!(f, "\n  {text}\n  {}{}", " ".repeat(start), "^".repeat(length))?;
         }
         if let Some(hint) = &e.hint {
@@ -235,6 +239,21 @@ impl fmt::Display for Error {
 }
 
 impl std::error::Error for Error {}
+
+/// The same with what would steer a terminal as escapes, which are wider than what they stand for.
+fn widened((text, start, length): (String, usize, usize)) -> (String, usize, usize) {
+    let wider_by = |from: usize, count: usize| {
+        let part: String = text.chars().skip(from).take(count).collect();
+        shown(&part).chars().count() - part.chars().count()
+    };
+    let (start, length) = (start + wider_by(0, start), length + wider_by(start, length));
+    (shown(&text).into_owned(), start, length)
+}
+
+/// A file as messages name it: `-` is standard input, or standard output.
+pub(crate) fn named(file: &Path) -> std::borrow::Cow<'_, str> {
+    if file == Path::new("-") { "standard input".into() } else { file.to_string_lossy() }
+}
 
 /// The part of a text that is worth showing: all of a short one, the surroundings of what is
 /// underlined of a long one, with … for what is left out.
@@ -259,6 +278,7 @@ fn excerpt(text: &str, start: usize, length: usize) -> (String, usize, usize) {
 /// assert_eq!(gyrospec::error::nearest("rol", ["roll", "pitch"]), Some("roll"));
 /// assert_eq!(gyrospec::error::nearest("dge", ["degC", "deg"]), Some("deg"));
 /// assert_eq!(gyrospec::error::nearest("yy1", ["u", "y1"]), Some("y1"));
+/// assert_eq!(gyrospec::error::nearest("Roll", ["roll", "roll2"]), Some("roll"));
 /// assert_eq!(gyrospec::error::nearest("xyzzy", ["roll", "pitch"]), None);
 /// ```
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
@@ -270,8 +290,9 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .map(|(_, k)| k)
 }
 
-/// 0 to 1, and 1 more where they differ by one slip of the keyboard, which is nearest even in a short name.
+/// 0 to 1, and 1 more where they are the same but for capitals, or differ by one slip of the keyboard, which is
+/// nearest even in a short name.
 fn likeness(name: &str, known: &str) -> f64 {
-    let slip = name.len().min(known.len()) > 1 && strsim::damerau_levenshtein(name, known) == 1;
+    let slip = name.len().min(known.len()) > 1 && strsim::damerau_levenshtein(name, known) <= 1;
     strsim::jaro_winkler(name, known) + if slip { 1.0 } else { 0.0 }
 }

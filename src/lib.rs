@@ -5,6 +5,7 @@
 //!
 //! | room | holds |
 //! |---|---|
+//! | [`text`] | texts of others as they may be shown |
 //! | [`error`] | one opaque error with a kind and data |
 //! | [`units`] | the closed list of units |
 //! | [`expression`] | the expression language of models and formulas |
@@ -37,6 +38,7 @@ pub mod report;
 pub mod simulate;
 pub mod spectrum;
 pub mod symbolic;
+pub mod text;
 pub mod units;
 
 #[doc(hidden)]

@@ -8,12 +8,16 @@ mod dimension;
 mod figure;
 mod names;
 mod parse;
+mod spelling;
+mod turning;
 
 pub use dimension::{Dimension, Ratio};
 pub use figure::{counted, digits_within, figure, significant, without_needless_zeros};
+pub use turning::Turning;
 
 use crate::Result;
 use std::fmt;
+use turning::Counts;
 
 /// A unit as written, with its factor and offset to SI.
 ///
@@ -34,15 +38,20 @@ pub struct Unit {
     decade: i32,
     offset: f64,
     dimension: Dimension,
+    /// The power of an angle, which the dimension leaves out.
+    angle: Ratio,
+    /// What it counts, where it counts something.
+    counts: Counts,
 }
 
 impl Unit {
     /// The unit of pure numbers, `1`.
     pub fn one() -> Self {
-        Self { text: "1".into(), mantissa: 1.0, decade: 0, offset: 0.0, dimension: Dimension::NONE }
+        Self::of(Dimension::NONE)
     }
 
-    /// Reads a unit such as `g*cm^2/s`, `rad/s^2`, `V/Hz^0.5` or `1`.
+    /// Reads a unit such as `g*cm^2/s`, `rad/s^2`, `V/Hz^0.5` or `1`; `°C`, `m³/h` and the like are read as
+    /// `degC`, `m^3/h`.
     ///
     /// # Errors
     /// An unknown unit is an error that names the nearest known one and its place in the text.
@@ -52,7 +61,8 @@ impl Unit {
 
     /// The SI unit of a dimension, with a readable name (`N`, `m/s^2`, `V/s`).
     pub fn of(dimension: Dimension) -> Self {
-        Self { text: dimension.to_string(), mantissa: 1.0, decade: 0, offset: 0.0, dimension }
+        let (angle, counts) = (Ratio::ZERO, Counts::Nothing);
+        Self { text: dimension.to_string(), mantissa: 1.0, decade: 0, offset: 0.0, dimension, angle, counts }
     }
 
     /// A value in this unit, in SI; `degC` includes its offset.
@@ -101,7 +111,7 @@ impl Unit {
         if self.offset == 0.0 { self.clone() } else { Self::of(self.dimension) }
     }
 
-    /// The text as written.
+    /// The text as written, in the names of the list.
     pub fn text(&self) -> &str {
         &self.text
     }

@@ -34,9 +34,10 @@ from ._errors import (
 from ._gyrospec import VERSION as __version__
 from ._gyrospec import Integral, Model, Recording, integral
 from ._inputs import recording
-from ._results import Diagnosis, Finding, Fit, IntegralBatch, RollError, Simulation
+from ._results import DataFault, Diagnosis, Finding, Fit, IntegralBatch, RollError, Simulation
 
 __all__ = [
+    "DataFault",
     "Diagnosis",
     "Error",
     "FileError",

@@ -71,13 +71,15 @@ def fit(
     seed: int = 1,
     units: Mapping[str, str] | None = None,
     time: str | Column | None = None,
+    time_limit: float | None = None,
 ) -> Fit:
     """Fits the free parameters and initial states of a model to recordings, by simulation.
 
     Without spans and without `holdout` the last 40 % of each recording are held out.
+    time_limit: s of wall time after which it ends with the best so far.
     """
     fitted, held = _lists(recordings, holdout, units, time)
-    told = native.fit(as_model(model), fitted, held, _seed(seed))
+    told = native.fit(as_model(model), fitted, held, _seed(seed), _limit(time_limit))
     _warn(told.warnings)
     return Fit._of(told)
 
@@ -90,13 +92,15 @@ def diagnose(
     seed: int = 1,
     units: Mapping[str, str] | None = None,
     time: str | Column | None = None,
+    time_limit: float | None = None,
 ) -> Diagnosis:
     """Finds what a model leaves out of the physics of its recordings, and proves it on held-out data.
 
     The same inputs and seed give the same answer as `gyrospec diagnose`.
+    time_limit: s of wall time after which the search ends with the best so far, which `made.ended_early` tells.
     """
     fitted, held = _lists(recordings, holdout, units, time)
-    told = native.diagnose(as_model(model), fitted, held, _seed(seed))
+    told = native.diagnose(as_model(model), fitted, held, _seed(seed), _limit(time_limit))
     _warn(told.warnings)
     return Diagnosis._of(told)
 
@@ -115,6 +119,7 @@ def roll_error(
     height: Quantity | None = None,
     period: Quantity | None = None,
     gamma: float | None = None,
+    sea_from: Quantity | None = None,
     ship: Quantities | None = None,
     also: str | Sequence[str] | None = None,
     band: Quantity | None = None,
@@ -138,11 +143,17 @@ def roll_error(
 
     model: a file with [parameters], a built-in model's name, or a Model; without it the paper's compass.
     recording: a recorded roll, in place of irregular, regular or sea; `roll` names its channel.
+    sea_from: where the sea comes from, off the bow: 0 ahead, 90 from abeam to starboard (as if absent).
+
+    Each quantity has a range, and what lies outside is refused; `validity` of the result says where the
+    linear theory ends. The sign of an error: + is west: the compass's north lies west of true north, and
+    the compass reads high; − is east: it reads low; the true heading is the reading minus the error.
     """
     texts = {
         "latitude": latitude, "lever": lever, "speed": speed, "irregular": irregular, "regular": regular,
-        "sea": sea, "height": height, "period": period, "gamma": gamma, "ship": ship, "also": also,
-        "band": band, "flow": flow, "meridian": meridian, "vertical": vertical, "friction": friction,
+        "sea": sea, "height": height, "period": period, "gamma": gamma, "sea-from": sea_from,
+        "ship": ship, "also": also, "band": band,
+        "flow": flow, "meridian": meridian, "vertical": vertical, "friction": friction,
         "free-play": free_play, "against": against, "simulate": simulate, "seed": seed, "roll": roll,
     }  # fmt: skip
     options = [f"--{name}={_words(value)}" for name, value in texts.items() if value is not None]
@@ -162,9 +173,12 @@ def roll_error(
 def roll_error_sweep(**columns: Column) -> Floats:
     """The mean rolling error in rad of very many compasses on irregular roll, by the batch path.
 
-    Each argument is a column of numbers in SI under its name in the symbol table: P, H, C0, T, h, lat,
-    g, U of the compass, A, mu, eps of the roll, heading; numbers and columns are broadcast. What is not
-    given is that of Example 3.1. NaN where a row has no error.
+    Each argument is a column of numbers in SI under its name in the symbol table: P, H, C0, T, h, lat, g,
+    U of the compass, A, mu, eps of the roll, heading; numbers and columns are broadcast. What is not
+    given is that of Example 3.1. NaN where a row has no error: where a number lies outside its range, or
+    the linear theory would give more than 45°. The sign of an error: + is west: the compass's north lies
+    west of true north, and the compass reads high; − is east: it reads low; the true heading is the
+    reading minus the error.
     """
     if not columns:
         raise UsageError("give a column at least, such as heading=np.radians(range(0, 360, 15))")
@@ -203,6 +217,12 @@ def _seed(seed: int) -> int:
     if not 0 <= seed < 2**64:
         raise UsageError(f"the seed {seed} is no number from 0 to 2**64 - 1")
     return seed
+
+
+def _limit(seconds: float | None) -> float | None:
+    if seconds is not None and not 0 < seconds < 1e15:
+        raise UsageError(f"the time limit {seconds} is no number of seconds above 0")
+    return seconds
 
 
 def _words(value: object) -> str:

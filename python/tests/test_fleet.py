@@ -132,6 +132,29 @@ def test_the_report_says_which_mechanism_on_which_ships(alone: tuple[Path, float
     assert rows(named.out)[0]["ship"] == "Ship of dora"
 
 
+def test_faults_of_the_data_are_counted_apart(tmp_path: Path) -> None:
+    columns = voyage(3.0, 77, count=400)
+    columns["position"][150:190] = columns["position"][150]
+    file = write(tmp_path / "voyage.csv", columns)
+    out = tmp_path / "out"
+    fleet.diagnose([file], MODEL, out)
+    (row,) = rows(out)
+    assert [f["code"] for f in row["faults"]] == ["frozen-channel"]
+    assert all("frozen" not in f["code"] for f in row["findings"])
+    told = fleet.report(out)
+    assert told.faults == {"frozen-channel": {"position": [str(file)]}}
+    assert "frozen-channel: position in 1 recording" in str(told)
+
+
+def test_the_same_data_are_not_counted_twice(voyages: list[Path], tmp_path: Path) -> None:
+    copy = tmp_path / "copy.csv"
+    copy.write_bytes(voyages[0].read_bytes())
+    out = tmp_path / "out"
+    fleet.diagnose([voyages[0], copy], MODEL, out)
+    told = fleet.report(out)
+    assert list(told.errors) == [str(copy)] and "the same data as" in told.errors[str(copy)]
+
+
 def test_a_sweep_is_the_sweep_in_memory(tmp_path: Path) -> None:
     grid = {"heading": np.radians(np.arange(0, 360, 15)), "T": np.linspace(0.1, 2, 40), "mu": [0.05, 0.1]}
     out = tmp_path / "sweep"

@@ -222,6 +222,24 @@ def test_a_diagnosis_names_what_was_left_out(model_file: Path, dry: Columns, tmp
     assert kept.model_out == found.model_out
 
 
+def test_a_fault_of_the_data_stands_beside_what_was_left_out(dry: Columns) -> None:
+    position = dry["position"].copy()
+    position[150:190] = position[150]
+    found = gyrospec.diagnose(MODEL, {**dry, "position": position}, units=UNITS)
+    assert found.schema == "gyrospec.diagnosis/2"
+    assert found.verdict in ("named", "tie") and "friction" in found.findings[0].code, found.text()
+    assert [(f.code, f.site.name, f.masked) for f in found.faults] == [("frozen-channel", "position", True)]
+    assert "frozen-channel in position" in repr(found)
+
+
+def test_the_same_data_are_not_fitted_and_held_out(dry: Columns) -> None:
+    for use in (gyrospec.fit, gyrospec.diagnose):
+        with pytest.raises(gyrospec.InputError, match="both fitted and held out"):
+            use(MODEL, dry, holdout=dry, units=UNITS)
+        with pytest.raises(gyrospec.InputError, match="twice"):
+            use(MODEL, [dry, dry], units=UNITS)
+
+
 def test_numbers_that_are_null_are_nan() -> None:
     from gyrospec._reading import read
     from gyrospec._results import Value
@@ -248,13 +266,18 @@ def test_the_lock_is_let_go_during_work(viscous: Columns) -> None:
     assert beats[0] > 5
 
 
+def _thirds(columns: Columns) -> list[Columns]:
+    rows = np.array_split(np.arange(len(columns["t"])), 3)
+    return [{name: values[at] for name, values in columns.items()} for at in rows]
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of Unix")
 def test_an_interrupt_is_answered(model_file: Path, dry: Columns, tmp_path: Path) -> None:
-    recording = write(tmp_path / "voyage.csv", dry)
+    files = [str(write(tmp_path / f"voyage{i}.csv", part)) for i, part in enumerate(_thirds(dry))]
     script = (
         "import gyrospec, sys\n"
         "print('ready', flush=True)\n"
-        f"gyrospec.diagnose({str(model_file)!r}, [{str(recording)!r}] * 8)\n"
+        f"gyrospec.diagnose({str(model_file)!r}, {files!r})\n"
     )
     child = subprocess.Popen(
         [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True

@@ -48,9 +48,34 @@ def test_one_compass_with_the_options_of_the_program() -> None:
     assert whole.html().startswith("<!doctype html>")
     assert whole.to_dict()["schema"] == "gyrospec.roll-error/1"
     by_latitude = gyrospec.roll_error(
-        sea="jonswap", height="3m", period=8, also=["pitch", "heave"], against="latitude"
+        sea="jonswap", height="3m", period=8, sea_from=60, also=["pitch", "heave"], against="latitude"
     )
     assert by_latitude.rows[1].latitude_deg == 5.0
+    rubbed = gyrospec.roll_error(friction="2N", band=2.5, latitude=60, heading=45).rows[0]
+    assert rubbed.mean_margin_deg is not None and rubbed.linearised_mean_deg is not None
+    assert abs(rubbed.mean_deg + 0.755) < 0.02 + rubbed.mean_margin_deg
+    assert rubbed.linearised_mean_deg > -0.5
+    # the share of the mean above a frequency: ∫ ω⁴ S_θ(ω)/(1 + ω²T²) dω by (3.4), T = 0.44 s
+    tail = whole.white_tail
+    assert tail is not None
+    w = np.geomspace(1e-3, 1e6, 1_000_000)
+    a, b2 = 0.06**2 - 0.65**2, 0.06**2 + 0.65**2
+    density = w**5 / ((w**4 + 2 * a * w**2 + b2**2) * (1 + (0.44 * w) ** 2))
+    above = density[w > tail["above_rad_per_s"]].sum() / density.sum()
+    assert tail["share"] == pytest.approx(above, abs=1e-3)
+
+
+def test_the_sign_and_the_end_of_the_linear_theory_are_said() -> None:
+    found = gyrospec.roll_error(irregular="8deg,0.06,0.65", lever="15m", heading=45)
+    broken = {v["figure"] for v in found.validity if v["holds"] is False}
+    assert broken == {"mean"}
+    assert all("BEYOND" in said for said in (repr(found), found.text(), found.html()))
+    assert "reads high" in found.sign and found.sign in found.text()
+    for one in (gyrospec.roll_error, gyrospec.RollError, gyrospec.roll_error_sweep):
+        assert " ".join(found.sign.split()) in " ".join((one.__doc__ or "").split())
+    assert "BEYOND" not in gyrospec.roll_error(heading=45).text()
+    assert np.isnan(gyrospec.roll_error_sweep(heading=[0.7, 200.0], g=9.81)).tolist() == [False, True]
+    assert np.isnan(gyrospec.roll_error_sweep(h=[3.0, 100.0])).tolist() == [False, True]
 
 
 def test_a_compass_is_a_model_or_a_name_and_the_roll_a_frame() -> None:
@@ -73,6 +98,13 @@ def test_refusals_say_what_to_do() -> None:
         gyrospec.roll_error(sea="flat")
     with pytest.raises(gyrospec.UnitsError):
         gyrospec.roll_error(lever="3s")
+    for wrong in ({"latitude": 1000}, {"irregular": (4, 0.06, 0.65)}, {"lever": 1e3}, {"heading": 400}):
+        with pytest.raises(gyrospec.InputError, match="lies outside"):
+            gyrospec.roll_error(**wrong)
+    with pytest.raises(gyrospec.UsageError, match="along the ship"):
+        gyrospec.roll_error(sea="pm", also="pitch")
+    with pytest.raises(gyrospec.UsageError, match="there is none"):
+        gyrospec.roll_error(irregular="4deg,0.06,0.65", roll="roll")
     with pytest.raises(TypeError, match="no quantity"):
         gyrospec.roll_error(irregular=object())  # type: ignore[arg-type]
     with pytest.raises(gyrospec.FileError):

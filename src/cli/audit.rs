@@ -1,6 +1,6 @@
 //! `gyrospec audit`: is a printed formula right?
 
-use super::{Outcome, input, output::Sink};
+use super::{Outcome, input, output};
 use crate::symbolic::{AuditRequest, Examined, TO_GIVE, audit, seed_audit, seed_audit_text};
 use crate::{Error, Result};
 use clap::{Args, ValueEnum};
@@ -18,7 +18,7 @@ pub struct Audit {
     #[arg(long, conflicts_with = "file")]
     seed: bool,
     /// Print the file behind --seed, as an example of the form.
-    #[arg(long, conflicts_with_all = ["file", "seed"])]
+    #[arg(long, conflicts_with_all = ["file", "seed", "wrong", "format"])]
     example: bool,
     /// Show only what is wrong.
     #[arg(long)]
@@ -59,9 +59,10 @@ enum Format {
 
 /// Runs the subcommand.
 pub fn run(call: &Audit) -> Result<Outcome> {
-    let sink = Sink::open(&call.out)?;
+    let place = output::Place::open(&call.out)?;
+    output::spare([&place], &call.file)?;
     if call.example {
-        sink.finish(seed_audit_text().as_bytes())?;
+        output::put(&[place.words(seed_audit_text())], &call.file)?;
         return Ok(Outcome::Done);
     }
     let about = |e: Error| call.file.iter().fold(e, |e, path| e.with_file(path));
@@ -80,11 +81,11 @@ pub fn run(call: &Audit) -> Result<Outcome> {
     if unchecked > 0 {
         last = format!("{last}; {unchecked} could not be checked: {TO_GIVE}");
     }
-    let text = match call.format {
-        Format::Text => format!("{}{last}\n", text(&request.title, &examined)),
-        Format::Json => json(&request.title, &examined),
+    let ready = match call.format {
+        Format::Text => place.words(&format!("{}{last}\n", text(&request.title, &examined))),
+        Format::Json => place.quoted(&json(&request.title, &examined)),
     };
-    sink.finish(text.as_bytes())?;
+    output::put(&[ready], &call.file)?;
     Ok(if wrong > 0 { Outcome::Found } else { Outcome::Done })
 }
 

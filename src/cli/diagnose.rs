@@ -8,6 +8,7 @@ use super::{Outcome, warn};
 use crate::diagnose::answer::Verdict;
 use crate::diagnose::{Request, diagnose};
 use crate::report::diagnosis;
+use crate::text::shown;
 use crate::{Error, Result};
 
 const HELP: &str = "\
@@ -29,31 +30,29 @@ pub struct Call {
 
 pub fn run(call: &Call) -> Result<Outcome> {
     let outputs = call.task.open()?;
-    let inputs = call.task.read()?;
-    let meter = Meter::new();
+    let inputs = call.task.read(&outputs)?;
     let request = Request {
         model: &inputs.model,
         source: Some(&inputs.source),
         recordings: &inputs.recordings,
         separate: &inputs.separate,
         seed: call.task.seed,
-        progress: &meter,
+        time_limit: call.task.time_limit,
+        progress: &Meter,
     };
     let found = diagnose(&request)?;
-    drop(meter);
-    for warning in &found.after.warnings {
-        warn(&warning.says);
-    }
-    if !call.task.takes_stdout() {
+    if outputs.take_stdout() {
+        found.answer.notes.iter().for_each(|note| warn(note));
+    } else {
         let text = diagnosis::text(&found);
         let (verdict, rest) = text.split_once('\n').unwrap_or((&text, ""));
         let style = if found.answer.verdict == Verdict::NothingMissing { "1;32" } else { "1;33" };
-        print(format!("{}\n{rest}", paint(verdict, style, &std::io::stdout())).as_bytes())?;
+        print(format!("{}\n{}", paint(verdict, style, &std::io::stdout()), shown(rest)).as_bytes())?;
     }
     let json = || match serde_json::to_string_pretty(&found.answer) {
         Ok(text) => Ok(text + "\n"),
         Err(e) => Err(Error::not_computed(e.to_string())),
     };
-    outputs.finish(&found.after.model, || diagnosis::html(&found), json)?;
+    outputs.finish(&inputs, &found.after.model, || diagnosis::html(&found), json)?;
     Ok(if found.answer.verdict == Verdict::NothingMissing { Outcome::Done } else { Outcome::Found })
 }

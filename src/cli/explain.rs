@@ -21,6 +21,6 @@ pub fn run(call: &Explain) -> Result<Outcome> {
         Some(code) => catalogue::find(code)?.page(),
         None => catalogue::list(),
     };
-    output::print(text.as_bytes())?;
+    output::words(&text)?;
     Ok(Outcome::Done)
 }

@@ -1,13 +1,13 @@
 //! `gyrospec fit`: a model fitted to recordings.
 
-use super::output::print;
+use super::output::words;
 use super::progress::Meter;
 use super::task::Task;
 use super::{Outcome, warn};
 use crate::Result;
 use crate::estimate::fit::{self, Fit, FitOptions};
-use crate::record::Recording;
 use crate::report::fit::{FitReport, ResidualSpectrum, page};
+use crate::simulate::Budget;
 use crate::spectrum::welch;
 
 mod json;
@@ -43,19 +43,21 @@ pub fn text(report: &FitReport<'_>) -> String {
 
 pub fn run(call: &Call) -> Result<Outcome> {
     let outputs = call.task.open()?;
-    let inputs = call.task.read()?;
+    let inputs = call.task.read(&outputs)?;
     let (recordings, separate) = (&inputs.recordings, &inputs.separate);
-    tell_twins(recordings, separate);
-    let meter = Meter::new();
+    fit::setup::keep_apart(&inputs.model, recordings, separate)?;
     let options = FitOptions {
         seed: call.task.seed,
         separate_holdout: !separate.is_empty(),
-        progress: &meter,
+        budget: Budget::new(u64::MAX, call.task.time_limit),
+        progress: &Meter,
         ..FitOptions::default()
     };
-    let fitted = fit::fit(&inputs.model, recordings, &options)?;
-    let held_out = fit::holdout(&fitted, recordings, separate, &options)?;
-    drop(meter);
+    let mut fitted = fit::fit(&inputs.model, recordings, &options)?;
+    if fitted.ended_early.is_none() {
+        fit::ascertain(&mut fitted, recordings, &options.without_limit())?;
+    }
+    let held_out = fit::holdout(&fitted, recordings, separate, &options.without_limit())?;
     for warning in &fitted.warnings {
         warn(&warning.says);
     }
@@ -68,10 +70,10 @@ pub fn run(call: &Call) -> Result<Outcome> {
         spectra: &spectra(&fitted),
         seed: call.task.seed,
     };
-    if !call.task.takes_stdout() {
-        print(text::render(&report).as_bytes())?;
+    if !outputs.take_stdout() {
+        words(&text::render(&report))?;
     }
-    outputs.finish(&fitted.model, || page(&report), || json::render(&report))?;
+    outputs.finish(&inputs, &fitted.model, || page(&report), || json::render(&report))?;
     Ok(if fitted.unseen.is_empty() { Outcome::Done } else { Outcome::Found })
 }
 
@@ -98,25 +100,4 @@ pub fn spectra(fit: &Fit) -> Vec<ResidualSpectrum> {
         return Vec::new();
     }
     fit.model.outputs.iter().enumerate().filter_map(of).collect()
-}
-
-/// Warns of recordings that are given twice.
-fn tell_twins(recordings: &[Recording], separate: &[Recording]) {
-    let same = |a: &Recording, b: &Recording| {
-        a.sources.iter().map(|s| &s.sha256).eq(b.sources.iter().map(|s| &s.sha256))
-    };
-    for (i, recording) in recordings.iter().enumerate() {
-        if recordings[..i].iter().any(|earlier| same(earlier, recording)) {
-            warn(&format!(
-                "'{}' is given twice: the intervals come out too narrow, since it tells nothing new",
-                recording.name
-            ));
-        }
-        if separate.iter().any(|s| same(s, recording)) {
-            warn(&format!(
-                "'{}' is fitted and held out: what is held out proves nothing then",
-                recording.name
-            ));
-        }
-    }
 }

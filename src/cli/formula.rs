@@ -3,9 +3,9 @@
 mod sheet;
 mod values;
 
-use super::{Outcome, input, output::Sink};
-use crate::Result;
+use super::{Outcome, input, output};
 use crate::symbolic::{CodeLanguage, FormulaRequest, formula, irregular_roll, known_letter};
+use crate::{Error, Result};
 use clap::{Args, ValueEnum};
 use sheet::Sheet;
 use std::path::PathBuf;
@@ -23,19 +23,19 @@ pub struct FormulaCall {
     #[arg(long)]
     h: Option<String>,
     /// G(s), even in s; 1 if absent.
-    #[arg(long, requires = "h")]
+    #[arg(long, requires = "h", conflicts_with = "first")]
     g: Option<String>,
     /// Transfer function from the shaped noise to the first signal.
     #[arg(long, conflicts_with = "h")]
     first: Option<String>,
     /// The same to the second signal; without it the mean square of the first is derived.
-    #[arg(long, requires = "first")]
+    #[arg(long, requires = "first", conflicts_with = "h")]
     second: Option<String>,
     /// Transfer function from white noise to the shaped noise; 1 if absent.
-    #[arg(long, requires = "first")]
+    #[arg(long, requires = "first", conflicts_with = "h")]
     shaping: Option<String>,
     /// Density of the white noise, with mean square = (1/2 pi) integral over all w; 1 if absent.
-    #[arg(long, requires = "first")]
+    #[arg(long, requires = "first", conflicts_with = "h")]
     density: Option<String>,
     /// What stands before the integral.
     #[arg(long, allow_hyphen_values = true)]
@@ -56,7 +56,7 @@ pub struct FormulaCall {
     #[arg(long, allow_hyphen_values = true)]
     printed: Option<String>,
     /// Derive the gyrocompass error on irregular roll, with the formula printed in 1978 beside it.
-    #[arg(long, conflicts_with_all = ["file", "h", "first"])]
+    #[arg(long, conflicts_with_all = ["file", "h", "g", "first", "second", "shaping", "density"])]
     seed: bool,
     /// Also the derivative in this symbol; may be given often.
     #[arg(long = "derivative")]
@@ -101,7 +101,13 @@ enum Format {
 
 /// Runs the subcommand.
 pub fn run(call: &FormulaCall) -> Result<Outcome> {
-    let sink = Sink::open(&call.out)?;
+    let is_code = !matches!(call.format, Format::Text | Format::Json);
+    if is_code && (call.values.is_some() || call.printed.is_some()) {
+        return Err(Error::usage("--values and --printed are shown in text and JSON alone")
+            .with_hint("leave --format away, or take --format json"));
+    }
+    let place = output::Place::open(&call.out)?;
+    output::spare([&place], &call.file)?;
     let request = call.request()?;
     let simplifier = request.simplifier()?;
     let (derivation, printed) = (request.derivation()?, request.printed()?);
@@ -124,7 +130,8 @@ pub fn run(call: &FormulaCall) -> Result<Outcome> {
         Format::Python => sheet.each(|f| f.code(CodeLanguage::Python))?,
         Format::C => sheet.each(|f| f.code(CodeLanguage::C))?,
     };
-    sink.finish(text.as_bytes())?;
+    let ready = if call.format == Format::Json { place.quoted(&text) } else { place.words(&text) };
+    output::put(&[ready], &call.file)?;
     Ok(Outcome::Done)
 }
 

@@ -1,9 +1,9 @@
 //! `gyrospec gimbal`: the gyroscope in a rotating gimbal as a sensor of slow rates.
 
-use super::{Outcome, output};
+use super::{Outcome, input, output};
 use crate::gyro::gimbal::{Demodulator, Gimbal, Noise, Run, Sample, State};
+use crate::gyro::range;
 use crate::report::terminal::{Trace, picture};
-use crate::units::Unit;
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 #[derive(clap::Args)]
 #[command(after_help = HELP)]
 pub struct GimbalCall {
-    /// Parameters: a TOML file with [parameters]; what it leaves out is a made example.
+    /// Parameters: a TOML file with [parameters], - is standard input; what it leaves out is a made example.
     parameters: Option<PathBuf>,
     /// Corner of the demodulator's low-pass, rad/s.
     #[arg(long, default_value_t = 2.0)]
@@ -68,8 +68,11 @@ pub fn run(call: &GimbalCall) -> Result<Outcome> {
         return Err(Error::bad_input("without damping the gimbal swings on for ever and reads no rates")
             .with_hint("give dx or dy a positive value"));
     }
-    let text = if call.json { json(&given, call.corner)? } else { text(&given, call.corner)? };
-    output::print(text.as_bytes())?;
+    if call.json {
+        output::quoted(&json(&given, call.corner)?)
+    } else {
+        output::words(&text(&given, call.corner)?)
+    }?;
     Ok(Outcome::Done)
 }
 
@@ -79,7 +82,7 @@ fn read(path: Option<&Path>) -> Result<Given> {
         noise: Noise { torque: [1e-18, 1e-18], base: Some([1e-3, 10.0, 0.5]) },
     };
     let Some(path) = path else { return Ok(given) };
-    let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, &e))?;
+    let text = input::text(path)?;
     let file: File =
         toml::from_str(&text).map_err(|e| Error::bad_input(e.to_string().trim_end()).with_file(path))?;
     for (name, entry) in &file.parameters {
@@ -94,18 +97,18 @@ fn put(given: &mut Given, name: &str, entry: &Entry) -> Result<()> {
         "Qx", "Qy", "sigma", "omega0", "zeta",
     ];
     let g = &mut given.gimbal;
-    let (place, si) = match name {
-        "H" => (&mut g.momentum, "N*m*s"),
-        "Omega" => (&mut g.speed, "rad/s"),
-        "cx" => (&mut g.springs[0], "N*m"),
-        "cy" => (&mut g.springs[1], "N*m"),
-        "dx" => (&mut g.damping[0], "N*m*s"),
-        "dy" => (&mut g.damping[1], "N*m*s"),
-        "Qx" => (&mut given.noise.torque[0], "N^2*m^2*s"),
-        "Qy" => (&mut given.noise.torque[1], "N^2*m^2*s"),
-        "sigma" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[0], "rad/s"),
-        "omega0" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[1], "rad/s"),
-        "zeta" => (&mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[2], "1"),
+    let place = match name {
+        "H" => &mut g.momentum,
+        "Omega" => &mut g.speed,
+        "cx" => &mut g.springs[0],
+        "cy" => &mut g.springs[1],
+        "dx" => &mut g.damping[0],
+        "dy" => &mut g.damping[1],
+        "Qx" => &mut given.noise.torque[0],
+        "Qy" => &mut given.noise.torque[1],
+        "sigma" => &mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[0],
+        "omega0" => &mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[1],
+        "zeta" => &mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[2],
         _ => {
             let Some(k) = NAMES[..9].iter().position(|n| *n == name) else {
                 let near = crate::error::nearest(name, NAMES).map(|n| format!("did you mean {n}? "));
@@ -113,30 +116,24 @@ fn put(given: &mut Given, name: &str, entry: &Entry) -> Result<()> {
                     .with_hint(format!("{}it has {}", near.unwrap_or_default(), NAMES.join(", "))));
             };
             let body = &mut g.bodies[k / 3];
-            let axis = match k % 3 {
+            match k % 3 {
                 0 => &mut body.x,
                 1 => &mut body.y,
                 _ => &mut body.z,
-            };
-            (axis, "kg*m^2")
+            }
         }
     };
     let (value, unit) = match entry {
         Entry::Full { value, unit } => (*value, unit.as_deref()),
         Entry::Bare(value) => (*value, None),
     };
-    *place = match unit {
-        None => value,
-        Some(text) => {
-            let unit = Unit::parse(text)?;
-            if unit.dimension() != Unit::parse(si)?.dimension() {
-                return Err(Error::new(crate::ErrorKind::Units, format!("{name} is in {text}, not in {si}")));
-            }
-            unit.to_si(value)
-        }
-    };
+    let range = range::of_gimbal(name);
+    *place = range.map_or(Ok(value), |r| r.read(value, unit)).map_err(|e| e.about(name))?;
     Ok(())
 }
+
+/// The largest rate of the manoeuvre, rad/s.
+const LARGEST_RATE: f64 = 0.01;
 
 /// Rates of the manoeuvre, rad/s and rad/s²: a smooth turn about one axis, then about the other.
 fn manoeuvre(t: f64, unit: f64) -> ([f64; 2], [f64; 2]) {
@@ -149,7 +146,7 @@ fn manoeuvre(t: f64, unit: f64) -> ([f64; 2], [f64; 2]) {
         (sin * sin, 2.0 * sin * cos * std::f64::consts::PI / (12.0 * unit))
     };
     let ((a, da), (b, db)) = (bump(2.0 * unit), bump(10.0 * unit));
-    ([0.01 * a, -0.006 * b], [0.01 * da, -0.006 * db])
+    ([LARGEST_RATE * a, -0.006 * b], [LARGEST_RATE * da, -0.006 * db])
 }
 
 /// The manoeuvre simulated: the true rates and those read, at the samples of α.
@@ -176,6 +173,7 @@ fn text(given: &Given, corner: f64) -> Result<String> {
     let a = g.scale_factor(0.0);
     let band = g.band();
     let noise = g.noise_equivalent(&given.noise, corner)?;
+    let small = g.smallness(&given.noise, LARGEST_RATE)?;
     let springs: Vec<String> = g.tuned_springs().iter().map(|c| format!("{c:.4e}")).collect();
     let _ = writeln!(
         out,
@@ -185,7 +183,10 @@ fn text(given: &Given, corner: f64) -> Result<String> {
          \x20 scale factor                  {:.4e} rad of α at Ω for each rad/s, phase {:.2}°\n\
          \x20 band of slow rates            1 % to {:.3} rad/s, 3 dB to {:.3} rad/s (gimbal alone)\n\
          \x20 demodulator                   two low-passes at {corner} rad/s\n\
-         \x20 noise-equivalent rate         {:.3e} rad/s by torque noise, {:.3e} rad/s by random base motion\n",
+         \x20 noise-equivalent rate         {:.3e} rad/s by torque noise\n\
+         \x20 random base motion reads      {:.3e} rad/s: {:.3e} where it is (slow rates, and the low-pass's skirt),\n\
+         \x20                               {:.3e} folded from near 2Ω\n\
+         {}",
         g.speed,
         springs.join(" or "),
         g.springs[0],
@@ -195,7 +196,14 @@ fn text(given: &Given, corner: f64) -> Result<String> {
         band.one_percent,
         band.three_decibel,
         noise.torque,
-        noise.base
+        noise.base,
+        noise.base_passed,
+        noise.base_folded,
+        small
+            .iter()
+            .filter(|s| !s.holds())
+            .map(|s| format!("BEYOND THE LINEAR THEORY: {}.\n", s.told()))
+            .collect::<String>()
     );
     let shown = simulated(given, corner)?;
     for (name, axis) in [("Θ′", 0usize), ("Ψ′", 1)] {
@@ -232,7 +240,13 @@ fn json(given: &Given, corner: f64) -> Result<String> {
         "scale_factor": { "magnitude_s": a.norm(), "phase_deg": a.arg().to_degrees() },
         "band": { "one_percent_rad_per_s": band.one_percent, "three_decibel_rad_per_s": band.three_decibel },
         "demodulator_corner_rad_per_s": corner,
-        "noise_equivalent_rate_rad_per_s": { "torque": noise.torque, "base": noise.base },
+        "noise_equivalent_rate_rad_per_s": {
+            "torque": noise.torque, "base": noise.base,
+            "base_passed": noise.base_passed, "base_folded": noise.base_folded,
+        },
+        "validity": g.smallness(&given.noise, LARGEST_RATE)?.iter().map(|s| serde_json::json!({
+            "figure": s.figure, "says": s.says, "value": s.value, "limit": s.limit, "unit": s.unit, "holds": s.holds(),
+        })).collect::<Vec<_>>(),
     });
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
     text.push('\n');

@@ -1,15 +1,73 @@
-//! Texts that a call names: a file, or standard input for `-`.
+//! Inputs that a call names: a file, a pipe, or standard input for `-`.
 
+use crate::record::{Input, Recording, is_stream, read_text};
 use crate::{Error, Result};
-use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The whole text of a file; `-` is standard input.
 pub fn text(path: &Path) -> Result<String> {
-    if path != Path::new("-") {
-        return std::fs::read_to_string(path).map_err(|e| Error::io(path, &e));
+    Ok(read_text(path)?.0)
+}
+
+/// An input that may be read again and again: a file where it lies, or what a pipe brought, kept in a file of its
+/// own while this lives.
+pub struct Held {
+    given: PathBuf,
+    kept: Option<(tempfile::TempDir, PathBuf)>,
+}
+
+impl Held {
+    /// Holds an input; a pipe is read to its end.
+    pub fn of(given: &Path) -> Result<Self> {
+        let kept = if is_stream(given) { Some(kept(given).map_err(|e| Error::io(given, &e))?) } else { None };
+        Ok(Self { given: given.to_owned(), kept })
     }
-    let mut text = String::new();
-    std::io::stdin().read_to_string(&mut text).map_err(|e| Error::io(Path::new("standard input"), &e))?;
-    Ok(text)
+
+    /// Where it can be read.
+    pub fn path(&self) -> &Path {
+        self.kept.as_ref().map_or(&self.given, |(_, path)| path)
+    }
+
+    /// As the call names it.
+    pub fn given(&self) -> &Path {
+        &self.given
+    }
+
+    /// The recording in it, in which everything bears the name of the call.
+    pub fn recording(&self) -> Result<Recording> {
+        let Some((_, path)) = &self.kept else { return Recording::read(&self.given) };
+        let input = Input::open(path)?;
+        if input.is_toml() {
+            return Recording::parse(&input.text()?.0, &self.given);
+        }
+        let recording = Recording::read(path).map_err(|e| self.place(e))?;
+        Ok(self.named(recording))
+    }
+
+    /// A recording whose sources and notes name the input as the call does.
+    pub fn named(&self, mut recording: Recording) -> Recording {
+        let sources = recording.sources.iter_mut().map(|s| &mut s.file);
+        let notes = recording.notes.iter_mut().map(|n| &mut n.file);
+        for file in sources.chain(notes).filter(|file| **file == self.path()) {
+            file.clone_from(&self.given);
+        }
+        recording
+    }
+
+    /// An error that names the input as the call does.
+    pub fn place(&self, e: Error) -> Error {
+        if e.file() == Some(self.path()) { e.with_file(&self.given) } else { e }
+    }
+}
+
+fn kept(given: &Path) -> std::io::Result<(tempfile::TempDir, PathBuf)> {
+    let folder = tempfile::tempdir()?;
+    let path = folder.path().join("standard input");
+    let mut file = std::fs::File::create(&path)?;
+    if given == Path::new("-") {
+        std::io::copy(&mut std::io::stdin().lock(), &mut file)?;
+    } else {
+        std::io::copy(&mut std::fs::File::open(given)?, &mut file)?;
+    }
+    Ok((folder, path))
 }

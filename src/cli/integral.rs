@@ -1,8 +1,12 @@
 //! `gyrospec integral`: one integral, or a file of them.
 
+use super::progress::{Meter, aside, rest};
 use super::{Outcome, output};
+use crate::estimate::fit::Progress;
 use crate::integral::crosscheck::{Crosscheck, crosscheck};
 use crate::integral::{Answer, Integrand, evaluate};
+use crate::text::in_quotes;
+use crate::units::counted;
 use crate::{Error, ErrorKind, Result};
 use clap::Args;
 use rayon::prelude::*;
@@ -123,14 +127,14 @@ pub fn run(arguments: &Arguments) -> Result<Outcome> {
     };
     let case = match read() {
         Err(e) if json => {
-            output::print(format!("{}\n", Reply::new(Err(e.clone()), || None).line()).as_bytes())?;
+            output::quoted(&format!("{}\n", Reply::new(Err(e.clone()), || None).line()))?;
             return Err(e);
         }
         case => case?,
     };
     let p = case.integrand();
     if json {
-        output::print(format!("{}\n", case.reply(arguments.check).line()).as_bytes())?;
+        output::quoted(&format!("{}\n", case.reply(arguments.check).line()))?;
         // the answer is on standard output; the exit code says that there is no value
         return match p.and_then(|p| evaluate(&p)) {
             Ok(_) => Ok(Outcome::Done),
@@ -156,7 +160,7 @@ pub fn run(arguments: &Arguments) -> Result<Outcome> {
         text += &all;
         text.push('\n');
     }
-    output::print(text.as_bytes())?;
+    output::words(&text)?;
     Ok(Outcome::Done)
 }
 
@@ -203,17 +207,24 @@ fn batch(path: &Path, check: bool) -> Result<Outcome> {
     let mut number = 0;
     loop {
         let mut block = Vec::new();
+        if lines.buffer().is_empty() {
+            rest();
+        }
         while block.len() < BLOCK {
             let mut line = Vec::new();
             if lines.read_until(b'\n', &mut line).map_err(|e| Error::io(path, &e))? == 0 {
                 break;
             }
-            number += 1;
-            if number == 1 && line.starts_with(BYTE_ORDER_MARK) {
+            if number == 0 && line.starts_with(BYTE_ORDER_MARK) {
                 line.drain(..BYTE_ORDER_MARK.len());
             }
-            if !line.trim_ascii().is_empty() {
-                block.push((number, line));
+            // Lines may end with carriage returns alone.
+            let line = line.strip_suffix(b"\n").unwrap_or(&line);
+            for part in line.strip_suffix(b"\r").unwrap_or(line).split(|b| *b == b'\r') {
+                number += 1;
+                if !part.trim_ascii().is_empty() {
+                    block.push((number, part.to_owned()));
+                }
             }
             // a writer that waits for its answers gets them
             if !block.is_empty() && lines.buffer().is_empty() {
@@ -223,21 +234,41 @@ fn batch(path: &Path, check: bool) -> Result<Outcome> {
         if block.is_empty() {
             return Ok(Outcome::Done);
         }
+        Meter.says(&format!("integrating, {} read", counted(number, "line")), None);
         let answers: Vec<String> =
             block.par_iter().map(|(number, line)| answer_line(*number, line, check).line()).collect();
-        for answer in answers {
-            writeln!(out, "{answer}").map_err(stdout)?;
-        }
-        out.flush().map_err(stdout)?;
+        let write =
+            || answers.iter().try_for_each(|a| writeln!(out, "{}", in_quotes(a))).and_then(|()| out.flush());
+        aside(write).map_err(stdout)?;
     }
 }
 
 fn answer_line(number: usize, line: &[u8], check: bool) -> Reply {
-    match serde_json::from_slice::<Case>(line.trim_ascii()) {
-        Ok(case) => case.reply(check),
-        Err(e) => Reply::BadInput {
+    let line = line.trim_ascii();
+    let no_object = || Reply::BadInput {
+        message: format!(
+            "line {number}: a case is an object such as {{\"h\":[1,2,3],\"g\":[0,1]}}, {}",
+            this(line)
+        ),
+    };
+    match serde_json::from_slice::<Case>(line) {
+        // A list of lists would be read field by field.
+        Ok(case) if line.starts_with(b"{") => case.reply(check),
+        Err(e) if line.starts_with(b"{") || e.is_syntax() || e.is_eof() => Reply::BadInput {
             message: format!("line {number}, column {}: {}", e.column(), reason(&e.to_string())),
         },
+        _ => no_object(),
+    }
+}
+
+/// What stands where an object should, in words.
+fn this(line: &[u8]) -> &'static str {
+    match line.first() {
+        Some(b'[') => "this is a list",
+        Some(b'"') => "this is a text",
+        Some(b'n') => "this is null",
+        Some(b't' | b'f') => "this is true or false",
+        _ => "this is a number",
     }
 }
 

@@ -1,13 +1,13 @@
 //! `gyrospec laboratory`: how often the diagnosis finds what was concealed.
 
-use super::output::print;
+use super::output::words;
 use super::progress::Meter;
 use super::{Outcome, warn};
 use crate::diagnose::answer::Answer;
 use crate::diagnose::laboratory::{self, Case, Draw, Kind, Scenario};
 use crate::estimate::fit::Progress;
 use crate::model::Model;
-use crate::record::Recording;
+use crate::record::{Recording, read_once};
 use crate::{Error, ErrorKind, Result};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};
@@ -44,7 +44,10 @@ pub struct Call {
 pub fn run(call: &Call) -> Result<Outcome> {
     let scenario = match (&call.model, &call.recording) {
         (Some(model), Some(recording)) => {
-            Scenario::of(&Model::read(model)?, &Recording::read(recording)?, call.seed)?
+            read_once([model.as_path(), recording])?;
+            let (model, recording) = (Model::read(model)?, Recording::read(recording)?);
+            super::record::tell_notes([&recording]);
+            Scenario::of(&model, &recording, call.seed)?
         }
         (Some(_), None) => return Err(Error::usage("give the recording whose inputs drive the model")),
         _ => Scenario::axis(call.seed)?,
@@ -60,18 +63,17 @@ pub fn run(call: &Call) -> Result<Outcome> {
     std::fs::write(&sealed, &text).map_err(|e| Error::io(&sealed, &e))?;
     let seal: String = Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect();
     let made = if call.cases == 1 { "1 recording".to_string() } else { format!("{} recordings", call.cases) };
-    print(format!("{made} made; the truth is sealed, SHA-256 {seal}\n\n").as_bytes())?;
+    words(&format!("{made} made; the truth is sealed, SHA-256 {seal}\n\n"))?;
     drop(cases);
-    let meter = Meter::new();
+    Meter.says("diagnosing", Some(0.0));
     let ended = AtomicUsize::new(0);
     let examine = |number: usize| {
         let answer = laboratory::examine(folder, number, call.seed);
         let ended = 1 + ended.fetch_add(1, Ordering::Relaxed);
-        meter.says("diagnosing", Some(ended as f64 / call.cases as f64));
+        Meter.says("diagnosing", Some(ended as f64 / call.cases as f64));
         answer.map_err(|e| warn(&format!("case {number}: {e}"))).ok()
     };
     let answers: Vec<Option<Answer>> = (0..call.cases).into_par_iter().with_max_len(1).map(examine).collect();
-    drop(meter);
     let opened = std::fs::read(&sealed).map_err(|e| Error::io(&sealed, &e))?;
     let cases: Vec<Case> = serde_json::from_slice(&opened).map_err(broken)?;
     let kept: Vec<(Case, laboratory::Outcome)> = cases
@@ -94,7 +96,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
             named.join(" + ")
         );
     }
-    print(format!("{lines}\n{}", laboratory::tabulate(&cases, &outcomes)).as_bytes())?;
+    words(&format!("{lines}\n{}", laboratory::tabulate(&cases, &outcomes)))?;
     Ok(Outcome::Done)
 }
 
@@ -103,7 +105,12 @@ fn fresh(folder: &Path) -> Result<()> {
     let broken = |e: std::io::Error| Error::io(folder, &e);
     std::fs::create_dir_all(folder).map_err(broken)?;
     let is_empty = std::fs::read_dir(folder).map_err(broken)?.next().is_none();
-    let full = || Error::usage(format!("{} is not empty: name a new folder", folder.display()));
+    let full = || {
+        Error::usage(format!(
+            "{} is not empty: name a new folder",
+            crate::text::in_line(&folder.display().to_string())
+        ))
+    };
     if is_empty { Ok(()) } else { Err(full()) }
 }
 

@@ -18,13 +18,17 @@ pub mod output;
 pub mod progress;
 pub mod record;
 pub mod roll_error;
+pub mod signals;
 pub mod simulate;
 pub mod table;
 pub mod task;
+pub mod threads;
 
+use crate::text::{in_line, shown};
 use crate::{Error, ErrorKind, Result};
 use clap::{Parser, Subcommand};
 use colour::paint;
+use std::ffi::OsString;
 use std::process::ExitCode;
 
 /// How a subcommand that did its work ended.
@@ -88,6 +92,24 @@ enum Command {
     About,
 }
 
+impl Command {
+    /// What is being done, for who waits.
+    fn doing(&self) -> &'static str {
+        match self {
+            Self::Integral(_) => "integrating",
+            Self::Formula(_) => "deriving the formula",
+            Self::Audit(_) => "examining the formulas",
+            Self::Table(_) => "making tables",
+            Self::Simulate(_) => "simulating",
+            Self::RollError(_) => "computing the rolling error",
+            Self::Gimbal(_) => "simulating the gimbal",
+            Self::Laboratory(_) => "making recordings",
+            Self::Fit(_) | Self::Diagnose(_) | Self::Record(_) | Self::New(_) => "reading",
+            _ => "working",
+        }
+    }
+}
+
 const ABOUT: &str = concat!(
     "gyrospec ",
     env!("CARGO_PKG_VERSION"),
@@ -116,30 +138,54 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::New(call) => return new::run(&call),
         Command::Completions(call) => return completions::completions(&call),
         Command::Man(call) => return completions::man(&call),
-        Command::About => output::print(ABOUT.as_bytes())?,
+        Command::About => output::words(ABOUT)?,
     }
     Ok(Outcome::Done)
 }
 
 /// Runs the program on the process's own arguments.
 pub fn main() -> ExitCode {
-    let cli = match Cli::try_parse() {
+    signals::handle();
+    let cli = match parsed() {
         Ok(cli) => cli,
         Err(e) => {
             let _ = e.print();
             return ExitCode::from(if e.use_stderr() { 2 } else { 0 });
         }
     };
-    match run(cli) {
+    let _watch = progress::watch(cli.command.doing());
+    match threads::start().and_then(|()| run(cli)) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Found) => ExitCode::from(1),
         Err(e) => fail(&e.with_line_of_file()),
     }
 }
 
+/// The call; a refusal shows its words as they may be shown.
+fn parsed() -> std::result::Result<Cli, clap::Error> {
+    let words: Vec<OsString> = std::env::args_os().collect();
+    Cli::try_parse_from(&words).map_err(|refused| {
+        let harmless = words.iter().map(|w| in_line(&w.to_string_lossy()).into_owned());
+        match Cli::try_parse_from(harmless) {
+            Err(same) if same.kind() == refused.kind() => same,
+            _ => clap::Error::raw(refused.kind(), shown(&refused.to_string()).trim_start_matches("error: ")),
+        }
+    })
+}
+
 /// Says something that a user should know, on standard error.
 pub fn warn(says: &str) {
-    eprintln!("{}: {says}", paint("warning", "1;33", &std::io::stderr()));
+    tell("warning", "1;33", says);
+}
+
+/// Says something that a reader noticed, on standard error.
+pub fn note(says: &str) {
+    tell("note", "1", says);
+}
+
+fn tell(sort: &str, style: &str, says: &str) {
+    let sort = paint(sort, style, &std::io::stderr());
+    progress::aside(|| eprintln!("{sort}: {}", shown(says)));
 }
 
 fn fail(e: &Error) -> ExitCode {
@@ -148,6 +194,6 @@ fn fail(e: &Error) -> ExitCode {
         ErrorKind::NotComputed | ErrorKind::Unstable | ErrorKind::ImaginaryAxis | ErrorKind::OutOfRange => 3,
         _ => 2,
     };
-    eprintln!("{}: {e}", paint("error", "1;31", &std::io::stderr()));
+    tell("error", "1;31", &e.to_string());
     ExitCode::from(code)
 }

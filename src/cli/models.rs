@@ -1,7 +1,7 @@
 //! `gyrospec models`: the models that the program brings along.
 
 use super::Outcome;
-use super::output::print;
+use super::output::words;
 use crate::Result;
 use crate::model::{BUILTIN, Model};
 use clap::Subcommand;
@@ -30,7 +30,7 @@ enum What {
 
 pub fn run(call: &Call) -> Result<Outcome> {
     match &call.what {
-        Some(What::Show { name }) => print(Model::builtin_text(name)?.as_bytes())?,
+        Some(What::Show { name }) => words(Model::builtin_text(name)?)?,
         None => {
             let mut out = String::new();
             for (name, text) in BUILTIN {
@@ -38,7 +38,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
                 let _ = writeln!(out, "{name:<28} {title}");
             }
             out.push_str("\n`gyrospec models show NAME` prints one; `extends = \"NAME\"` in a model file starts from it.\n");
-            print(out.as_bytes())?;
+            words(&out)?;
         }
     }
     Ok(Outcome::Done)

@@ -3,7 +3,7 @@
 mod recording;
 
 use super::Outcome;
-use super::output::print;
+use super::output::{quoted, words};
 use crate::Result;
 use std::path::PathBuf;
 
@@ -28,15 +28,15 @@ enum What {
     Model,
     /// A recording file for a CSV; every guess is marked with a comment.
     Recording {
-        /// The CSV file, plain or .gz.
+        /// The CSV file, plain or .gz; - is standard input.
         csv: PathBuf,
     },
 }
 
 pub fn run(call: &Call) -> Result<Outcome> {
     match &call.what {
-        What::Model => print(MODEL.as_bytes())?,
-        What::Recording { csv } => print(recording::guessed(csv)?.as_bytes())?,
+        What::Model => words(MODEL)?,
+        What::Recording { csv } => quoted(&recording::guessed(csv)?)?,
     }
     Ok(Outcome::Done)
 }

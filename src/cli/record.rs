@@ -5,6 +5,7 @@ use crate::Result;
 use crate::record::quality::{Fault, FaultKind};
 use crate::record::{Channel, Hold, Kind, Recording, Summary, summaries};
 use crate::report::braille;
+use crate::text::in_line;
 use crate::units::counted;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -46,7 +47,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = FORM)]
 pub struct Record {
-    /// CSV file (.csv, .csv.gz), NMEA 0183 log, or TOML recording
+    /// CSV file (.csv, .csv.gz), NMEA 0183 log, or TOML recording; - is standard input
     file: PathBuf,
     /// Print JSON
     #[arg(long)]
@@ -63,7 +64,7 @@ pub fn run(call: &Record) -> Result<Outcome> {
     } else {
         words(&recording, &summaries)
     };
-    output::print(text.as_bytes())?;
+    if call.json { output::quoted(&text) } else { output::words(&text) }?;
     let sure = summaries.iter().flat_map(|s| &s.faults).any(|f| f.sure);
     Ok(if sure { Outcome::Found } else { Outcome::Done })
 }
@@ -71,7 +72,7 @@ pub fn run(call: &Record) -> Result<Outcome> {
 /// Tells on standard error what the readers noticed.
 pub fn tell_notes<'a>(recordings: impl IntoIterator<Item = &'a Recording>) {
     for note in recordings.into_iter().flat_map(|r| &r.notes) {
-        eprintln!("note: {note}");
+        super::note(&note.to_string());
     }
 }
 
@@ -93,6 +94,11 @@ fn words(recording: &Recording, summaries: &[Summary]) -> String {
         (n, m) => format!("{} (!), and {m} to look at (?).", counted(n, "fault")),
     };
     let _ = writeln!(text, "\n{verdict}");
+    if faults.iter().any(|f| matches!(f.kind, FaultKind::Frozen | FaultKind::Outliers)) {
+        text.push_str(
+            "An input may hold a value or leap: of a channel that drives a model these are no faults.\n",
+        );
+    }
     text
 }
 
@@ -125,7 +131,7 @@ fn channel_words(channel: &Channel, s: &Summary, kind: Kind) -> String {
     let marks =
         [(channel.wraps, ", wraps at a turn"), (channel.hold == Hold::Previous, ", held between samples")];
     let marks: String = marks.iter().filter(|m| m.0).map(|m| m.1).collect();
-    let mut text = format!("{} [{unit}]{marks}\n", channel.name);
+    let mut text = format!("{} [{unit}]{marks}\n", in_line(&channel.name));
     if s.samples == 0 {
         return text + "  no samples\n";
     }

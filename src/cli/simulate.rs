@@ -1,9 +1,9 @@
 //! `gyrospec simulate`: a model on a recording.
 
 use super::Outcome;
-use super::output::{Sink, keep_apart};
+use super::output;
 use crate::model::Model;
-use crate::record::{Channel, Kind, Recording};
+use crate::record::{Channel, Kind, Recording, read_once};
 use crate::simulate::{Options, OutputSignal, Simulator, Trajectory};
 use crate::{Error, Result};
 use std::fmt::Write;
@@ -18,9 +18,9 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = HELP)]
 pub struct Call {
-    /// The model file.
+    /// The model file; - is standard input.
     model: PathBuf,
-    /// The recording: a CSV file or a TOML file.
+    /// The recording: a CSV file or a TOML file; - is standard input.
     recording: PathBuf,
     /// Where the predictions go as CSV: time, then measured and predicted for every output.
     #[arg(long, value_name = "CSV")]
@@ -31,15 +31,20 @@ pub struct Call {
 }
 
 pub fn run(call: &Call) -> Result<Outcome> {
-    keep_apart([call.out.as_ref()], [&call.model, &call.recording])?;
-    let sink = call.out.as_deref().map(Sink::open).transpose()?;
+    if !(call.tolerance > 0.0 && call.tolerance < 1.0) {
+        return Err(Error::usage(format!("--tolerance {}: this is no share of a spread", call.tolerance))
+            .with_hint("give a number between 0 and 1, such as 1e-5"));
+    }
+    read_once([call.model.as_path(), &call.recording])?;
+    let [place] = output::open([call.out.as_deref()])?;
+    output::spare(&place, [&call.model, &call.recording])?;
     let model = Model::read(&call.model)?;
     let mut recording = Recording::read(&call.recording)?;
+    let read: Vec<PathBuf> =
+        recording.sources.iter().map(|s| s.file.clone()).chain([call.model.clone()]).collect();
+    output::spare(&place, &read)?;
     predict_what_is_not_measured(&model, &mut recording);
     let options = Options { tolerance: call.tolerance, ..Options::default() };
-    if call.tolerance.is_nan() || call.tolerance <= 0.0 {
-        return Err(Error::usage("--tolerance must be a positive number, such as 1e-5"));
-    }
     let simulator = Simulator::new(&model, &recording, &options).map_err(|e| match e.file() {
         None => e.with_file(&call.model),
         Some(_) => e,
@@ -47,14 +52,14 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
     super::record::tell_notes([&recording]);
     for warning in warnings(&simulator, &ran) {
-        eprintln!("warning: {warning}");
+        super::warn(&warning);
     }
-    let to_stdout = call.out.as_deref() == Some(std::path::Path::new("-"));
-    if let Some(sink) = sink {
-        sink.finish(csv(&simulator, &ran, recording.kind).as_bytes())?;
+    let to_stdout = place.as_ref().is_some_and(output::Place::is_standard_output);
+    if let Some(place) = place {
+        output::put(&[place.data(csv(&simulator, &ran, recording.kind))], read)?;
     }
     if !to_stdout {
-        super::output::print(summary(&simulator, &ran).as_bytes())?;
+        output::words(&summary(&simulator, &ran))?;
     }
     Ok(Outcome::Done)
 }

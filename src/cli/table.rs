@@ -1,6 +1,6 @@
 //! `gyrospec table`: the tables of I_n.
 
-use super::{Outcome, output::Sink};
+use super::{Outcome, output};
 use crate::symbolic::{HIGHEST_ORDER, TableFormat, folder, print_tables};
 use crate::{Error, Result};
 use clap::{Args, ValueEnum};
@@ -25,7 +25,7 @@ pub struct Table {
     #[arg(long, default_value = "-")]
     out: PathBuf,
     /// Instead of printing, write the whole set of tables into this existing folder.
-    #[arg(long, conflicts_with_all = ["orders", "out"])]
+    #[arg(long, conflicts_with_all = ["orders", "out", "format"])]
     folder: Option<PathBuf>,
 }
 
@@ -52,17 +52,19 @@ impl From<Format> for TableFormat {
     }
 }
 
+const NOTHING_READ: [&str; 0] = [];
+
 /// Runs the subcommand.
 pub fn run(call: &Table) -> Result<Outcome> {
     if let Some(place) = &call.folder {
-        for file in folder()? {
-            Sink::open(&place.join(file.name))?.finish(file.text.as_bytes())?;
-        }
+        let files = folder()?.into_iter().map(|f| Ok(output::Place::open(&place.join(f.name))?.data(f.text)));
+        let all = files.collect::<Result<Vec<_>>>()?;
+        output::put(&all, NOTHING_READ)?;
         return Ok(Outcome::Done);
     }
     let orders = orders(call.orders.as_deref().unwrap_or_default())?;
-    let sink = Sink::open(&call.out)?;
-    sink.finish(print_tables(orders, call.format.into())?.as_bytes())?;
+    let place = output::Place::open(&call.out)?;
+    output::put(&[place.data(print_tables(orders, call.format.into())?)], NOTHING_READ)?;
     Ok(Outcome::Done)
 }
 

@@ -1,17 +1,18 @@
 //! What `fit` and `diagnose` take and give: a model, recordings, and files for the results.
 
-use super::output::{Sink, keep_apart};
+use super::output::{self, Place};
 use crate::Result;
 use crate::model::Model;
-use crate::record::{Recording, Source};
-use std::path::{Path, PathBuf};
+use crate::record::{Recording, Source, read_once};
+use std::path::PathBuf;
+use std::time::Duration;
 
 /// The arguments.
 #[derive(clap::Args)]
 pub struct Task {
-    /// The model file.
+    /// The model file; `-` is standard input.
     model: PathBuf,
-    /// Recordings: CSV or TOML files; parameters are shared, initial states are each one's own.
+    /// Recordings: CSV or TOML files, `-` is standard input; parameters are shared, initial states are each one's own.
     #[arg(required = true)]
     recordings: Vec<PathBuf>,
     /// Recordings that are kept out of the fit and only compared afterwards.
@@ -29,6 +30,18 @@ pub struct Task {
     /// Seed of all that is drawn at random.
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
+    /// Wall time after which the search ends with the best so far; the same inputs then no longer give the
+    /// same bytes.
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub time_limit: Option<Duration>,
+}
+
+/// A wall time.
+fn seconds(text: &str) -> std::result::Result<Duration, String> {
+    let wanted = text.trim().parse::<f64>().ok().filter(|s| *s > 0.0);
+    wanted
+        .and_then(|s| Duration::try_from_secs_f64(s).ok())
+        .ok_or_else(|| "give a number of seconds above 0, such as 60".to_string())
 }
 
 /// What was read.
@@ -43,54 +56,73 @@ pub struct Inputs {
 
 /// Where the results go.
 pub struct Outputs {
-    json: Option<Sink>,
-    html: Option<Sink>,
-    model: Option<Sink>,
+    json: Option<Place>,
+    html: Option<Place>,
+    model: Option<Place>,
 }
 
 impl Task {
     /// Opens the places for the results.
     pub fn open(&self) -> Result<Outputs> {
-        let [json, html, model] = [&self.json, &self.html, &self.model_out].map(Option::as_ref);
-        keep_apart([json, html, model], self.recordings.iter().chain(&self.holdout))?;
+        let [json, html, model] =
+            output::open([&self.json, &self.html, &self.model_out].map(Option::as_deref))?;
         // A model may be written over itself, with the fitted values in place.
-        keep_apart([json, html], [&self.model])?;
-        let open = |path: &Option<PathBuf>| path.as_deref().map(Sink::open).transpose();
-        Ok(Outputs { json: open(&self.json)?, html: open(&self.html)?, model: open(&self.model_out)? })
+        let outputs = Outputs { json, html, model: model.map(|place| place.in_place_of(&self.model)) };
+        output::spare(outputs.places(), self.recordings.iter().chain(&self.holdout).chain([&self.model]))?;
+        Ok(outputs)
     }
 
-    /// Reads model and recordings.
-    pub fn read(&self) -> Result<Inputs> {
+    /// Reads model and recordings, and sees that no result would destroy a file that they name.
+    pub fn read(&self, outputs: &Outputs) -> Result<Inputs> {
+        read_once(
+            [&self.model].into_iter().chain(&self.recordings).chain(&self.holdout).map(PathBuf::as_path),
+        )?;
         let (model, source) = Model::read_with_source(&self.model)?;
         let read = |files: &[PathBuf]| files.iter().map(Recording::read).collect::<Result<Vec<_>>>();
         let (recordings, separate) = (read(&self.recordings)?, read(&self.holdout)?);
         super::record::tell_notes(recordings.iter().chain(&separate));
-        Ok(Inputs { model, source, recordings, separate })
+        let inputs = Inputs { model, source, recordings, separate };
+        output::spare(outputs.places(), inputs.files())?;
+        Ok(inputs)
     }
+}
 
-    /// Whether one of the results goes to standard output, so that nothing else may.
-    pub fn takes_stdout(&self) -> bool {
-        [&self.json, &self.html, &self.model_out].iter().any(|p| p.as_deref() == Some(Path::new("-")))
+impl Inputs {
+    /// Every file that was read.
+    fn files(&self) -> impl Iterator<Item = &PathBuf> {
+        let recordings = self.recordings.iter().chain(&self.separate);
+        recordings.flat_map(|r| &r.sources).chain([&self.source]).map(|s| &s.file)
     }
 }
 
 impl Outputs {
-    /// Writes what was asked for.
+    fn places(&self) -> impl Iterator<Item = &Place> {
+        [&self.json, &self.html, &self.model].into_iter().flatten()
+    }
+
+    /// Whether one of the results goes to standard output, so that nothing else may.
+    pub fn take_stdout(&self) -> bool {
+        self.places().any(Place::is_standard_output)
+    }
+
+    /// Writes what was asked for: all of it, or nothing.
     pub fn finish(
         self,
+        inputs: &Inputs,
         model: &Model,
         html: impl FnOnce() -> String,
         json: impl FnOnce() -> Result<String>,
     ) -> Result<()> {
-        if let Some(sink) = self.model {
-            sink.finish(model.to_toml().as_bytes())?;
+        let mut results = Vec::new();
+        if let Some(place) = self.model {
+            results.push(place.quoted(&model.to_toml()));
         }
-        if let Some(sink) = self.html {
-            sink.finish(html().as_bytes())?;
+        if let Some(place) = self.html {
+            results.push(place.data(html()));
         }
-        if let Some(sink) = self.json {
-            sink.finish(json()?.as_bytes())?;
+        if let Some(place) = self.json {
+            results.push(place.quoted(&json()?));
         }
-        Ok(())
+        output::put(&results, inputs.files())
     }
 }

@@ -1,12 +1,25 @@
 //! The answer of a diagnosis, as programs read it.
 
 use super::catalogue::{self, Group};
+use crate::simulate::Early;
 use serde::Serialize;
+
+/// Name and version of the form.
+pub const SCHEMA: &str = "gyrospec.diagnosis/2";
 
 /// A number as JSON writes it: what is not finite becomes null.
 #[allow(clippy::trivially_copy_pass_by_ref)] // the form that serde calls
 fn number<S: serde::Serializer>(x: &f64, s: S) -> Result<S::Ok, S::Error> {
     if x.is_finite() { s.serialize_f64(*x) } else { s.serialize_none() }
+}
+
+/// What ended a search early, or false.
+#[allow(clippy::trivially_copy_pass_by_ref, clippy::ref_option)] // the form that serde calls
+fn early<S: serde::Serializer>(early: &Option<Early>, s: S) -> Result<S::Ok, S::Error> {
+    match early {
+        Some(early) => early.serialize(s),
+        None => s.serialize_bool(false),
+    }
 }
 
 /// What a diagnosis ends with.
@@ -21,7 +34,7 @@ pub enum Verdict {
     Tie,
     /// Something is missing that no name fits.
     Unknown,
-    /// The data are at fault.
+    /// The data are at fault, and show nothing physical beside that or leave the question open.
     DataFault,
     /// The recording cannot tell.
     NotIdentifiable,
@@ -32,7 +45,7 @@ pub enum Verdict {
 pub struct Answer {
     /// Name and version of the form.
     pub schema: &'static str,
-    /// The verdict.
+    /// The verdict: on the physics, by the data without their faults.
     pub verdict: Verdict,
     /// One paragraph in plain words.
     pub says: String,
@@ -40,8 +53,10 @@ pub struct Answer {
     pub detection: Detection,
     /// Where it sits.
     pub located: Located,
-    /// What it is, largest share first.
+    /// What it is, largest share first; before that the faults, where the verdict is `data-fault`.
     pub findings: Vec<Finding>,
+    /// What is wrong with the data.
+    pub faults: Vec<DataFault>,
     /// What is left.
     pub unexplained: Option<Unexplained>,
     /// Before and after, an output each.
@@ -50,6 +65,8 @@ pub struct Answer {
     pub next_experiment: Option<String>,
     /// The fitted parameters before and after.
     pub parameters: Vec<ParameterChange>,
+    /// What a reader should know beside: what was not compared or not offered.
+    pub notes: Vec<String>,
     /// How the answer was made.
     pub made: Made,
 }
@@ -80,13 +97,13 @@ pub struct Visible {
     pub unit: String,
 }
 
-/// Where the mismatch sits.
+/// Where the mismatch sits: with the faults, where the verdict is `data-fault`.
 #[derive(Debug, Clone, Serialize)]
 pub struct Located {
     /// Sites that the data cannot tell apart.
     pub sites: Vec<SiteName>,
-    /// Spans of time, s; empty for everywhere.
-    pub time: Vec<Stretch>,
+    /// Spans of time in order and apart, recording by recording; empty for everywhere.
+    pub time: Vec<Spell>,
     /// Bands of angular frequency.
     pub bands: Vec<Band>,
     /// Signals that it goes with.
@@ -102,6 +119,18 @@ pub struct SiteName {
     pub kind: String,
     /// Its name.
     pub name: String,
+}
+
+/// A span of time that the mismatch sits in, s.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Spell {
+    /// First.
+    pub from: f64,
+    /// Last.
+    pub to: f64,
+    /// The recording whose clock it is, where there are several.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recording: Option<String>,
 }
 
 /// A span of time, s.
@@ -155,6 +184,16 @@ pub struct Finding {
     pub share: f64,
     /// Codes that fit as well.
     pub ties: Vec<String>,
+}
+
+/// A fault of the data.
+#[derive(Debug, Clone, Serialize)]
+pub struct DataFault {
+    /// What it is and where.
+    #[serde(flatten)]
+    pub finding: Finding,
+    /// Whether it was kept from the fit: its samples left out, or mended.
+    pub masked: bool,
 }
 
 /// Share of the held-out improvement below which a finding shows as 0 %.
@@ -272,6 +311,10 @@ pub struct Made {
     pub program: String,
     /// Seed.
     pub seed: u64,
+    /// What ended the search before it was through: `steps` or `time`; `false` where it was through. Never
+    /// with the verdict `nothing-missing`.
+    #[serde(serialize_with = "early")]
+    pub ended_early: Option<Early>,
     /// The files read.
     pub inputs: Vec<InputFile>,
 }

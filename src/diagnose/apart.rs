@@ -71,7 +71,7 @@ fn swung(bench: &Bench, input: &str, factor: f64) -> Bench {
         let swing = |v: f64| (start + factor * (v - start)).max(lowest).min(highest);
         c.values.iter_mut().filter(|v| v.is_finite()).for_each(|v| *v = swing(*v));
     }
-    Bench { recordings, ..*bench }
+    Bench { recordings, budget: bench.budget.clone(), ..*bench }
 }
 
 /// The output at which two models part most, with the root mean square of the difference.

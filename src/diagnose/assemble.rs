@@ -1,21 +1,23 @@
 //! From the outcome of the search to the answer.
 
 use super::answer::{
-    Answer, Detection, Finding, InputFile, Located, Made, ParameterChange, Proof, SignalChance, SiteName,
-    Unexplained, Value, Verdict, Visible, told,
+    Answer, DataFault, Detection, Finding, InputFile, Made, ParameterChange, Proof, SCHEMA, Unexplained,
+    Value, Verdict, Visible,
 };
 use super::bench::Bench;
-use super::catalogue::Proposal;
+use super::faults::{self, Spoiled};
+use super::located::{Mismatch, site_name};
+use super::paragraph::Paragraph;
 use super::propose::View;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::{self, Found, Taken};
-use super::verdict::{Evidence, proved, settle};
+use super::verdict::{Evidence, proved, settle, with_faults};
 use super::{Diagnosis, Request, locate, next, pictures, words};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
-use crate::record::quality::Fault;
+use crate::simulate::Early;
 
 /// Mechanisms whose smallest visible size is told.
 const VISIBLE: usize = 12;
@@ -35,48 +37,79 @@ pub struct Assembly<'a> {
     /// What the search found.
     pub found: Found,
     /// Faults of the data.
-    pub faults: Vec<Finding>,
+    pub faults: Vec<DataFault>,
+    /// Those of them that lie in samples.
+    pub spoiled: Vec<Spoiled>,
+    /// Whether they leave anything to compare.
+    pub is_left: bool,
+    /// Whether they leave too little to tell anything.
+    pub is_open: bool,
+    /// What a reader should know.
+    pub notes: Vec<String>,
+    /// What ended the search before it was through.
+    pub ended_early: Option<Early>,
 }
 
 impl Assembly<'_> {
-    /// The diagnosis; `spoiled` are the faults that were masked, for their pictures.
-    pub fn finish(self, spoiled: &[Fault]) -> Result<Diagnosis> {
-        let (before_rest, rest) = self.rests()?;
-        let before = prove::held_out(&self.bench, &self.found.base, &self.separate)?;
-        let after = if self.found.taken.is_empty() {
-            before.clone()
-        } else {
-            prove::held_out(&self.bench, &self.found.last, &self.separate)?
-        };
+    /// The diagnosis.
+    pub fn finish(self) -> Result<Diagnosis> {
+        let (first_rest, rest) = self.rests()?;
+        let (before, after) = prove::both(&self.bench, &self.found, &self.separate);
         let blind = self.blind(&after);
-        let evidence =
-            Evidence { faults: &self.faults, found: &self.found, rest: &rest, blind: blind.as_deref() };
-        let verdict = evidence.verdict();
+        let evidence = Evidence { found: &self.found, rest: &rest, blind: blind.as_deref() };
         let left = evidence.is_left();
         let mut findings = self.findings(&before, &after);
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
-        let verdict = settle(verdict, &findings, &self.found);
-        let mut all = self.faults.clone();
-        all.extend(findings);
         let proof = self.proof(&before, &after);
-        let verdict =
-            proved(verdict, &proof, self.falls_whitened(&before, &after), left && self.bench.is_trials());
-        let next_experiment =
-            next::experiment(self.request.model, &self.bench, &self.found, verdict, blind.as_deref());
+        let physics = settle(evidence.verdict(), &findings, &self.found);
+        let physics =
+            proved(physics, &proof, self.falls_whitened(&before, &after), left && self.bench.is_trials());
+        let unfinished = self.ended_early.filter(|_| physics == Verdict::NothingMissing).map(unfinished);
+        let physics = if unfinished.is_some() { Verdict::NotIdentifiable } else { physics };
+        let reason = unfinished.as_deref().or(blind.as_deref());
+        let verdict = with_faults(physics, &self.faults, self.is_open(physics, &proof));
+        let next = || next::experiment(self.request.model, &self.bench, &self.found, verdict, reason);
+        let next_experiment = if unfinished.is_some() { Some(next::PATIENCE.to_string()) } else { next() };
+        let paragraph = Paragraph {
+            model: self.request.model,
+            found: &self.found,
+            verdicts: (physics, verdict),
+            findings: &findings,
+            faults: &self.faults,
+            proof: &proof,
+            blind: reason,
+            law: rest.laws.first().filter(|_| left),
+        };
+        let says = paragraph.text();
+        let mismatch = Mismatch {
+            model: self.request.model,
+            found: &self.found,
+            rest: first_rest.as_ref().unwrap_or(&rest),
+            left: Some(&rest).filter(|_| left),
+            faults: &self.faults,
+            spoiled: &self.spoiled,
+            names: self.given().iter().map(|r| r.name.as_str()).collect(),
+        };
+        let located = mismatch.located(physics, verdict);
+        if verdict == Verdict::DataFault {
+            findings = self.faults.iter().map(|f| f.finding.clone()).chain(findings).collect();
+        }
         let answer = Answer {
-            schema: "gyrospec.diagnosis/1",
+            schema: SCHEMA,
             verdict,
-            says: self.says(verdict, &all, &proof, blind.as_deref(), left.then_some(&rest)),
+            says,
             detection: self.detection(),
-            located: self.located(verdict, &before_rest),
-            findings: all,
+            located,
+            findings,
+            faults: self.faults.clone(),
             unexplained: if left { unexplained(&rest) } else { None },
             proof,
             next_experiment,
             parameters: self.parameters(),
+            notes: self.notes(),
             made: self.made(),
         };
-        let pictures = pictures::gather(&self, spoiled);
+        let pictures = pictures::gather(&self);
         Ok(Diagnosis {
             answer,
             pictures,
@@ -87,8 +120,25 @@ impl Assembly<'_> {
         })
     }
 
+    /// The recordings as they were given, fitted and separate.
+    fn given(&self) -> Vec<&Recording> {
+        self.request.recordings.iter().chain(self.request.separate).collect()
+    }
+
+    /// Whether the faults leave the question open: nothing is left to compare, or what is left cannot tell
+    /// because they took much of it.
+    fn is_open(&self, physics: Verdict, proof: &[Proof]) -> bool {
+        let given = self.given();
+        let heavy = || self.spoiled.iter().any(|s| faults::is_heavy(&given, s));
+        let unproved = proof.iter().all(|p| !p.holdout_after.is_finite());
+        self.is_open || heavy() && (physics == Verdict::NotIdentifiable || unproved)
+    }
+
     /// Why the recording cannot tell, if so.
     fn blind(&self, after: &[Held]) -> Option<String> {
+        if !self.is_left {
+            return Some("no sample is left to compare".into());
+        }
         let (model, base) = (self.request.model, &self.found.base);
         let alone = || {
             let unseen = || locate::unseen(model, base);
@@ -101,21 +151,24 @@ impl Assembly<'_> {
             .or_else(alone)
     }
 
-    /// Flexible laws in what the first and the last model leave.
-    fn rests(&self) -> Result<(Rest, Rest)> {
-        let look = |fit: &Fit| -> Result<Rest> {
+    /// Flexible laws in what the first model leaves, where something was added to it, and the last; none where
+    /// nothing is left to compare, or the time was up before anything was found.
+    fn rests(&self) -> Result<(Option<Rest>, Rest)> {
+        if !self.is_left || self.found.taken.is_empty() && self.ended_early == Some(Early::Time) {
+            return Ok((None, Rest { laws: Vec::new(), p_value: 1.0 }));
+        }
+        let look = |fit: &Fit, when: &str| -> Result<Rest> {
             let view = View::of(&self.bench, fit)?;
             let scene = self.bench.scene(&fit.model, &view.stand)?;
-            Ok(rest::look(&self.bench, &scene, &view))
+            let rest = rest::look(&self.bench, &scene, &view);
+            rest.trace(when);
+            Ok(rest)
         };
-        let first = look(&self.found.base)?;
-        first.trace("before");
+        let first = look(&self.found.base, "before")?;
         if self.found.taken.is_empty() {
-            return Ok((Rest { laws: Vec::new(), p_value: first.p_value }, first));
+            return Ok((None, first));
         }
-        let last = look(&self.found.last)?;
-        last.trace("after");
-        Ok((first, last))
+        Ok((Some(first), look(&self.found.last, "after")?))
     }
 
     fn findings(&self, before: &[Held], after: &[Held]) -> Vec<Finding> {
@@ -159,7 +212,7 @@ impl Assembly<'_> {
         };
         Finding {
             code: p.code.to_string(),
-            site: site(p),
+            site: site_name(&p.site),
             term: p.term.clone(),
             says: words::sentence(p, fit),
             parameters: p.added.iter().map(|a| value(&a.name, &a.unit)).collect(),
@@ -221,47 +274,13 @@ impl Assembly<'_> {
             }
             visible.push(Visible {
                 code: p.code.to_string(),
-                site: site(p),
+                site: site_name(&p.site),
                 parameter: a.name.clone(),
                 value: a.unit.difference_from_si(SEEN * deviation),
                 unit: a.unit.text().to_string(),
             });
         }
         Detection { p_value: self.found.first.p_value.min(found), smallest_visible: visible }
-    }
-
-    fn located(&self, verdict: Verdict, before: &Rest) -> Located {
-        let mut sites: Vec<SiteName> = Vec::new();
-        for t in self.found.taken.iter().take(if verdict == Verdict::NothingMissing { 0 } else { usize::MAX })
-        {
-            for p in std::iter::once(&t.proposal).chain(&t.ties).chain(&t.elsewhere) {
-                if !sites.contains(&site(p)) {
-                    sites.push(site(p));
-                }
-            }
-        }
-        for f in &self.faults {
-            if !sites.contains(&f.site) {
-                sites.push(f.site.clone());
-            }
-        }
-        let mut signals: Vec<SignalChance> = Vec::new();
-        for law in before.laws.iter().filter(|l| l.signals.len() == 1) {
-            let p = (before.laws.len() as f64 * (-law.score.statistic).exp()).min(1.0);
-            if p < 0.05 && !signals.iter().any(|s| s.name == law.signals[0]) && signals.len() < 6 {
-                signals.push(SignalChance { name: law.signals[0].clone(), p_value: p });
-            }
-        }
-        let nothing = verdict == Verdict::NothingMissing;
-        let separating =
-            self.found.taken.first().and_then(|t| next::separation(self.request.model, &t.proposal, &t.ties));
-        Located {
-            sites,
-            time: if nothing { Vec::new() } else { locate::times(&self.found.base, &self.found.last) },
-            bands: if nothing { Vec::new() } else { locate::bands(&self.found.base, &self.found.last) },
-            signals,
-            separating_measurement: separating,
-        }
     }
 
     fn parameters(&self) -> Vec<ParameterChange> {
@@ -284,90 +303,36 @@ impl Assembly<'_> {
             .collect()
     }
 
+    /// What a reader should know: what was not compared, what ended at a bound, what was left unfinished.
+    fn notes(&self) -> Vec<String> {
+        let fits = [&self.found.base, &self.found.last];
+        let warnings = fits.into_iter().flat_map(|f| f.warnings.iter().map(|w| w.says.clone()));
+        let mut all: Vec<String> = self.ended_early.map(unfinished).into_iter().collect();
+        for note in self.notes.iter().cloned().chain(warnings) {
+            if !all.contains(&note) {
+                all.push(note);
+            }
+        }
+        all
+    }
+
     fn made(&self) -> Made {
         let recordings = self.request.recordings.iter().chain(self.request.separate);
         let files = self.request.source.into_iter().chain(recordings.flat_map(|r| &r.sources));
         Made {
             program: concat!("gyrospec ", env!("CARGO_PKG_VERSION")).to_string(),
             seed: self.request.seed,
+            ended_early: self.ended_early,
             inputs: files
                 .map(|s| InputFile { file: s.file.display().to_string(), sha256: s.sha256.clone() })
                 .collect(),
         }
     }
-
-    fn says(
-        &self,
-        verdict: Verdict,
-        findings: &[Finding],
-        proof: &[Proof],
-        blind: Option<&str>,
-        rest: Option<&Rest>,
-    ) -> String {
-        let (faults, others) = told(findings);
-        let joined = |all: &[&Finding]| all.iter().map(|f| f.says.as_str()).collect::<Vec<_>>().join("; ");
-        let list = joined(&others);
-        let gains: Vec<String> = proof
-            .iter()
-            .filter(|p| p.holdout_before.is_finite())
-            .map(|p| {
-                format!(
-                    "On what was held out the error of “{}” is {} before and {} after.",
-                    p.output,
-                    words::quantity(p.holdout_before, &p.unit),
-                    words::quantity(p.holdout_after, &p.unit)
-                )
-            })
-            .collect();
-        let named = |s: &String| words::signal(self.request.model, s);
-        let signals = |l: &rest::Law| l.signals.iter().map(named).collect::<Vec<_>>().join(" and ");
-        let law = rest.and_then(|r| r.laws.first()).map(signals).unwrap_or_default();
-        let opening = match verdict {
-            Verdict::NothingMissing => {
-                return "Nothing is missing: what the model leaves over looks like noise in every test."
-                    .into();
-            }
-            Verdict::Named => format!("The model leaves out: {list}."),
-            Verdict::Tie => {
-                let ties = findings.first().map(|f| f.ties.join(", ")).unwrap_or_default();
-                let of = if others.len() > 1 { "In place of the first, " } else { "" };
-                format!("The model leaves out: {list}. {of}{ties} would fit as well.")
-            }
-            Verdict::Unknown if list.is_empty() && law.is_empty() => {
-                let nearest = self.found.first.screened.first().map_or_else(String::new, |s| {
-                    format!(" Nearest in shape: {} at {}.", s.proposal.code, s.proposal.site.name)
-                });
-                format!(
-                    "Something is missing, but nothing in the catalogue lowers the error by 2 %, too little for a name.{nearest}"
-                )
-            }
-            Verdict::Unknown if list.is_empty() => {
-                format!("Something is missing that the catalogue has no name for; it goes with {law}.")
-            }
-            Verdict::Unknown if law.is_empty() => format!(
-                "Something is missing, but no name for it stands on what was held out. It resembles: {list}."
-            ),
-            Verdict::Unknown => format!(
-                "Something is missing that the catalogue has no name for; it goes with {law}. It resembles: {list}."
-            ),
-            Verdict::DataFault if list.is_empty() => format!("The data are at fault: {}.", joined(&faults)),
-            Verdict::DataFault => format!(
-                "The data are at fault: {}. Beside that the model leaves out: {list}.",
-                joined(&faults)
-            ),
-            Verdict::NotIdentifiable => {
-                return format!(
-                    "This recording cannot tell what is missing: {}.",
-                    blind.unwrap_or("it moves too little")
-                );
-            }
-        };
-        if self.found.taken.is_empty() { opening } else { format!("{opening} {}", gains.join(" ")) }
-    }
 }
 
-fn site(p: &Proposal) -> SiteName {
-    SiteName { kind: p.site.kind.word().to_string(), name: p.site.name.clone() }
+/// That the search was not through, and why.
+fn unfinished(early: Early) -> String {
+    format!("the search ended early, with the best so far: {}", early.words())
 }
 
 fn unexplained(rest: &Rest) -> Option<Unexplained> {

@@ -2,13 +2,14 @@
 
 use super::catalogue::Scene;
 use super::watch::{LOOKS, Looks, Watched, spread};
-use crate::estimate::fit::Effort;
 use crate::estimate::fit::rig::{Record, Unknown};
 use crate::estimate::fit::setup;
+use crate::estimate::fit::{Effort, ascertain};
 use crate::estimate::noise::robust_deviation;
 use crate::estimate::{Fit, FitOptions, Stopping, fit};
 use crate::model::Model;
 use crate::record::{Channel, Kind, Recording, Span};
+use crate::simulate::Budget;
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 
@@ -29,6 +30,11 @@ pub struct Bench {
     pub own_inputs: usize,
     /// The simulator's tolerance, as a share of an output's spread.
     pub tolerance: f64,
+    /// Whether each model decides how long it waits after a gap of an input; once the samples that are
+    /// compared are settled, none does.
+    pub waits: bool,
+    /// What all fits and runs may spend.
+    pub budget: Budget,
 }
 
 /// One series of a run: an output on a recording.
@@ -99,6 +105,23 @@ const ROUGH: f64 = 0.01;
 /// Bounds of the simulator's tolerance, as a share of an output's spread.
 const TOLERANCES: (f64, f64) = (1e-6, 1e-3);
 
+/// Steps of the solver that a diagnosis may spend for each sample, some ten times what one takes whose model
+/// is not stiff; and the fewest steps that any may spend.
+const BUDGET: (u64, u64) = (100_000, 50_000_000);
+/// One fit may spend one part in so many of them, that of the model as given one in fewer.
+const FITS: u64 = 10;
+const FIRST_FIT: u64 = 4;
+
+/// The steps that a diagnosis of some recordings may spend.
+fn steps(model: &Model, recordings: &[Recording]) -> u64 {
+    let own = |c: &&Channel| {
+        model.inputs.iter().any(|i| i.name == c.name) || model.outputs.iter().any(|o| o.name == c.name)
+    };
+    let longest = |r: &Recording| r.channels.iter().filter(own).map(Channel::len).max().unwrap_or(0) as u64;
+    let samples: u64 = recordings.iter().map(longest).sum();
+    BUDGET.0.saturating_mul(samples).max(BUDGET.1)
+}
+
 /// The tolerance, a share of an output's spread, that keeps the simulator's error far below the noise.
 fn tolerance(model: &Model, recordings: &[Recording]) -> f64 {
     let outputs = recordings.iter().flat_map(|r| model.outputs.iter().filter_map(|o| r.find(&o.name)));
@@ -117,12 +140,14 @@ impl Bench {
     /// A bench for a model, to the tolerance that its recordings' noise asks for.
     pub fn new(model: &Model, recordings: Vec<Recording>, separate: bool, seed: u64) -> Self {
         Self {
+            budget: Budget::new(steps(model, &recordings), None),
             tolerance: tolerance(model, &recordings),
             recordings,
             separate,
             seed,
             own_parameters: model.parameters.len(),
             own_inputs: model.inputs.len(),
+            waits: true,
         }
     }
 
@@ -134,6 +159,13 @@ impl Bench {
         spread(&values)
     }
 
+    /// Whether a channel takes more than one value.
+    pub fn moves(&self, name: &str) -> bool {
+        let channels = self.recordings.iter().filter_map(|r| r.find(name));
+        let mut values = channels.flat_map(|c| c.samples().map(|(_, v)| v));
+        values.next().is_some_and(|first| values.any(|v| v != first))
+    }
+
     /// Options of a fit on this bench.
     pub fn options(&self, effort: Effort, iterations: usize) -> FitOptions<'static> {
         FitOptions {
@@ -141,6 +173,8 @@ impl Bench {
             seed: self.seed,
             separate_holdout: self.separate,
             tolerance: self.tolerance,
+            waits: self.waits,
+            budget: self.budget.part(FITS),
             drawn_starts: if iterations < 60 { 0 } else { 4 },
             stopping: Stopping { iterations, reduction: 1e-6, step: 1e-6 },
             ..FitOptions::default()
@@ -192,14 +226,28 @@ impl Bench {
         let short: Vec<Vec<Span>> =
             (0..self.recordings.len()).map(|k| self.screened_spans(model, k)).collect();
         if self.is_trials() || spans == short {
-            return fit(model, &self.recordings, &self.options(Effort::Full, 60));
+            return fit(model, &self.recordings, &self.first_options());
         }
         let cut = |(r, spans): (&Recording, &Vec<Span>)| r.clone().with_spans(spans.clone(), Vec::new());
         let recordings: Vec<Recording> = self.recordings.iter().zip(&short).map(cut).collect();
-        let first = fit(model, &recordings, &self.options(Effort::Full, 60))?;
-        let mut options = self.options(Effort::Near, 30);
-        options.initials = first.starts();
-        fit(&first.model, &self.recordings, &options)
+        let first = fit(model, &recordings, &self.first_options())?;
+        super::compared::anew(self, &first)
+    }
+
+    /// Options of the fit of the model as given.
+    fn first_options(&self) -> FitOptions<'static> {
+        FitOptions { budget: self.budget.part(FIRST_FIT), ..self.options(Effort::Full, 60) }
+    }
+
+    /// Finds the intervals of parameters that trade, and what is determined of them, where some do.
+    ///
+    /// # Errors
+    /// Where the fitted model cannot be run.
+    pub fn ascertain(&self, fit: &mut Fit) -> Result<()> {
+        if fit.unseen.is_empty() {
+            return Ok(());
+        }
+        ascertain(fit, &self.recordings, &self.options(Effort::Near, 30))
     }
 
     /// How many proposals are worth a fit in one round: fewer where one simulation is long.

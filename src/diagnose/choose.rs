@@ -108,6 +108,8 @@ pub struct Choice {
     pub elsewhere: Vec<Proposal>,
     /// Number of the first of the others.
     pub rival: Option<usize>,
+    /// Numbers of all that fit as well.
+    pub near: Vec<usize>,
 }
 
 /// Takes the likeliest of those whose gain is near the largest; with its ties.
@@ -154,7 +156,8 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let mut ties: Vec<Proposal> = Vec::new();
     let mut elsewhere: Vec<Proposal> = Vec::new();
     let mut rival = None;
-    for i in rivals.into_iter().filter(|i| *i != best && alike(*i, likeliest)) {
+    let near: Vec<usize> = rivals.into_iter().filter(|i| *i != best && alike(*i, likeliest)).collect();
+    for i in near.iter().copied() {
         let p = &round.fitted[i].proposal;
         if p.code == chosen.code {
             elsewhere.push(p.clone());
@@ -163,5 +166,5 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
             rival = rival.or(Some(i));
         }
     }
-    Some(Choice { best, ties, elsewhere, rival })
+    Some(Choice { best, ties, elsewhere, rival, near })
 }

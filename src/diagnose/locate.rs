@@ -1,15 +1,18 @@
 //! Where the mismatch sits: in time, in frequency, and with which signals it goes.
 
-use super::answer::{Band, Stretch};
+use super::answer::{Band, Spell};
 use super::bench::Bench;
 use super::prove::Held;
 use crate::estimate::Fit;
+use crate::estimate::fit::{Combination, RecordFit, Series};
 use crate::model::Model;
-use crate::record::Recording;
+use crate::record::{Recording, Span};
 use realfft::RealFftPlanner;
 
 /// Windows of time that are compared.
 const WINDOWS: usize = 24;
+/// Times the usual square of a window from which on its mismatch is large.
+const LARGE: f64 = 4.0;
 /// Bands of frequency.
 const BANDS: usize = 8;
 
@@ -58,50 +61,79 @@ pub fn spectrum(values: &[f64]) -> Vec<f64> {
     out.iter().take(size / 2).map(num_complex::Complex::norm_sqr).collect()
 }
 
-/// Windows of the fitted part in which the mismatch is large against the rest.
-pub fn times(before: &Fit, after: &Fit) -> Vec<Stretch> {
-    let mut found = Vec::new();
-    let pairs =
-        before.records.iter().flat_map(|r| &r.series).zip(after.records.iter().flat_map(|r| &r.series));
-    for (b, a) in pairs {
-        let n = b.residual.len().min(a.residual.len());
-        let size = n.div_ceil(WINDOWS).max(1);
-        let removed: Vec<f64> = (0..n)
-            .step_by(size)
-            .map(|i| {
-                let square = |e: &[f64]| e[i..(i + size).min(n)].iter().map(|e| e * e).sum::<f64>();
-                square(&b.residual)
-            })
-            .collect();
-        let mut sorted = removed.clone();
-        sorted.sort_unstable_by(f64::total_cmp);
-        let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
-        for (k, r) in removed.iter().enumerate() {
-            let (from, to) = (b.time[k * size], b.time[((k + 1) * size).min(n) - 1]);
-            if *r > 4.0 * usual {
-                match found.last_mut() {
-                    Some(Stretch { to: last, .. })
-                        if (*last - from).abs() <= 2.0 * (to - from) / size as f64 =>
-                    {
-                        *last = to;
-                    }
-                    _ => found.push(Stretch { from, to }),
-                }
-            }
-        }
-    }
-    found
+/// Windows of each fitted record in which the mismatch of an output is large against the rest, those of
+/// all outputs together.
+pub fn times(fit: &Fit) -> Vec<Spell> {
+    let several = fit.records.len() > 1;
+    let of = |r: &RecordFit| {
+        let recording = several.then(|| r.name.clone());
+        let spans = merged(r.series.iter().flat_map(large).collect());
+        spans.into_iter().map(move |s| Spell { from: s.from, to: s.to, recording: recording.clone() })
+    };
+    fit.records.iter().flat_map(of).collect()
 }
 
-/// Bands that hold most of what the findings, or else the model, leave in the residual.
-pub fn bands(before: &Fit, after: &Fit) -> Vec<Band> {
-    let _ = after;
-    let Some(series) = before.records.first().and_then(|r| r.series.first()) else { return Vec::new() };
+/// Windows in which the residual of a series is large, each up to where the next begins.
+fn large(series: &Series) -> Vec<Span> {
+    let n = series.residual.len();
+    let size = n.div_ceil(WINDOWS).max(1);
+    let squares: Vec<f64> = series.residual.chunks(size).map(|e| e.iter().map(|e| e * e).sum()).collect();
+    let mut sorted = squares.clone();
+    sorted.sort_unstable_by(f64::total_cmp);
+    let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    let window = |k: usize| {
+        let step = 2.0 * (series.time[(k * size + size).min(n) - 1] - series.time[k * size]) / size as f64;
+        let next = series.time.get((k + 1) * size).copied();
+        let last = series.time[((k + 1) * size).min(n) - 1];
+        // Over a gap nothing is known.
+        Span::new(series.time[k * size], next.filter(|t| t - last <= step).unwrap_or(last))
+    };
+    (0..squares.len()).filter(|k| squares[*k] > LARGE * usual).map(window).collect()
+}
+
+/// Spans in order, those that touch made one.
+pub fn merged(mut spans: Vec<Span>) -> Vec<Span> {
+    spans.sort_by(|a, b| a.from.total_cmp(&b.from));
+    let mut all: Vec<Span> = Vec::new();
+    for s in spans {
+        match all.last_mut() {
+            Some(last) if s.from <= last.to => last.to = last.to.max(s.to),
+            _ => all.push(s),
+        }
+    }
+    all
+}
+
+/// The output whose mismatch stands out most: by what the findings take away, or else by how much more
+/// than its innovations the model leaves.
+pub fn plainest(before: &Fit, after: &Fit) -> usize {
+    let fallen = before.rmse != after.rmse;
+    let of = |k: &usize| {
+        let left = if fallen {
+            after.rmse[*k]
+        } else {
+            before.noise[*k].autoregression.innovation_variance().sqrt()
+        };
+        before.rmse[*k] / left
+    };
+    let best = |a: usize, b: usize| if of(&b) > of(&a) { b } else { a };
+    (0..before.rmse.len()).reduce(best).unwrap_or(0)
+}
+
+/// Bands that hold most of the mismatch of an output: of what the findings take out of the residual of the
+/// first recording, or, where there are none, of all that the model leaves.
+pub fn bands(before: &Fit, after: &Fit, output: usize) -> Vec<Band> {
+    let series = |fit: &'_ Fit| fit.records.first()?.series.iter().find(|s| s.output == output).cloned();
+    let (Some(series), Some(later)) = (series(before), series(after)) else { return Vec::new() };
     let Some(longest) = series.stretches.iter().max_by_key(|r| r.len()).filter(|r| r.len() > 64) else {
         return Vec::new();
     };
     let step = (series.time[longest.end - 1] - series.time[longest.start]) / (longest.len() - 1) as f64;
-    let power = spectrum(&series.residual[longest.clone()]);
+    let mut power = spectrum(&series.residual[longest.clone()]);
+    if later.residual.len() == series.residual.len() && later.residual != series.residual {
+        let left = spectrum(&later.residual[longest.clone()]);
+        power.iter_mut().zip(left).for_each(|(p, l)| *p = (*p - l).max(0.0));
+    }
     let total: f64 = power.iter().sum();
     let unit = std::f64::consts::PI / (power.len() as f64 * step);
     let edge = |i: usize| ((power.len() as f64).powf(i as f64 / BANDS as f64)) as usize;
@@ -122,7 +154,9 @@ pub fn unseen(model: &Model, base: &Fit) -> Option<String> {
     let hidden =
         base.unseen.iter().find(|d| d.weights.iter().all(|w| is_parameter(&w.0)) && !d.deviation.is_finite());
     let names: Vec<&str> = hidden?.weights.iter().map(|w| w.0.as_str()).collect();
-    Some(format!("the recording does not show {} apart", names.join(" and ")))
+    let told: Vec<String> = base.determined.iter().map(Combination::words).collect();
+    let instead = if told.is_empty() { String::new() } else { format!(", only {}", told.join(" and ")) };
+    Some(format!("the recording does not show {} apart{instead}", names.join(" and ")))
 }
 
 /// Samples that are too few to tell anything, beside two for each fitted unknown.
@@ -160,6 +194,9 @@ const ASTRAY: f64 = 5.0;
 
 /// A fit that nothing was added to and that fails on what was held out.
 pub fn astray(base: &Fit, held: &[Held]) -> Option<String> {
+    if held.iter().any(|h| !h.is_finite()) {
+        return Some("the fitted model does not stay finite over what was held out".to_string());
+    }
     let fails = held.iter().zip(&base.rmse).any(|(h, r)| h.rmse() > ASTRAY * r);
     fails.then(|| {
         "the fitted part is explained, but what was held out is not: it is too short, or something acts that it does not show".to_string()

@@ -10,11 +10,15 @@ pub mod bench;
 pub mod catalogue;
 mod choose;
 mod company;
+mod compared;
 mod faults;
+mod forgotten;
 pub mod laboratory;
 mod locate;
+mod located;
 mod measure;
 mod next;
+mod paragraph;
 pub mod pictures;
 mod propose;
 pub mod prove;
@@ -29,12 +33,18 @@ mod words;
 
 use crate::Result;
 use crate::estimate::Fit;
-use crate::estimate::fit::Progress;
+use crate::estimate::fit::{Progress, setup};
 use crate::model::Model;
 use crate::record::{Recording, Source};
-use answer::Answer;
+use crate::simulate::{Budget, Early};
+use answer::{Answer, DataFault};
+use assemble::Assembly;
 use bench::Bench;
+use compared::Cut;
+use faults::{Cleaned, Left, Spoiled};
 use prove::Held;
+use search::Found;
+use std::time::Duration;
 
 /// What is to be diagnosed.
 pub struct Request<'a> {
@@ -48,6 +58,8 @@ pub struct Request<'a> {
     pub separate: &'a [Recording],
     /// Seed of everything random.
     pub seed: u64,
+    /// Wall time after which the search ends with the best so far; the proof is made all the same.
+    pub time_limit: Option<Duration>,
     /// Who hears the progress.
     pub progress: &'a dyn Progress,
 }
@@ -71,31 +83,90 @@ pub struct Diagnosis {
 /// Diagnoses a model against recordings.
 ///
 /// # Errors
-/// Where a channel is missing, or the model cannot be simulated or fitted at all.
+/// Where a channel is missing, recordings hold the same data, or the model cannot be simulated or fitted at all.
 pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
-    let model = request.model;
+    setup::keep_apart(request.model, request.recordings, request.separate)?;
     request.progress.says("looking for faults in the data", None);
-    let cleaned = faults::clean(model, request.recordings);
-    let separate = faults::clean(model, request.separate);
-    let mut bench = Bench::new(model, cleaned.recordings, !request.separate.is_empty(), request.seed);
-    request.progress.says("fitting the model as it stands", None);
-    let mut base = bench.full_fit(model)?;
-    let mut found_faults: Vec<answer::Finding> = cleaned
-        .faults
-        .iter()
-        .chain(&separate.faults)
-        .chain(&faults::coarse(model, &bench.recordings, &base))
-        .map(|f| faults::finding(model, request.recordings, f))
-        .collect();
-    let spoiled = [cleaned.faults, separate.faults].concat();
-    if let Some(misread) = faults::misread(&bench, model, &base) {
-        found_faults.push(misread.finding);
-        bench.recordings = misread.recordings;
-        base = misread.fit;
+    let Cleaned { spoiled, told, recordings, separate } = faults::clean(request);
+    let (left, recordings, separate) = Left::of(request, recordings, separate);
+    let asked = Request { model: &left.model, ..*request };
+    let Cut { fitted, separate, notes } =
+        compared::cut(asked.model, &recordings, (&separate, !request.separate.is_empty()));
+    let mut bench = Bench::new(asked.model, fitted, !request.separate.is_empty(), request.seed);
+    bench.budget = Budget::new(bench.budget.most(), request.time_limit);
+    let case = Case { request: &asked, bench, separate, told, spoiled, notes };
+    let mut diagnosis = case.diagnosed(left.is_any)?;
+    left.restore(request.model, &mut diagnosis);
+    Ok(diagnosis)
+}
+
+/// What is compared, once faults are masked.
+struct Case<'a> {
+    request: &'a Request<'a>,
+    bench: Bench,
+    separate: Vec<Recording>,
+    told: Vec<DataFault>,
+    spoiled: Vec<Spoiled>,
+    /// What a reader should know.
+    notes: Vec<String>,
+}
+
+impl Case<'_> {
+    /// The diagnosis; where nothing is left to compare, no law is looked for.
+    fn diagnosed(mut self, is_left: bool) -> Result<Diagnosis> {
+        let (model, progress) = (self.request.model, self.request.progress);
+        progress.says("fitting the model as it stands", None);
+        let base = self.bench.full_fit(model)?;
+        let (mut found, is_cut) = if is_left {
+            self.searched(base)?
+        } else {
+            (Found::nothing(base, self.bench.is_trials()), false)
+        };
+        let mut open = is_cut || !is_left || self.separate.is_empty() && !self.request.separate.is_empty();
+        if is_left {
+            let best: Vec<f64> =
+                found.base.rmse.iter().zip(&found.last.rmse).map(|(b, l)| b.min(*l)).collect();
+            self.told.extend(faults::coarse(model, &self.bench.recordings, &best));
+            open |=
+                faults::coarse(model, &self.bench.recordings, &found.base.rmse).len() == model.outputs.len();
+        }
+        progress.says("running what was held out", None);
+        let ended_early = self.bench.budget.cut();
+        self.bench.budget.lift_time();
+        if ended_early != Some(Early::Time) {
+            for fit in [&mut found.base, &mut found.last] {
+                self.bench.ascertain(fit)?;
+            }
+        }
+        let Self { request, bench, separate, told, spoiled, notes } = self;
+        Assembly {
+            request,
+            bench,
+            separate,
+            found,
+            faults: told,
+            spoiled,
+            is_left,
+            is_open: open,
+            notes,
+            ended_early,
+        }
+        .finish()
     }
-    let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
-    let found = search::search(&bench, base, &given, request.progress)?;
-    request.progress.says("running what was held out", None);
-    assemble::Assembly { request, bench, separate: separate.recordings, found, faults: found_faults }
-        .finish(&spoiled)
+
+    /// The search, in channels of the right sign and unit; with whether gaps of inputs leave too little to tell.
+    fn searched(&mut self, mut base: Fit) -> Result<(Found, bool)> {
+        let model = self.request.model;
+        if let Some(misread) = faults::misread(&self.bench, model, &base) {
+            misread.mend(&mut self.bench.recordings);
+            misread.mend(&mut self.separate);
+            self.told.push(misread.fault);
+            base = misread.fit;
+        }
+        let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;
+        self.notes.extend(settled);
+        let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+        let found = search::search(&self.bench, &self.separate, base, &given, self.request.progress)?;
+        Ok((found, is_cut))
+    }
 }

@@ -14,6 +14,10 @@ const SEEN: f64 = 0.5;
 /// The same below which two predictions are one.
 const SAME: f64 = 1e-3;
 
+/// What to do where the search was not through.
+pub const PATIENCE: &str =
+    "Start the parameters nearer to the instrument's and bound them, or give the search more time.";
+
 /// What the next experiment should be, for a verdict.
 pub fn experiment(
     model: &Model,

@@ -17,14 +17,15 @@
 use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
 use super::choose::CHANCE;
+use super::compared::same_tracks;
 use super::measure::Scale;
 use super::response::Response;
 use super::screen::{Score, Screen, log_chance};
 use super::search::Taken;
 
-use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::noise::{Autoregression, NoiseModel};
+use crate::{Error, Result};
 use rayon::prelude::*;
 
 /// Samples to which the free run is shortened for its own screening.
@@ -108,7 +109,7 @@ impl View {
                 n.autoregression = n.autoregression.truncated(0);
             }
         }
-        let own = own_tracks(fit, &plain);
+        let own = own_tracks(fit, &plain)?;
         let samples: usize = own.iter().map(|t| t.residual.len()).sum();
         let plain_noise: Vec<NoiseModel> = fit
             .rmse
@@ -130,25 +131,31 @@ impl View {
         swift.or_else(|| {
             let records = bench.ready(&proposal.at_rest(), self.tolerance).ok()?;
             let stand = self.stand.extended(&proposal.model, &proposal.quiet(start));
-            bench::run(&records, &stand, &proposal.amplitude_numbers()).ok()
+            let tracks = bench::run(&records, &stand, &proposal.amplitude_numbers()).ok()?;
+            same_tracks(&tracks, &self.tracks).then_some(tracks)
         })
     }
 }
 
-/// The fit's residuals and sensitivities, cut to the screened parts.
-fn own_tracks(fit: &Fit, plain: &[Track]) -> Vec<Track> {
+/// The fit's residuals and sensitivities, cut to the screened parts, with which it begins.
+fn own_tracks(fit: &Fit, plain: &[Track]) -> Result<Vec<Track>> {
     let series = fit.records.iter().flat_map(|r| &r.series);
     series
         .zip(plain)
         .map(|(s, t)| {
             let n = t.residual.len();
-            Track {
+            if s.time.get(..n) != Some(&t.time[..]) {
+                return Err(Error::not_computed(
+                    "the model was not screened on the samples that it was fitted to",
+                ));
+            }
+            Ok(Track {
                 output: s.output,
                 stretches: t.stretches.clone(),
-                time: s.time[..n].to_vec(),
+                time: t.time.clone(),
                 residual: s.residual[..n].to_vec(),
                 sensitivities: s.sensitivities.iter().map(|c| c[..n].to_vec()).collect(),
-            }
+            })
         })
         .collect()
 }
@@ -172,6 +179,11 @@ pub fn screen(bench: &Bench, scene: &Scene, view: &View, taken: &[Taken]) -> Scr
 }
 
 impl Screening {
+    /// One of nothing.
+    pub fn nothing() -> Self {
+        Self { screened: Vec::new(), free: Vec::new(), p_value: 1.0 }
+    }
+
     /// Whether one of the best proposals alone would leave nothing that another one sees, to first order,
     /// and nothing that follows from sample to sample, as in trials in a row: chances are too small then.
     pub fn ends_with_one(&self, view: &View) -> bool {
@@ -220,7 +232,8 @@ fn score_moves(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened>
     let Ok(records) = bench.ready(&proposal.model, view.tolerance) else { return Vec::new() };
     let one = |start: &Vec<f64>| {
         let stand = view.stand.extended(&proposal.model, start);
-        let moved = difference(&view.tracks, &bench::run(&records, &stand, &[]).ok()?);
+        let tracks = bench::run(&records, &stand, &[]).ok()?;
+        let moved = same_tracks(&tracks, &view.tracks).then(|| difference(&view.tracks, &tracks))?;
         scored(view, proposal, start, &|space| vec![space.whitened(&moved, |t| &t.residual)])
     };
     proposal.starts.iter().filter_map(one).collect()

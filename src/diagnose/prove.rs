@@ -12,15 +12,19 @@
 //! H. R. Künsch, Annals of Statistics 17 (1989) 1217.
 
 use super::bench::{self, Bench, Stand};
+use super::search::Found;
 use crate::Result;
 use crate::estimate::fit::{Effort, Series, holdout};
 use crate::estimate::noise::NoiseModel;
 use crate::estimate::{Fit, fit, improvement};
-use crate::model::Model;
+use crate::model::{Model, Output};
 use crate::record::Recording;
 
 /// Levels of one input that are left out at most.
 const LEVELS: usize = 12;
+
+/// Spreads of an output from which on a run that lies so far off has blown up.
+const BLOWN_UP: f64 = 100.0;
 
 /// Residuals of one output over the held-out part, stretch by stretch.
 #[derive(Debug, Clone, Default)]
@@ -48,11 +52,60 @@ impl Held {
         self.residual.iter().map(Vec::as_slice).collect()
     }
 
-    /// Fall of the root mean square from these residuals to others, with its interval (low, high).
+    /// Whether the model ran through to the end.
+    pub fn is_finite(&self) -> bool {
+        self.residual.iter().flatten().all(|e| e.is_finite())
+    }
+
+    /// The same of a model that did not run through.
+    fn blown_up(&self) -> Self {
+        let lost = |r: &Vec<f64>| vec![f64::NAN; r.len()];
+        Self { residual: self.residual.iter().map(lost).collect(), time: self.time.clone() }
+    }
+
+    /// Fall of the root mean square from these residuals to others, with its interval (low, high); NaN where
+    /// one of the models did not run through.
     pub fn fall(&self, after: &Self, seed: u64) -> (f64, f64) {
+        if !(self.is_finite() && after.is_finite()) {
+            return (f64::NAN, f64::NAN);
+        }
         let i = improvement(&self.views(), &after.views(), seed);
         (i.low, i.high)
     }
+}
+
+/// Runs the model as given and the last one over what was held out, each with no number where it cannot be.
+pub fn both(bench: &Bench, found: &Found, separate: &[Recording]) -> (Vec<Held>, Vec<Held>) {
+    let of = |fit: &Fit| held_out(bench, fit, separate).ok();
+    let before = of(&found.base);
+    let after = if found.taken.is_empty() { before.clone() } else { of(&found.last) };
+    let blown_up = |other: &[Held]| other.iter().map(Held::blown_up).collect();
+    match (before, after) {
+        (Some(before), Some(after)) => (before, after),
+        (Some(before), None) => (before.clone(), blown_up(&before)),
+        (None, Some(after)) => (blown_up(&after), after),
+        (None, None) => {
+            let none = Held { residual: vec![vec![f64::NAN]], time: vec![vec![f64::NAN]] };
+            let none = vec![none; found.base.model.outputs.len()];
+            (none.clone(), none)
+        }
+    }
+}
+
+/// Whether a fitted model runs through what is held out without leaving the outputs' neighbourhood; of
+/// levels left out in turn it was fitted to all.
+pub fn runs(bench: &Bench, fitted: &Fit, separate: &[Recording]) -> bool {
+    let stays = |(h, o): (&Held, &Output)| {
+        let far = BLOWN_UP * bench.spread(&o.name);
+        h.is_finite() && !(far > 0.0 && h.residual.iter().flatten().any(|e| e.abs() > far))
+    };
+    let all_stay = |held: Vec<Held>| held.iter().zip(&fitted.model.outputs).all(stays);
+    leaves_levels_out(bench, separate) || held_out(bench, fitted, separate).is_ok_and(all_stay)
+}
+
+/// Whether levels of trials are left out in turn, for want of anything that is held out.
+fn leaves_levels_out(bench: &Bench, separate: &[Recording]) -> bool {
+    bench.is_trials() && separate.is_empty() && bench.recordings.iter().all(|r| !r.spans.given)
 }
 
 /// Runs a fitted model over what was held out: one entry an output of the model.
@@ -60,9 +113,7 @@ impl Held {
 /// # Errors
 /// Where the model cannot be run there.
 pub fn held_out(bench: &Bench, fitted: &Fit, separate: &[Recording]) -> Result<Vec<Held>> {
-    let by_levels =
-        bench.is_trials() && separate.is_empty() && bench.recordings.iter().all(|r| !r.spans.given);
-    if by_levels {
+    if leaves_levels_out(bench, separate) {
         return left_levels(bench, fitted);
     }
     let options = bench.options(Effort::Near, 40);
@@ -110,14 +161,15 @@ fn left_levels(bench: &Bench, fitted: &Fit) -> Result<Vec<Held>> {
             for c in rest[k].channels.iter_mut().filter(|c| model.outputs.iter().any(|o| o.name == c.name)) {
                 c.values.iter_mut().zip(&fold).filter(|(_, out)| **out).for_each(|(v, _)| *v = f64::NAN);
             }
-            let Ok(f) = fit(model, &rest, &bench.options(Effort::Near, 10)) else { continue };
-            let tracks = bench::run(&whole, &Stand::of(&f), &[])?;
-            for t in &tracks {
-                let rows = t.time.iter().zip(&t.residual);
-                let out = rows.filter(|(row, _)| fold.get(**row as usize).copied().unwrap_or(false));
-                let (time, residual): (Vec<f64>, Vec<f64>) = out.map(|(t, e)| (*t, *e)).unzip();
-                all[t.output].residual.push(residual);
-                all[t.output].time.push(time);
+            let fitted = fit(model, &rest, &bench.options(Effort::Near, 10));
+            let own = &whole[k..=k];
+            let tracks = fitted.and_then(|f| bench::run(own, &Stand::of(&f), &[])).ok();
+            for (i, t) in own[0].tracks.iter().enumerate() {
+                let left = |row: usize| tracks.as_ref().map_or(f64::NAN, |t| t[i].residual[row]);
+                let is_out = |row: &usize| fold.get(t.time[*row] as usize).copied().unwrap_or(false);
+                let rows: Vec<usize> = (0..t.time.len()).filter(is_out).collect();
+                all[t.output].residual.push(rows.iter().map(|r| left(*r)).collect());
+                all[t.output].time.push(rows.iter().map(|r| t.time[*r]).collect());
             }
         }
     }

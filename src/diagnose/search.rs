@@ -17,13 +17,16 @@
 use super::bench::Bench;
 use super::catalogue::Proposal;
 use super::choose::{self, Choice, FLOOR, choose, floor, gain, mends};
+use super::compared::{patiently, same_samples};
 use super::measure::{Measure, Scale};
 use super::propose::{Screening, View, screen, worth_fitting};
-use super::race;
 use super::screen::log_chance;
+use super::{prove, race};
 use crate::Result;
 use crate::estimate::fit::{Effort, Progress};
 use crate::estimate::{Fit, fit};
+use crate::record::Recording;
+use crate::simulate::Early;
 use rayon::prelude::*;
 
 /// Mechanisms that are added at most.
@@ -90,6 +93,14 @@ pub struct Found {
 }
 
 impl Found {
+    /// A model that nothing was looked for in.
+    pub fn nothing(base: Fit, trials: bool) -> Self {
+        let scale = Scale::of(&base, trials);
+        let measure = Measure::of(&base, &scale);
+        let (first, rest, measures) = (Screening::nothing(), Screening::nothing(), (measure, measure));
+        Self { last: base.clone(), base, taken: Vec::new(), first, rest, scale, measures }
+    }
+
     /// ln of the fall of the left-out sum of squares from the given model to the last.
     pub fn gain(&self) -> f64 {
         gain(&self.measures.0, &self.measures.1)
@@ -118,25 +129,28 @@ struct State<'a> {
     is_last: bool,
 }
 
-fn round(bench: &Bench, current: &Fit, state: &State<'_>, given: &[f64]) -> Result<Round> {
-    let view = View::of(bench, current)?;
+fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[f64]) -> Result<Round> {
+    if bench.budget.cut() == Some(Early::Time) {
+        return Ok(Round { screening: Screening::nothing(), fitted: Vec::new() });
+    }
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
     let State { now, scale, gains, taken, is_last } = state;
-    let screening = screen(bench, &scene, &view, taken);
+    let screening = screen(bench, &scene, view, taken);
     let tried = screening.screened.len().max(1) as f64;
     let most = if *is_last { 0 } else { bench.patience(&current.model) };
     // A last small one may follow a large one where it would leave nothing else; where the noise's own
     // colour hides what is left, one of some size.
     let least = match screening.p_value < choose::CHANCE {
-        true if screening.ends_with_one(&view) => floor(0.0),
+        true if screening.ends_with_one(view) => floor(0.0),
         true => floor(*gains),
         false => floor(*gains).min(choose::MUCH),
     };
     let chosen = worth_fitting(&screening, most, least);
-    let finished = race::run(bench, &view, given, &chosen, (scale.squares(current), scale));
+    let finished = race::run(bench, view, given, &chosen, (scale.squares(current), scale));
     let mut fitted: Vec<Refitted> = finished
         .into_par_iter()
+        .filter(|(_, fit)| same_samples(current, fit))
         .map(|(s, fit)| {
             let measure = Measure::of(&fit, scale);
             let ratio = 2.0 * (measure.likelihood - now.likelihood);
@@ -154,21 +168,31 @@ fn round(bench: &Bench, current: &Fit, state: &State<'_>, given: &[f64]) -> Resu
 ///
 /// # Errors
 /// Where the fitted model itself cannot be run.
-pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) -> Result<Found> {
+pub fn search(
+    bench: &Bench,
+    separate: &[Recording],
+    base: Fit,
+    given: &[f64],
+    progress: &dyn Progress,
+) -> Result<Found> {
     let start = Measure::of(&base, &Scale::of(&base, bench.is_trials()));
     let mut current = base.clone();
     let mut taken: Vec<Taken> = Vec::new();
     let mut gains = 0.0;
     let mut first: Option<Screening> = None;
     let mut given = given.to_vec();
+    let mut view = patiently(bench, || View::of(bench, &base))?;
     loop {
         progress.says(&format!("trying the catalogue, {} found", taken.len()), None);
         let scale = Scale::of(&current, bench.is_trials());
         let now = Measure::of(&current, &scale);
-        let state = State { now: &now, scale: &scale, gains, taken: &taken, is_last: taken.len() >= MOST };
-        let mut round = round(bench, &current, &state, &given)?;
-        trace(&round, &now);
-        let Some(Choice { best, ties, elsewhere, rival }) = choose(&round, &now) else {
+        let mut round = patiently(bench, || {
+            let is_last = taken.len() >= MOST || is_over(bench);
+            let state = State { now: &now, scale: &scale, gains, taken: &taken, is_last };
+            round(bench, &current, &view, &state, &given)
+        })?;
+        trace(bench, &round, &now);
+        let Some((choice, next)) = standing(bench, separate, &mut round, &now) else {
             let rest = round.screening;
             let (first, rest) = match first {
                 Some(f) => (f, rest),
@@ -180,19 +204,53 @@ pub fn search(bench: &Bench, base: Fit, given: &[f64], progress: &dyn Progress) 
             let scale = Scale::of(&base, bench.is_trials());
             let measures = (start, Measure::of(&current, &scale));
             let mut found = Found { base, last: current, taken, first, rest, scale, measures };
-            drop_needless(bench, &mut found);
+            drop_needless(bench, separate, &mut found);
             return Ok(found);
         };
+        let Choice { best, ties, elsewhere, rival, .. } = choice;
         let fits = |i: usize| (round.fitted[best].fit.clone(), round.fitted[i].fit.clone());
         let rivals = rival.map(|i| Box::new(fits(i)));
         let r = round.fitted.swap_remove(best);
         gains += gain(&now, &r.measure);
         let names = r.proposal.model.parameters.len();
         given.extend(r.fit.model.parameters[given.len()..names].iter().map(|p| p.value));
-        current = r.fit;
+        (current, view) = (r.fit, next);
         taken.push(Taken { proposal: r.proposal, p_value: r.p_value, ties, elsewhere, rivals });
         first.get_or_insert(round.screening);
     }
+}
+
+/// Whether the search must end with the best so far.
+fn is_over(bench: &Bench) -> bool {
+    bench.budget.over().is_some() || bench.budget.cut() == Some(Early::Time)
+}
+
+/// The best extension of a round, with what the next one sees of it. Those that cannot be run, there or over
+/// what is held out, fall out, and so do those that fit as well as it.
+fn standing(
+    bench: &Bench,
+    separate: &[Recording],
+    round: &mut Round,
+    now: &Measure,
+) -> Option<(Choice, View)> {
+    loop {
+        let choice = choose(round, now)?;
+        let runs = |i: &usize| prove::runs(bench, &round.fitted[*i].fit, separate);
+        let ahead = ahead(bench, separate, &round.fitted[choice.best].fit);
+        let fallen =
+            if ahead.is_none() { Some(choice.best) } else { choice.near.iter().copied().find(|i| !runs(i)) };
+        match (fallen, ahead) {
+            (Some(i), _) => drop(round.fitted.remove(i)),
+            (None, ahead) => return ahead.map(|view| (choice, view)),
+        }
+    }
+}
+
+/// What a next round would see of a fitted model; none where it cannot be run there, or over what is held out.
+fn ahead(bench: &Bench, separate: &[Recording], fit: &Fit) -> Option<View> {
+    let view = View::of(bench, fit).ok()?;
+    bench.scene(&fit.model, &view.stand).ok()?;
+    prove::runs(bench, fit, separate).then_some(view)
 }
 
 /// The model of a fit with one taken mechanism at rest, refitted; `None` where it has no rest.
@@ -210,11 +268,11 @@ pub fn without(bench: &Bench, last: &Fit, p: &Proposal) -> Option<Fit> {
 }
 
 /// Drops what the others made needless.
-fn drop_needless(bench: &Bench, found: &mut Found) {
+fn drop_needless(bench: &Bench, separate: &[Recording], found: &mut Found) {
     let scale = Scale::of(&found.last, bench.is_trials());
     let mut last = Measure::of(&found.last, &scale);
     let mut i = 0;
-    while found.taken.len() > 1 && i + 1 < found.taken.len() {
+    while i + 1 < found.taken.len() && !is_over(bench) {
         let p = &found.taken[i].proposal;
         let smaller = without(bench, &found.last, p).map(|f| (Measure::of(&f, &scale), f));
         let needless = smaller.as_ref().is_some_and(|(m, _)| {
@@ -222,7 +280,7 @@ fn drop_needless(bench: &Bench, found: &mut Found) {
             gain(m, &last) < -2.0 * (1.0 - 0.5 * FLOOR).ln() || last.likelihood - m.likelihood < price
         });
         match smaller {
-            Some((m, f)) if needless => {
+            Some((m, f)) if needless && ahead(bench, separate, &f).is_some() => {
                 found.taken.remove(i);
                 found.last = f;
                 last = m;
@@ -234,17 +292,19 @@ fn drop_needless(bench: &Bench, found: &mut Found) {
 }
 
 /// Tells the developer what a round saw, where GYROSPEC_TRACE is set.
-fn trace(round: &Round, now: &Measure) {
+fn trace(bench: &Bench, round: &Round, now: &Measure) {
     if std::env::var_os("GYROSPEC_TRACE").is_none() {
         return;
     }
     let mut text = format!(
-        "{:?} screened {} p {:.3} | now left-out {:.6} ln L {:.1}\n",
+        "{:?} screened {} p {:.3} | now left-out {:.6} ln L {:.1} | {:e} steps of {:e}\n",
         std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).map(|d| d.as_secs() % 10_000),
         round.screening.screened.len(),
         round.screening.p_value,
         now.left_out,
-        now.likelihood
+        now.likelihood,
+        bench.budget.spent() as f64,
+        bench.budget.most() as f64
     );
     for s in round.screening.screened.iter().take(25) {
         text += &format!(

@@ -1,6 +1,6 @@
-//! From what was found to one verdict.
+//! From what was found to one verdict: first on the physics, by the data without their faults, then on both.
 
-use super::answer::{Finding, Proof, Value, Verdict};
+use super::answer::{DataFault, Finding, Proof, Value, Verdict};
 use super::choose::is_wave;
 use super::rest::Rest;
 use super::search::{Found, is_pressed};
@@ -17,10 +17,8 @@ const RESEMBLES: f64 = 0.1;
 /// The same in a table of trials, whose rows are independent, where the law's chance is below the second.
 const IN_TRIALS: (f64, f64) = (0.005, 1e-4);
 
-/// What decides.
+/// What decides on the physics.
 pub struct Evidence<'a> {
-    /// Faults of the data.
-    pub faults: &'a [Finding],
     /// The search's outcome.
     pub found: &'a Found,
     /// What is left after it.
@@ -54,9 +52,6 @@ impl Evidence<'_> {
 
     /// The verdict.
     pub fn verdict(&self) -> Verdict {
-        if !self.faults.is_empty() {
-            return Verdict::DataFault;
-        }
         if self.blind.is_some() {
             return Verdict::NotIdentifiable;
         }
@@ -105,6 +100,14 @@ const BEYOND: f64 = 1.5;
 pub fn proved(verdict: Verdict, proof: &[Proof], falls_whitened: bool, left_in_trials: bool) -> Verdict {
     let fails = !proof.is_empty() && proof.iter().all(|p| p.improvement_low <= 0.0) && !falls_whitened;
     let misses = left_in_trials && proof.iter().any(|p| p.holdout_after > BEYOND * p.fit_after);
+    let blows_up = proof.iter().any(|p| p.holdout_before.is_finite() && !p.holdout_after.is_finite());
     let named = matches!(verdict, Verdict::Named | Verdict::Tie);
-    if named && (fails || misses) { Verdict::Unknown } else { verdict }
+    if named && (fails || misses || blows_up) { Verdict::Unknown } else { verdict }
+}
+
+/// The verdict on physics and data: the faults take it only where nothing physical stands beside them, or
+/// where they leave the question `open`.
+pub fn with_faults(physics: Verdict, faults: &[DataFault], open: bool) -> Verdict {
+    let alone = open || physics == Verdict::NothingMissing;
+    if alone && !faults.is_empty() { Verdict::DataFault } else { physics }
 }

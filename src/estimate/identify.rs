@@ -18,7 +18,8 @@ use super::triangle::Triangle;
 /// A direction in parameter space that the data do not see.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Direction {
-    /// Unknowns and their weights in units of their sizes, largest first, small ones left out.
+    /// Unknowns and their weights in units of their sizes; the largest part in what cancels first, small
+    /// parts left out.
     pub weights: Vec<(String, f64)>,
     /// Relative standard deviation along it; infinite where nothing at all is seen.
     pub deviation: f64,
@@ -26,6 +27,8 @@ pub struct Direction {
 
 /// Relative deviation from which on a direction counts as unseen.
 const UNSEEN: f64 = 5.0;
+/// Relative deviation of an unknown along a direction below which it is known well enough there.
+const KNOWN: f64 = 0.25;
 /// Singular value over the largest one below which nothing but rounding is left.
 const ROUNDING: f64 = 1e-10;
 
@@ -35,7 +38,9 @@ pub fn unseen(triangle: &Triangle, names: &[String], sizes: &[f64]) -> Vec<Direc
     if names.is_empty() {
         return Vec::new();
     }
-    let factor = triangle.clone().scaled(sizes).factor();
+    let scaled = triangle.clone().scaled(sizes);
+    let norms = scaled.column_norms();
+    let factor = scaled.factor();
     if !(0..names.len()).all(|i| (0..names.len()).all(|j| factor[(i, j)].is_finite())) {
         return Vec::new();
     }
@@ -47,23 +52,52 @@ pub fn unseen(triangle: &Triangle, names: &[String], sizes: &[f64]) -> Vec<Direc
         .iter()
         .enumerate()
         .filter(|(_, s)| **s < ROUNDING * largest || **s < 1.0 / UNSEEN)
-        .map(|(k, s)| Direction {
-            weights: main_weights(names, (0..names.len()).map(|j| v[(j, k)])),
-            deviation: if *s <= ROUNDING * largest { f64::INFINITY } else { 1.0 / s },
+        .map(|(k, s)| {
+            let deviation = if *s <= ROUNDING * largest { f64::INFINITY } else { 1.0 / s };
+            let mut weights =
+                main_weights(names, (0..names.len()).map(|j| v[(j, k)]), &norms, ROUNDING * largest);
+            weights.retain(|(_, w)| w.abs() * deviation >= KNOWN);
+            Direction { weights, deviation }
         })
+        .filter(|d| !d.weights.is_empty())
         .collect()
 }
 
-/// The weights above a tenth of the largest, largest first, the largest positive.
-fn main_weights(names: &[String], weights: impl Iterator<Item = f64>) -> Vec<(String, f64)> {
-    let mut named: Vec<(String, f64)> = names.iter().cloned().zip(weights).collect();
-    named.sort_by(|a, b| b.1.abs().total_cmp(&a.1.abs()));
-    let lead = named.first().map_or(1.0, |w| w.1);
-    named.retain(|w| w.1.abs() >= 0.1 * lead.abs());
-    for weight in &mut named {
-        weight.1 *= lead.signum();
+/// Directions without those that several unknowns of another one make up among themselves.
+pub fn told_once(directions: Vec<Direction>) -> Vec<Direction> {
+    let mut kept: Vec<Direction> = Vec::new();
+    let mut longest_first = directions;
+    longest_first.sort_by_key(|d| std::cmp::Reverse(d.weights.len()));
+    for d in longest_first {
+        let within = |other: &Direction| {
+            d.weights.iter().all(|(name, _)| other.weights.iter().any(|(known, _)| known == name))
+        };
+        match kept.iter_mut().find(|other| d.weights.len() > 1 && within(other)) {
+            Some(other) => other.deviation = other.deviation.max(d.deviation),
+            None => kept.push(d),
+        }
     }
-    named
+    kept
+}
+
+/// The weights of what cancels along a direction, weight times column, above a tenth of the largest;
+/// where no column is longer than `nothing`, the weights themselves. Largest first, the first positive.
+fn main_weights(
+    names: &[String],
+    weights: impl Iterator<Item = f64>,
+    norms: &[f64],
+    nothing: f64,
+) -> Vec<(String, f64)> {
+    let mut named: Vec<(&String, f64, f64)> =
+        names.iter().zip(weights).zip(norms).map(|((name, w), norm)| (name, w, w.abs() * norm)).collect();
+    if named.iter().all(|n| n.2 <= nothing) {
+        for n in &mut named {
+            n.2 = n.1.abs();
+        }
+    }
+    named.sort_by(|a, b| b.2.total_cmp(&a.2));
+    let (sign, most) = named.first().map_or((1.0, 0.0), |n| (n.1.signum(), n.2));
+    named.into_iter().filter(|n| n.2 >= 0.1 * most).map(|(name, w, _)| (name.clone(), sign * w)).collect()
 }
 
 #[cfg(test)]
@@ -90,5 +124,30 @@ mod tests {
         let mut triangle = Triangle::new(2);
         triangle.push(&[&vec![1.0; 100], &t], &t);
         assert!(unseen(&triangle, &["a".into(), "b".into()], &[1.0; 2]).is_empty());
+    }
+
+    /// A start near 0 is uncertain against itself, and what else bends with it is not.
+    #[test]
+    fn what_is_known_is_not_told_beside_a_start_near_zero() {
+        let t: Vec<f64> = (0..100).map(|i| 0.01 * f64::from(i)).collect();
+        let stiffness: Vec<f64> = t.iter().map(|t| 1e4 * (1.0 - t)).collect();
+        let start: Vec<f64> = t.iter().map(|t| 1.0 - t * t).collect();
+        let mut triangle = Triangle::new(2);
+        triangle.push(&[&stiffness, &start], &t);
+        let names = ["k".to_string(), "q(0)".into()];
+        let found = unseen(&triangle, &names, &[1.0, 1e-3]);
+        assert_eq!(found.len(), 1);
+        assert!(found[0].weights.iter().all(|(name, _)| name == "q(0)"), "{found:?}");
+    }
+
+    #[test]
+    fn two_directions_among_the_same_unknowns_are_told_as_one() {
+        let t: Vec<f64> = (0..100).map(f64::from).collect();
+        let mut triangle = Triangle::new(4);
+        triangle.push(&[&t, &t, &t, &[0.0; 100]], &t);
+        let names = ["R", "C", "k", "mute"].map(String::from);
+        let found = told_once(unseen(&triangle, &names, &[1.0; 4]));
+        let told: Vec<usize> = found.iter().map(|d| d.weights.len()).collect();
+        assert_eq!(told, [3, 1], "{found:?}");
     }
 }

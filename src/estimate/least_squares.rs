@@ -7,6 +7,7 @@
 //! Levenberg and Marquardt with Moré's scaling, in the coordinates of [`Range`]. Unknowns that press
 //! against a bound are taken out; in a step that would leave the box the unknown that meets its bound first
 //! stays there and the rest is solved anew. A trial that is not finite counts as infinitely bad and shortens the next step.
+//! Where the walk rests, unknowns without a slope are looked at some way off (see `saddle`).
 //!
 //! # References
 //! J. J. Moré, The Levenberg-Marquardt algorithm, Lecture Notes in Mathematics 630 (1978) 105-116;
@@ -16,6 +17,7 @@
 //! Steps come from the orthogonal factor of J, so that sensitivities are used to full precision.
 
 use super::coordinates::{Range, Side};
+use super::saddle::Rest;
 use super::triangle::Triangle;
 use crate::{Error, Result};
 
@@ -29,6 +31,11 @@ pub trait Problem {
 
     /// The triangle of [∂r/∂x | r] at x.
     fn linearise(&self, x: &[f64]) -> Result<Triangle>;
+
+    /// Whether the walk must end with the best so far.
+    fn is_over(&self) -> bool {
+        false
+    }
 }
 
 /// When to stop.
@@ -57,6 +64,8 @@ pub enum End {
     Stalled,
     /// The steps ran out.
     OutOfSteps,
+    /// What it may spend was spent.
+    OutOfBudget,
 }
 
 /// A minimum.
@@ -72,6 +81,8 @@ pub struct Minimum {
     pub triangle: Triangle,
     /// The bound each unknown sits at.
     pub at_bound: Vec<Option<Side>>,
+    /// Whether the residuals do not move with an unknown there, to first order.
+    pub is_level: Vec<bool>,
     /// Why the walk ended.
     pub end: End,
     /// Steps taken.
@@ -120,6 +131,7 @@ pub fn minimise<P: Problem + ?Sized>(
     let mut walk = Walk {
         problem,
         ranges,
+        start: x.clone(),
         scale: vec![0.0; x.len()],
         x,
         sum,
@@ -132,6 +144,7 @@ pub fn minimise<P: Problem + ?Sized>(
     let end = walk.run(stopping);
     Ok(Minimum {
         at_bound: walk.x.iter().zip(ranges).map(|(x, r)| r.at_bound(*x)).collect(),
+        is_level: (0..walk.x.len()).map(|j| walk.rest(stopping).is_level(j)).collect(),
         x: walk.x,
         sum_of_squares: walk.sum,
         start_sum_of_squares: sum,
@@ -152,6 +165,7 @@ const GROWTH: f64 = 4.0;
 struct Walk<'a, P: ?Sized> {
     problem: &'a P,
     ranges: &'a [Range],
+    start: Vec<f64>,
     x: Vec<f64>,
     sum: f64,
     triangle: Triangle,
@@ -175,7 +189,48 @@ enum Taken {
 
 impl<P: Problem + ?Sized> Walk<'_, P> {
     fn run(&mut self, stopping: Stopping) -> End {
+        loop {
+            let end = self.descend(stopping);
+            if !matches!(end, End::Converged | End::Stalled) || !self.leaves_saddle(stopping) {
+                return end;
+            }
+        }
+    }
+
+    fn rest(&self, stopping: Stopping) -> Rest<'_, P> {
+        Rest {
+            problem: self.problem,
+            ranges: self.ranges,
+            x: &self.x,
+            sum: self.sum,
+            triangle: &self.triangle,
+            start: &self.start,
+            reduction: stopping.reduction,
+        }
+    }
+
+    /// Goes to a lower point beside one of rest, if there is one.
+    fn leaves_saddle(&mut self, stopping: Stopping) -> bool {
+        let (lower, evaluations) = self.rest(stopping).way_down();
+        self.evaluations += evaluations;
+        let Some((x, triangle)) = lower.and_then(|x| self.problem.linearise(&x).ok().map(|t| (x, t))) else {
+            return false;
+        };
+        let sum = triangle.sum_of_squares();
+        if sum.is_nan() || sum >= self.sum {
+            return false;
+        }
+        (self.x, self.triangle, self.sum) = (x, triangle, sum);
+        (self.damping, self.growth) = (FIRST_REFUSAL, GROWTH);
+        self.evaluations += 1;
+        true
+    }
+
+    fn descend(&mut self, stopping: Stopping) -> End {
         while self.iterations < stopping.iterations {
+            if self.problem.is_over() {
+                return End::OutOfBudget;
+            }
             self.iterations += 1;
             let inner = self.inner_triangle();
             loop {
@@ -196,6 +251,7 @@ impl<P: Problem + ?Sized> Walk<'_, P> {
                     Taken::No { promised_fall } if promised_fall <= stopping.reduction => {
                         return End::Converged;
                     }
+                    Taken::No { .. } if self.problem.is_over() => return End::OutOfBudget,
                     Taken::No { .. } if self.damping > DAMPING.1 => return End::Stalled,
                     Taken::No { .. } => {}
                 }
@@ -275,100 +331,4 @@ impl<P: Problem + ?Sized> Walk<'_, P> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// r_i = y_i − a e^(−b t_i), with a wall beyond which it cannot be computed.
-    struct Decay {
-        wall: f64,
-    }
-
-    impl Decay {
-        fn rows(&self, x: &[f64]) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
-            let time = (0..50).map(|i| 0.1 * f64::from(i));
-            let wall = self.wall;
-            let mut rows = (Vec::new(), Vec::new(), Vec::new());
-            for t in time {
-                let e = (-x[1] * t).exp();
-                let r = x[0] * e - 3.0 * (-0.7 * t).exp();
-                rows.0.push(if x[1] > wall { f64::NAN } else { r });
-                rows.1.push(e);
-                rows.2.push(-x[0] * t * e);
-            }
-            rows
-        }
-    }
-
-    impl Problem for Decay {
-        fn unknowns(&self) -> usize {
-            2
-        }
-        fn sum_of_squares(&self, x: &[f64]) -> Result<f64> {
-            Ok(self.rows(x).0.iter().map(|r| r * r).sum())
-        }
-        fn linearise(&self, x: &[f64]) -> Result<Triangle> {
-            let (r, a, b) = self.rows(x);
-            let mut t = Triangle::new(2);
-            t.push(&[&a, &b], &r);
-            Ok(t)
-        }
-    }
-
-    #[test]
-    fn finds_the_decay_past_a_wall_of_failures() {
-        let wide = Range { min: 1e-3, max: 1e3 };
-        let least =
-            minimise(&Decay { wall: 0.75 }, &[1.0, 0.02], &[Range::FREE, wide], Stopping::default()).unwrap();
-        assert!((least.x[0] - 3.0).abs() < 1e-6 && (least.x[1] - 0.7).abs() < 1e-6, "{least:?}");
-    }
-
-    #[test]
-    fn stops_at_a_bound_with_the_rest_at_its_conditional_optimum() {
-        let bounded = Range { min: 0.01, max: 0.5 };
-        let least = minimise(&Decay { wall: 9.0 }, &[1.0, 0.1], &[Range::FREE, bounded], Stopping::default())
-            .unwrap();
-        assert_eq!(least.at_bound, [None, Some(Side::Upper)]);
-        // With b = ½ the best a is Σ y e / Σ e².
-        let (mut ye, mut ee) = (0.0, 0.0);
-        for t in (0..50).map(|i| 0.1 * f64::from(i)) {
-            let e = (-0.5 * t).exp();
-            ye += 3.0 * (-0.7 * t).exp() * e;
-            ee += e * e;
-        }
-        assert!((least.x[0] - ye / ee).abs() < 1e-6, "{least:?}");
-    }
-
-    #[test]
-    fn a_step_that_would_leave_the_box_at_several_bounds_still_goes_down() {
-        // ‖J x + r‖² with columns so alike that the free minimum lies far outside the box.
-        struct Alike;
-        impl Problem for Alike {
-            fn unknowns(&self) -> usize {
-                2
-            }
-            fn sum_of_squares(&self, x: &[f64]) -> Result<f64> {
-                self.linearise(x).map(|t| t.sum_of_squares())
-            }
-            fn linearise(&self, x: &[f64]) -> Result<Triangle> {
-                let (a, b) = ([1.0, 1.0, 1.0], [1.0, 1.01, 0.99]);
-                let r: Vec<f64> = (0..3).map(|i| a[i] * x[0] + b[i] * x[1] - [1.0, 3.0, -2.0][i]).collect();
-                let mut t = Triangle::new(2);
-                t.push(&[&a, &b], &r);
-                Ok(t)
-            }
-        }
-        let ranges = [Range { min: 0.0, max: 4.0 }; 2];
-        let least = minimise(&Alike, &[1.0, 0.5], &ranges, Stopping::default()).unwrap();
-        // The box's minimum lies on x₀ = 0: x₁ = Σ b y / Σ b².
-        let best = (1.0 + 3.03 - 1.98) / (1.0 + 1.01_f64.powi(2) + 0.99_f64.powi(2));
-        assert!(least.x[0].abs() < 1e-9 && (least.x[1] - best).abs() < 1e-6, "{least:?}");
-    }
-
-    #[test]
-    fn a_start_that_cannot_be_computed_is_an_error() {
-        let wide = Range { min: 1e-3, max: 1e3 };
-        assert!(
-            minimise(&Decay { wall: 0.1 }, &[1.0, 0.5], &[Range::FREE, wide], Stopping::default()).is_err()
-        );
-    }
-}
+mod tests;

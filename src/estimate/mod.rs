@@ -7,6 +7,7 @@ pub mod fit;
 mod identify;
 mod least_squares;
 pub mod noise;
+mod saddle;
 pub mod smooth;
 mod triangle;
 

@@ -12,10 +12,10 @@ use std::collections::BTreeMap;
 pub type Scope = BTreeMap<String, Dimension>;
 
 /// A disagreement, and the way from the root to the subexpression that it concerns.
-struct Fault {
-    path: Vec<usize>,
-    message: String,
-    hint: Option<String>,
+pub(super) struct Fault {
+    pub path: Vec<usize>,
+    pub message: String,
+    pub hint: Option<String>,
 }
 
 /// `None` is the dimension of a literal 0: any.
@@ -65,7 +65,7 @@ impl Expr {
 }
 
 /// The error with the faulty place underlined in the text.
-fn shown(fault: &Fault, text: &str) -> Error {
+pub(super) fn shown(fault: &Fault, text: &str) -> Error {
     let mut e = Error::new(ErrorKind::Units, fault.message.clone());
     if let Ok((_, span)) = parse::spanned(text) {
         let place = fault.path.iter().try_fold(&span, |s, i| s.children.get(*i)).unwrap_or(&span);
@@ -81,7 +81,7 @@ fn fault(message: impl Into<String>) -> Fault {
     Fault { path: Vec::new(), message: message.into(), hint: None }
 }
 
-fn within<T>(index: usize, inner: Result<T, Fault>) -> Result<T, Fault> {
+pub(super) fn within<T>(index: usize, inner: Result<T, Fault>) -> Result<T, Fault> {
     inner.map_err(|mut fault| {
         fault.path.insert(0, index);
         fault

@@ -31,11 +31,13 @@ mod function;
 mod parse;
 mod print;
 mod tree;
+mod turning;
 mod walk;
 
 pub use dimension::Scope;
 pub use function::Function;
 pub use tree::{BinaryOp, Expr};
+pub use turning::Units;
 pub use walk::is_name;
 
 #[cfg(test)]

@@ -78,9 +78,15 @@ impl Expr {
     /// ```
     #[must_use]
     pub fn substitute(&self, name: &str, by: &Self) -> Self {
+        self.substitute_each(&|n| (n == name).then(|| by.clone()))
+    }
+
+    /// The expression with every name replaced for which there is something to stand in its place.
+    #[must_use]
+    pub fn substitute_each(&self, by: &dyn Fn(&str) -> Option<Self>) -> Self {
         match self {
-            Self::Name(n) if n == name => by.clone(),
-            _ => self.map_children(&mut |child| child.substitute(name, by)),
+            Self::Name(n) => by(n).unwrap_or_else(|| self.clone()),
+            _ => self.map_children(&mut |child| child.substitute_each(by)),
         }
     }
 

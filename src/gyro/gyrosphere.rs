@@ -1,5 +1,6 @@
 //! The numbers of a two-rotor gyrosphere.
 
+use super::range;
 use crate::{Error, Result};
 
 /// A gyrosphere and the place where it hangs, in SI.
@@ -72,38 +73,27 @@ impl Gyrosphere {
     /// Checks that the numbers describe a compass.
     ///
     /// # Errors
-    /// `BadInput` that names the number: not finite, not positive where it must be, or a
-    /// latitude at which no gyrocompass finds north.
+    /// `BadInput` that names the number and its [range](super::range).
     pub fn check(&self) -> Result<()> {
-        let positive = [
+        let all = [
             ("P", self.weight),
             ("H", self.momentum),
             ("lP", self.pendulous),
+            ("C", self.damper),
             ("F", self.flow),
             ("C0", self.stiffness),
+            ("T", self.lag),
+            ("h", self.lever),
+            ("lat", self.latitude),
             ("g", self.gravity),
             ("U", self.earth_rate),
         ];
-        for (name, value) in positive {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Error::bad_input(format!("{name} must be positive, not {value}")));
-            }
-        }
-        for (name, value) in [("T", self.lag), ("C", self.damper)] {
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(Error::bad_input(format!("{name} must not be negative, but is {value}")));
-            }
+        for (name, value) in all {
+            range::of_compass(name).map_or(Ok(value), |r| r.check(value)).map_err(|e| e.about(name))?;
         }
         if self.damper >= self.pendulous {
             return Err(Error::bad_input("the damper C is as strong as the pendulous moment lP")
                 .with_hint("a gyrosphere settles only with C < lP"));
-        }
-        if !self.lever.is_finite() {
-            return Err(Error::bad_input("h must be a number"));
-        }
-        if !(self.latitude.is_finite() && self.latitude.cos() > 1e-3) {
-            return Err(Error::bad_input("a gyrocompass finds no north at the pole")
-                .with_hint("give a latitude between −89.9° and 89.9°"));
         }
         Ok(())
     }

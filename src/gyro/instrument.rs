@@ -11,7 +11,7 @@
 
 use super::elastic::Elastic;
 use super::rectified::{LinearPush, Moments, ProductPush, SlowFast};
-use super::{Axis, Gyrosphere, Motion, Signal};
+use super::{Axis, Gyrosphere, Motion, Signal, range};
 use crate::lti::StateSpace;
 use crate::{Error, Result};
 use faer::Mat;
@@ -43,7 +43,7 @@ pub struct Instrument {
     pub speed: f64,
 }
 
-/// The error of the heading, rad.
+/// The error of the heading, rad; [`super::SIGN`] says which way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeadingError {
     /// By course and speed alone: v_N/(R U cos φ + v_E).
@@ -58,6 +58,13 @@ pub struct HeadingError {
     pub spread_linear: f64,
     /// Its part by the products, quadratic in the motion.
     pub spread_quadratic: f64,
+    /// Half the 99 % interval of `rectified`, with its numerical error, where the part is not linear and
+    /// the figure comes from a simulation; else zero.
+    pub rectified_margin: f64,
+    /// The same of `spread`.
+    pub spread_margin: f64,
+    /// What `rectified` would be by the linear stand-in of a part that is not linear, on a random motion.
+    pub linearised: Option<f64>,
 }
 
 impl HeadingError {
@@ -69,13 +76,13 @@ impl HeadingError {
 
 /// The signals that the motion drives, over the joint states of motion and elastic part.
 pub(super) struct Signals {
-    fast: Mat<f64>,
-    noise: Mat<f64>,
+    pub(super) fast: Mat<f64>,
+    pub(super) noise: Mat<f64>,
     w: [Signal; 3],
     /// dW/dK of the horizontal accelerations.
     turned: Signal,
     yaw: Option<Signal>,
-    shift: [Option<Signal>; 3],
+    pub(super) shift: [Option<Signal>; 3],
 }
 
 impl Instrument {
@@ -84,22 +91,39 @@ impl Instrument {
         Self { sphere, elastic, speed: 0.0 }
     }
 
-    /// Mean and spread of the heading's error on `motion`, heading K in rad.
+    /// Whether the elastic part is linear, so that its errors are exact.
+    ///
+    /// # Errors
+    /// `BadInput` for numbers that describe no such part.
+    pub fn is_linear(&self) -> Result<bool> {
+        Ok(self.elastic.in_time(&self.sphere, 1.0)?.is_none())
+    }
+
+    /// Mean and spread of the heading's error on `motion`, heading K in rad: exact for a linear part, by
+    /// simulation within its margins for any other.
     ///
     /// # Errors
     /// `BadInput` for impossible numbers; `OutOfRange` where a mean is infinite; else as the
     /// covariances say.
     pub fn error(&self, motion: &Motion, heading: f64) -> Result<HeadingError> {
+        self.check(heading)?;
+        if !self.is_linear()? {
+            return self.error_by(&self.moment(motion, heading)?, motion, heading);
+        }
         let system = self.system(motion, heading)?;
         let m = system.moments()?;
         Ok(self.told(&m, heading))
     }
 
-    /// The mean error by the motion alone, rad; much cheaper than [`Instrument::error`].
+    /// The mean error by the motion alone, rad; for a linear part much cheaper than
+    /// [`Instrument::error`].
     ///
     /// # Errors
     /// As [`Instrument::error`].
     pub fn rectified_error(&self, motion: &Motion, heading: f64) -> Result<f64> {
+        if !self.is_linear()? {
+            return Ok(self.error(motion, heading)?.rectified);
+        }
         Ok(self.system(motion, heading)?.rectified_mean()?[ALPHA])
     }
 
@@ -107,12 +131,18 @@ impl Instrument {
     /// quadratic part.
     ///
     /// # Errors
-    /// As [`Instrument::error`].
+    /// As [`Instrument::error`]; `OutOfRange` for a part that is not linear.
     pub fn error_spectrum(&self, motion: &Motion, heading: f64, omega: &[f64]) -> Result<Vec<(f64, f64)>> {
+        if !self.is_linear()? {
+            return Err(Error::new(
+                crate::ErrorKind::OutOfRange,
+                format!("no spectrum is known for {}, which is not linear", self.elastic.name()),
+            ));
+        }
         self.system(motion, heading)?.densities(ALPHA, omega)
     }
 
-    fn told(&self, m: &Moments, heading: f64) -> HeadingError {
+    pub(super) fn told(&self, m: &Moments, heading: f64) -> HeadingError {
         let sailing = self.sailing_error(heading);
         let (linear, quadratic) = (m.linear[(ALPHA, ALPHA)].max(0.0), m.quadratic[(ALPHA, ALPHA)].max(0.0));
         HeadingError {
@@ -122,6 +152,9 @@ impl Instrument {
             spread: (linear + quadratic).sqrt(),
             spread_linear: linear.sqrt(),
             spread_quadratic: quadratic.sqrt(),
+            rectified_margin: 0.0,
+            spread_margin: 0.0,
+            linearised: None,
         }
     }
 
@@ -131,20 +164,29 @@ impl Instrument {
     }
 
     /// U cos φ + v_E/R, rad/s.
-    fn northing(&self, heading: f64) -> f64 {
+    pub(super) fn northing(&self, heading: f64) -> f64 {
         let s = &self.sphere;
         s.earth_rate * s.latitude.cos() + self.speed * heading.sin() / EARTH_RADIUS
     }
 
-    /// The slow and the fast system on this motion and heading.
+    /// Checks the compass on a heading (rad).
+    pub(super) fn check(&self, heading: f64) -> Result<()> {
+        self.sphere.check()?;
+        range::HEADING.check(heading)?;
+        range::SPEED.check(self.speed)?;
+        if self.northing(heading) <= 0.0 {
+            return Err(Error::bad_input("heading and speed must leave the compass its meridian"));
+        }
+        Ok(())
+    }
+
+    /// The slow and the fast system on this motion and heading; a part that is not linear is in it by its
+    /// linear stand-in.
     ///
     /// # Errors
     /// As [`Instrument::error`].
     pub fn system(&self, motion: &Motion, heading: f64) -> Result<SlowFast> {
-        self.sphere.check()?;
-        if !heading.is_finite() || !self.speed.is_finite() || self.northing(heading) <= 0.0 {
-            return Err(Error::bad_input("heading and speed must leave the compass its meridian"));
-        }
+        self.check(heading)?;
         let signals = self.signals(motion, heading)?;
         let mut system = self.compass(&signals, heading);
         self.push_by_shift(&mut system, &signals);
@@ -229,7 +271,7 @@ impl Instrument {
         system.linear.extend(linear);
     }
 
-    fn signals(&self, motion: &Motion, heading: f64) -> Result<Signals> {
+    pub(super) fn signals(&self, motion: &Motion, heading: f64) -> Result<Signals> {
         let (south, west) = (heading.sin(), heading.cos());
         let lever = self.sphere.lever;
         // W₁ = −hθ̈ cos K, W₂ = +hθ̈ sin K; forward motions: W₁ = +s̈ sin K, W₂ = +s̈ cos K
@@ -307,7 +349,7 @@ fn unit_signal(at: usize, states: usize, noises: usize) -> Signal {
     Signal { state, noise: vec![0.0; noises] }
 }
 
-pub(super) fn rest(slow: &Mat<f64>, constant: &[f64]) -> Vec<f64> {
+fn rest(slow: &Mat<f64>, constant: &[f64]) -> Vec<f64> {
     use faer::linalg::solvers::Solve;
     let right = Mat::from_fn(constant.len(), 1, |i, _| -constant[i]);
     let y = slow.partial_piv_lu().solve(&right);

@@ -1,8 +1,8 @@
 //! The gyrosphere family, its rectified error, and the rotating gimbal.
 //!
 //! The horizontal directions are those of the rolling-error paper: W₁ along the parallel,
-//! W₂ along the meridian, with W₁ = −hθ̈ cos K and W₂ = +hθ̈ sin K for roll θ of a ship on
-//! heading K; x is the shift of the centre of mass along the parallel.
+//! W₂ along the meridian (east and north positive), with W₁ = −hθ̈ cos K and W₂ = +hθ̈ sin K for roll θ of a ship on
+//! heading K; x is the shift of the centre of mass along the parallel, west positive.
 
 pub mod elastic;
 mod free;
@@ -12,9 +12,13 @@ mod identify;
 mod instrument;
 mod monte_carlo;
 mod motion;
+mod nonlinear;
+mod path;
+pub mod range;
 pub mod rectified;
 pub mod seed;
 mod sweep;
+pub mod validity;
 
 pub use free::FreeMotion;
 pub use gyrosphere::Gyrosphere;
@@ -22,4 +26,23 @@ pub use identify::{Estimate, Identified, Trial, identify};
 pub use instrument::{EARTH_RADIUS, HeadingError, Instrument};
 pub use monte_carlo::{MonteCarlo, Simulated};
 pub use motion::{Axis, Motion, Signal};
+pub use nonlinear::{Moment, folded};
+pub use path::Drive;
 pub use sweep::sweep;
+
+/// Which way an error of the heading is, for everybody who reads one.
+///
+/// From (2.1) at rest, α′ = −U sin φ + … and β′ = −U α cos φ + …: an axis fixed among the stars drifts east of a
+/// meridian that turns with +U sin φ, and rises while it points east. So α counts to the west and β upwards.
+pub const SIGN: &str = "+ is west: the compass's north lies west of true north, and the compass reads high; − is east: \
+it reads low; the true heading is the reading minus the error";
+
+/// Which motions leave the mean alone, and why.
+pub const IDLE: &str = "the mean error follows from the row of β alone, U cos φ · mean α = mean M_y/H; heave, yaw and a \
+part that gives way along the vertical push only the rows of α and λ: they move the mean tilt and the spread, \
+not the mean heading";
+
+/// The side of an error, rad or degrees: `west, reads high`.
+pub fn side(error: f64) -> &'static str {
+    if error < 0.0 { "east, reads low" } else { "west, reads high" }
+}

@@ -133,6 +133,22 @@ impl Motion {
         self.axes.iter().any(|a| self.derivative(*a, 2).is_ok_and(|s| s.is_white()))
     }
 
+    /// √(⟨ẋ²⟩/⟨x²⟩) of the fastest axis x, rad/s: b of a roll of the form (3.3).
+    ///
+    /// # Errors
+    /// As the covariance of the motion.
+    pub fn own_frequency(&self) -> Result<f64> {
+        let sigma = self.system.state_covariance()?.matrix;
+        let mut fastest = 0.0f64;
+        for axis in &self.axes {
+            let [own, rate] =
+                [0, 1].map(|order| self.derivative(*axis, order).map(|s| deviation(&sigma, &s.state)));
+            let (own, rate) = (own?, rate?);
+            fastest = fastest.max(if own > 0.0 { rate / own } else { 0.0 });
+        }
+        Ok(fastest)
+    }
+
     /// The `order`-th derivative of an axis; zero for an axis that does not move.
     ///
     /// # Errors
@@ -159,6 +175,12 @@ impl Motion {
         }
         Ok(Signal { state: c, noise: d })
     }
+}
+
+/// √(c Σ cᵀ).
+pub(super) fn deviation(sigma: &Mat<f64>, c: &[f64]) -> f64 {
+    let products = (0..c.len()).flat_map(|i| (0..c.len()).map(move |j| c[i] * c[j] * sigma[(i, j)]));
+    products.sum::<f64>().max(0.0).sqrt()
 }
 
 /// Systems side by side, each with its own inputs or all with the same.

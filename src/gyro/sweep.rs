@@ -1,13 +1,14 @@
 //! The mean error of many compasses on many rolls at once, by the batch path of the integral.
 
-use super::Gyrosphere;
 use super::seed::error_of_moment;
+use super::{Gyrosphere, range, validity};
+use crate::Result;
 use crate::integral::batch;
 use crate::spectrum::Roll;
-use crate::{Error, Result};
 
 /// The mean error (rad) of each compass on its roll and heading (rad), by I₃ with
-/// H = (Ts + 1)(s² + 2μs + b²) and G = 4Aμb² s⁴; each entry fails by itself.
+/// H = (Ts + 1)(s² + 2μs + b²) and G = 4Aμb² s⁴; each entry fails by itself, as one outside its [range] does, and
+/// one beyond what the linear theory gives.
 ///
 /// ```
 /// use gyrospec::gyro::{seed, sweep};
@@ -31,13 +32,15 @@ pub fn sweep(cases: &[(Gyrosphere, Roll, f64)]) -> Result<Vec<Result<f64>>> {
     Ok(cases
         .iter()
         .zip(moments)
-        .map(|((sphere, _, heading), moment)| {
+        .map(|((sphere, roll, heading), moment)| {
+            sphere.check()?;
+            range::ROLL_VARIANCE.check(roll.variance)?;
+            range::ROLL_DECAY.check(roll.decay)?;
+            range::ROLL_FREQUENCY.check(roll.frequency)?;
+            range::HEADING.check(*heading)?;
             let error = error_of_moment(sphere, moment?.value, *heading);
-            if error.is_finite() {
-                Ok(error)
-            } else {
-                Err(Error::bad_input("the compass's numbers give no error"))
-            }
+            validity::bounded(error)?;
+            Ok(error)
         })
         .collect())
 }

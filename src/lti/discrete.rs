@@ -12,9 +12,9 @@
 //! # Numerical aspects
 //! The factor L is a Cholesky factor in which directions without noise are zero columns.
 
+use super::Gaussian;
 use faer::Mat;
 use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
 
 /// A sampled system.
 #[derive(Debug, Clone)]
@@ -22,8 +22,7 @@ pub struct Discrete {
     order: usize,
     /// Φ row by row.
     transition: Vec<f64>,
-    /// The columns of L that are not zero, each from its own row on: (first row, values).
-    noise: Vec<(usize, Vec<f64>)>,
+    noise: Gaussian,
     scratch: Vec<f64>,
 }
 
@@ -35,7 +34,7 @@ impl Discrete {
         Self {
             order: n,
             transition: (0..n * n).map(|k| phi[(k / n, k % n)]).collect(),
-            noise: factor(&q),
+            noise: Gaussian::new(&q, 1e-13),
             scratch: vec![0.0; n],
         }
     }
@@ -46,10 +45,7 @@ impl Discrete {
             let row = &self.transition[i * self.order..(i + 1) * self.order];
             *slot = row.iter().zip(&*z).map(|(p, v)| p * v).sum();
         }
-        for (first, column) in &self.noise {
-            let xi: f64 = StandardNormal.sample(rng);
-            self.scratch[*first..].iter_mut().zip(column).for_each(|(s, l)| *s += l * xi);
-        }
+        self.noise.add(&mut self.scratch, rng);
         z.copy_from_slice(&self.scratch);
     }
 }
@@ -75,24 +71,4 @@ fn transition_and_noise(a: &Mat<f64>, q: &Mat<f64>, step: f64) -> (Mat<f64>, Mat
         phi = &phi * &phi;
     }
     (phi, sum)
-}
-
-/// The columns of a lower factor of a non-negative matrix.
-fn factor(q: &Mat<f64>) -> Vec<(usize, Vec<f64>)> {
-    let n = q.nrows();
-    let mut l = Mat::<f64>::zeros(n, n);
-    let mut columns = Vec::new();
-    for j in 0..n {
-        let left = q[(j, j)] - (0..j).map(|k| l[(j, k)] * l[(j, k)]).sum::<f64>();
-        if left <= 1e-13 * q[(j, j)] || left <= 0.0 {
-            continue;
-        }
-        let root = left.sqrt();
-        for i in j..n {
-            let rest = q[(i, j)] - (0..j).map(|k| l[(i, k)] * l[(j, k)]).sum::<f64>();
-            l[(i, j)] = rest / root;
-        }
-        columns.push((j, (j..n).map(|i| l[(i, j)]).collect()));
-    }
-    columns
 }

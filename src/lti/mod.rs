@@ -6,11 +6,13 @@
 mod covariance;
 mod cross;
 mod discrete;
+mod gaussian;
 mod state_space;
 mod transfer;
 
 pub use covariance::{Covariance, stationary_covariance};
 pub use cross::{CrossIntegral, cross_integrand, cross_moment};
 pub use discrete::Discrete;
+pub use gaussian::Gaussian;
 pub use state_space::StateSpace;
 pub use transfer::TransferFunction;

@@ -2,10 +2,10 @@
 
 use super::places::Places;
 use super::{Definition, Model};
-use crate::expression::{Expr, Scope};
-use crate::units::Dimension;
+use crate::expression::{Expr, Scope, Units};
+use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 impl Model {
     /// Checks the model as a whole: distinct names, no cycles, dimensions of every expression.
@@ -18,16 +18,15 @@ impl Model {
 
     /// The dimensions of all names that expressions may use.
     pub fn scope(&self) -> Scope {
-        self.names().into_iter().map(|(name, _, d)| (name.to_string(), d)).collect()
+        self.names().into_iter().map(|(name, _, unit)| (name.to_string(), unit.dimension())).collect()
     }
 
-    /// Every name that expressions may use, with its section and dimension, in the model's order.
-    fn names(&self) -> Vec<(&str, &'static str, Dimension)> {
-        let inputs = self.inputs.iter().map(|x| (x.name.as_str(), "inputs", x.unit.dimension()));
-        let parameters = self.parameters.iter().map(|x| (x.name.as_str(), "parameters", x.unit.dimension()));
-        let definitions =
-            self.definitions.iter().map(|x| (x.name.as_str(), "definitions", x.unit.dimension()));
-        let states = self.states.iter().map(|x| (x.name.as_str(), "states", x.unit.dimension()));
+    /// Every name that expressions may use, with its section and unit, in the model's order.
+    fn names(&self) -> Vec<(&str, &'static str, &Unit)> {
+        let inputs = self.inputs.iter().map(|x| (x.name.as_str(), "inputs", &x.unit));
+        let parameters = self.parameters.iter().map(|x| (x.name.as_str(), "parameters", &x.unit));
+        let definitions = self.definitions.iter().map(|x| (x.name.as_str(), "definitions", &x.unit));
+        let states = self.states.iter().map(|x| (x.name.as_str(), "states", &x.unit));
         inputs.chain(parameters).chain(definitions).chain(states).collect()
     }
 
@@ -35,19 +34,23 @@ impl Model {
     pub(super) fn check_at(&self, places: &Places) -> Result<()> {
         self.distinct_names()?;
         let scope = self.scope();
-        let check = |path: String, e: &Expr, wanted: Dimension| -> Result<()> {
+        let units: Units<'_> = self.names().into_iter().map(|(name, _, unit)| (name, unit)).collect();
+        let check = |path: String, e: &Expr, wanted: &Unit| -> Result<()> {
             let printed = e.to_string();
             let text = places.text(&path).unwrap_or(&printed);
-            e.expect_dimension(wanted, &scope, text).map_err(|e| places.put(&path, e))
+            e.expect_dimension(wanted.dimension(), &scope, text)
+                .and_then(|()| e.expect_turning(wanted, &units, text))
+                .map_err(|e| places.put(&path, e))
         };
+        let second = Unit::of(Dimension::TIME);
         for d in &self.definitions {
-            check(format!("definitions.{}.equals", d.name), &d.equals, d.unit.dimension())?;
+            check(format!("definitions.{}.equals", d.name), &d.equals, &d.unit)?;
         }
         for s in &self.states {
-            check(format!("states.{}.rate", s.name), &s.rate, s.unit.dimension().over(Dimension::TIME))?;
+            check(format!("states.{}.rate", s.name), &s.rate, &s.unit.over(&second))?;
         }
         for o in &self.outputs {
-            check(format!("outputs.{}.equals", o.name), &o.equals, o.unit.dimension())?;
+            check(format!("outputs.{}.equals", o.name), &o.equals, &o.unit)?;
         }
         self.definition_order().map(|_| ()).map_err(|(name, e)| {
             let path = format!("definitions.{name}.equals");
@@ -78,39 +81,71 @@ impl Model {
     ///
     /// # Errors
     /// A cycle, named from its first member around.
-    pub(super) fn definition_order(&self) -> Result<Vec<&Definition>, (String, Error)> {
-        let mut walk = Walk { model: self, done: Vec::new(), trail: Vec::new() };
-        for d in &self.definitions {
-            walk.visit(d)?;
+    pub(crate) fn definition_order(&self) -> Result<Vec<&Definition>, (String, Error)> {
+        let numbers = self.definitions.iter().enumerate().map(|(i, d)| (d.name.as_str(), i)).collect();
+        let mut walk = Walk {
+            model: self,
+            numbers,
+            done: Vec::new(),
+            is_begun: vec![false; self.definitions.len()],
+            is_done: vec![false; self.definitions.len()],
+            trail: Vec::new(),
+        };
+        for i in 0..self.definitions.len() {
+            walk.visit(i)?;
         }
         Ok(walk.done)
     }
 }
 
+/// A walk over the definitions, what each uses first.
 struct Walk<'a> {
     model: &'a Model,
+    numbers: HashMap<&'a str, usize>,
     done: Vec<&'a Definition>,
-    trail: Vec<&'a str>,
+    is_begun: Vec<bool>,
+    is_done: Vec<bool>,
+    /// The definitions begun, each with those that it uses and that are still to be looked at.
+    trail: Vec<(usize, Vec<usize>)>,
 }
 
-impl<'a> Walk<'a> {
-    fn visit(&mut self, d: &'a Definition) -> Result<(), (String, Error)> {
-        if self.done.iter().any(|x| x.name == d.name) {
+impl Walk<'_> {
+    fn visit(&mut self, first: usize) -> Result<(), (String, Error)> {
+        self.begin(first)?;
+        while let Some((own, uses)) = self.trail.last_mut() {
+            let own = *own;
+            if let Some(next) = uses.pop() {
+                self.begin(next)?;
+            } else {
+                self.trail.pop();
+                self.is_done[own] = true;
+                self.done.push(&self.model.definitions[own]);
+            }
+        }
+        Ok(())
+    }
+
+    fn begin(&mut self, own: usize) -> Result<(), (String, Error)> {
+        if self.is_done[own] {
             return Ok(());
         }
-        if let Some(from) = self.trail.iter().position(|n| *n == d.name) {
-            let around: Vec<&str> = self.trail[from..].iter().copied().chain([d.name.as_str()]).collect();
-            let message = format!("the definitions go in a circle: {}", around.join(" -> "));
-            let e = Error::bad_input(message).with_hint("make one of them a state, or break the circle");
-            return Err((d.name.clone(), e));
+        if self.is_begun[own] {
+            return Err(self.circle(own));
         }
-        self.trail.push(&d.name);
-        let used = d.equals.names();
-        for other in self.model.definitions.iter().filter(|x| used.contains(x.name.as_str())) {
-            self.visit(other)?;
-        }
-        self.trail.pop();
-        self.done.push(d);
+        let used = self.model.definitions[own].equals.names();
+        let mut uses: Vec<usize> = used.into_iter().filter_map(|n| self.numbers.get(n).copied()).collect();
+        uses.sort_unstable_by(|a, b| b.cmp(a));
+        self.is_begun[own] = true;
+        self.trail.push((own, uses));
         Ok(())
+    }
+
+    fn circle(&self, back_to: usize) -> (String, Error) {
+        let name = |i: usize| self.model.definitions[i].name.as_str();
+        let around = self.trail.iter().map(|t| t.0).skip_while(|i| *i != back_to).chain([back_to]);
+        let around: Vec<&str> = around.map(name).collect();
+        let message = format!("the definitions go in a circle: {}", around.join(" -> "));
+        let e = Error::bad_input(message).with_hint("make one of them a state, or break the circle");
+        (name(back_to).to_string(), e)
     }
 }

@@ -7,14 +7,15 @@ use super::form::{Form, toml};
 use super::places::{Places, Text};
 use super::{Definition, Initial, Input, Model, Output, Parameter, State, builtin};
 use crate::expression::{Expr, Function, is_name};
-use crate::record::Source;
+use crate::record::{Source, read_text};
+use crate::text::one_line;
 use crate::units::Unit;
 use crate::{Error, Result};
 use std::ops::Range;
 use std::path::Path;
 
 impl Model {
-    /// Reads a model file.
+    /// Reads a model file; `-` is standard input.
     ///
     /// # Errors
     /// Everything wrong with the file, with its line and column and what to do.
@@ -27,13 +28,8 @@ impl Model {
     /// # Errors
     /// As [`Model::read`].
     pub fn read_with_source(path: &Path) -> Result<(Self, Source)> {
-        let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
-        let source = Source::of(path, &bytes);
-        let text = String::from_utf8(bytes).map_err(|e| {
-            let message = format!("byte {} is no UTF-8 text", e.utf8_error().valid_up_to());
-            Error::bad_input(message).with_file(path)
-        })?;
-        let model = Self::parse(text.trim_start_matches('\u{feff}')).map_err(|e| e.with_file(path))?;
+        let (text, source) = read_text(path)?;
+        let model = Self::parse(&text).map_err(|e| e.with_file(path))?;
         Ok((model, source))
     }
 
@@ -48,7 +44,7 @@ impl Model {
         root.allow(&["name", "extends", "inputs", "parameters", "definitions", "states", "outputs"])?;
         let mut reader = Reader { model: start(&root)?, places: Places::default(), text: &text };
         if let Some(name) = root.string("name")? {
-            reader.model.name = name.to_string();
+            reader.model.name = one_line(name);
         }
         for section in SECTIONS {
             reader.section(&root, section)?;
@@ -123,7 +119,7 @@ impl Reader<'_> {
     }
 
     fn meaning(fields: &Form<'_>, old: Option<String>) -> Result<Option<String>> {
-        Ok(fields.string("meaning")?.map(str::to_string).or(old))
+        Ok(fields.string("meaning")?.map(one_line).or(old))
     }
 
     fn expression(&mut self, fields: &Form<'_>, key: &str, old: Option<&Expr>) -> Result<Expr> {

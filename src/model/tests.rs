@@ -35,9 +35,11 @@ fn what_is_written_reads_back() {
         assert_eq!(Model::parse(&m.to_toml()).unwrap(), m);
     }
     let mut m = Model::parse(AXIS).unwrap();
-    m.name = "quotes \" and \\ and\nlines".into();
+    m.name = "quotes \" and \\ and \u{1b}".into();
     m.inputs[0].meaning = Some("drückt".into());
     assert_eq!(Model::parse(&m.to_toml()).unwrap(), m);
+    m.name = "a title\nof two lines".into();
+    assert_eq!(Model::parse(&m.to_toml()).unwrap().name, "a title of two lines");
 }
 
 #[test]

@@ -81,7 +81,11 @@ fn number(unit: &Unit, si: f64) -> String {
     if plain { format!("{value:?}") } else { format!("{value:e}") }
 }
 
-/// A TOML basic string.
+/// A TOML string; one that may steer a terminal in double quotes, in which it is shown by escapes.
 fn quoted(text: &str) -> String {
+    if text.contains(crate::text::steers) {
+        // of what JSON writes in a string, TOML reads everything
+        return crate::text::in_quotes(&serde_json::Value::from(text).to_string()).into_owned();
+    }
     toml::Value::String(text.to_string()).to_string()
 }

@@ -8,12 +8,20 @@ use crate::Error;
 use crate::diagnose::{Request, diagnose as find};
 use crate::record;
 use crate::report;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
+use std::time::Duration;
 
 /// The recordings themselves.
 pub fn owned(recordings: &[PyRef<'_, Recording>]) -> Vec<record::Recording> {
     recordings.iter().map(|r| record::Recording::clone(&r.0)).collect()
+}
+
+/// A wall time from a number of seconds.
+pub fn seconds(time: f64) -> PyResult<Duration> {
+    let refused = || PyValueError::new_err("time_limit is a number of seconds above 0");
+    Duration::try_from_secs_f64(time).ok().filter(|t| !t.is_zero()).ok_or_else(refused)
 }
 
 #[pyfunction]
@@ -23,9 +31,11 @@ pub fn diagnose(
     recordings: Vec<PyRef<'_, Recording>>,
     holdout: Vec<PyRef<'_, Recording>>,
     seed: u64,
+    time_limit: Option<f64>,
 ) -> PyResult<Told> {
     let (model, source) = (Arc::clone(&model.0), model.1.clone());
     let (recordings, separate) = (owned(&recordings), owned(&holdout));
+    let time_limit = time_limit.map(seconds).transpose()?;
     let (found, json) = patiently(py, move |progress| {
         let request = Request {
             model: &model,
@@ -33,6 +43,7 @@ pub fn diagnose(
             recordings: &recordings,
             separate: &separate,
             seed,
+            time_limit,
             progress,
         };
         let found = find(&request)?;
@@ -43,7 +54,7 @@ pub fn diagnose(
     let again = Arc::clone(&found);
     Ok(Told {
         json,
-        warnings: found.after.warnings.iter().map(|w| w.says.clone()).collect(),
+        warnings: found.answer.notes.clone(),
         model: Some(Py::new(py, Model::from(found.after.model.clone()))?),
         picture: String::new(),
         text: Box::new(move || report::diagnosis::text(&again)),

@@ -1,5 +1,6 @@
 //! Errors as Python exceptions, of one class a kind and with the text that the program prints.
 
+use crate::text::shown;
 use crate::{Error, ErrorKind};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -19,7 +20,7 @@ fn class(kind: ErrorKind) -> &'static str {
 }
 
 fn exception<'py>(py: Python<'py>, e: &Error) -> PyResult<Bound<'py, PyAny>> {
-    let made = py.import("gyrospec._errors")?.getattr(class(e.kind()))?.call1((e.to_string(),))?;
+    let made = py.import("gyrospec._errors")?.getattr(class(e.kind()))?.call1((shown(&e.to_string()),))?;
     let data = PyDict::new(py);
     data.set_item("file", e.file())?;
     data.set_item("line", e.line())?;

@@ -1,13 +1,14 @@
 //! A model fitted to recordings.
 
-use super::diagnose::owned;
+use super::diagnose::{owned, seconds};
 use super::model::Model;
 use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
 use crate::cli::fit::{json, spectra, text};
-use crate::estimate::fit::{FitOptions, fit as find, holdout as run_held_out};
+use crate::estimate::fit::{FitOptions, ascertain, fit as find, holdout as run_held_out, setup};
 use crate::report::fit::{FitReport, page};
+use crate::simulate::Budget;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -18,14 +19,21 @@ pub fn fit(
     recordings: Vec<PyRef<'_, Recording>>,
     holdout: Vec<PyRef<'_, Recording>>,
     seed: u64,
+    time_limit: Option<f64>,
 ) -> PyResult<Told> {
     let (model, source) = (Arc::clone(&model.0), model.1.clone());
     let (recordings, separate) = (owned(&recordings), owned(&holdout));
+    let time = time_limit.map(seconds).transpose()?;
     let (fitted, json, text, page) = patiently(py, move |progress| {
+        setup::keep_apart(&model, &recordings, &separate)?;
         let separate_holdout = !separate.is_empty();
-        let options = FitOptions { seed, separate_holdout, progress, ..FitOptions::default() };
-        let fitted = find(&model, &recordings, &options)?;
-        let held_out = run_held_out(&fitted, &recordings, &separate, &options)?;
+        let budget = Budget::new(u64::MAX, time);
+        let options = FitOptions { seed, separate_holdout, budget, progress, ..FitOptions::default() };
+        let mut fitted = find(&model, &recordings, &options)?;
+        if fitted.ended_early.is_none() {
+            ascertain(&mut fitted, &recordings, &options.without_limit())?;
+        }
+        let held_out = run_held_out(&fitted, &recordings, &separate, &options.without_limit())?;
         let report = FitReport {
             fit: &fitted,
             source: &source,

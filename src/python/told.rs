@@ -1,6 +1,7 @@
 //! What long work hands over: its JSON, its words, its page, the model that it ends with.
 
 use super::model::Model;
+use crate::text::shown;
 use pyo3::prelude::*;
 
 /// Makes a text when it is asked for.
@@ -27,7 +28,7 @@ impl Told {
 
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.warnings.clone()
+        self.warnings.iter().map(|w| shown(w).into_owned()).collect()
     }
 
     #[getter]
@@ -41,7 +42,7 @@ impl Told {
     }
 
     fn text(&self, py: Python<'_>) -> String {
-        py.detach(|| (self.text)())
+        py.detach(|| shown(&(self.text)()).into_owned())
     }
 
     fn html(&self, py: Python<'_>) -> String {

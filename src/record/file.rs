@@ -2,27 +2,21 @@
 
 use super::form::{ChannelForm, FormatForm, HoldForm, KindForm, QuantityForm, RecordingForm};
 use super::form::{SpansForm, StartForm, TableForm, TimeForm};
+use super::input::{Input, is_stream, read_once};
 use super::request::{Clock, Request, Wanted};
 use super::{Channel, Constant, Hold, Kind, Note, Recording, Source, Span, Spans, csv, nmea};
+use crate::text::one_line;
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
 
-/// Reads a TOML recording and the files that it names.
-pub(super) fn read(path: &Path) -> Result<Recording> {
-    let bytes = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
-    let text = String::from_utf8(bytes).map_err(|_| {
-        Error::bad_input("the file is no UTF-8 text").with_file(path).with_hint("save it as UTF-8")
-    })?;
-    parse(&text, path)
-}
-
-/// Reads the recording that a text describes, which stands or is to stand at the path.
-pub(super) fn parse(text: &str, path: &Path) -> Result<Recording> {
-    let file = File { path, text };
-    file.recording().map_err(|e| if e.file().is_some() { e } else { e.with_file(path) })
+/// Reads the recording that a text describes, which stands or is to stand where its source says.
+pub(super) fn parse(text: &str, source: Source) -> Result<Recording> {
+    let path = source.file.clone();
+    let file = File { path: &path, text };
+    file.recording(source).map_err(|e| if e.file().is_some() { e } else { e.with_file(&path) })
 }
 
 struct File<'a> {
@@ -31,29 +25,30 @@ struct File<'a> {
 }
 
 impl File<'_> {
-    fn recording(&self) -> Result<Recording> {
+    fn recording(&self, source: Source) -> Result<Recording> {
         let form: RecordingForm = self.parse()?;
         let kind = match form.kind {
             KindForm::Time => Kind::Time,
             KindForm::Trials => Kind::Trials,
         };
-        let stem = self.path.file_stem().unwrap_or_default().to_string_lossy();
         let mut recording = Recording {
-            name: form.name.unwrap_or_else(|| stem.into_owned()),
+            name: form.name.map_or_else(|| super::stem(self.path), |name| one_line(&name)),
             kind,
-            sources: vec![Source::of(self.path, self.text.as_bytes())],
+            sources: vec![source],
             ..Recording::default()
         };
         if form.tables.is_empty() {
             return Err(Error::bad_input("the recording names no [[tables]]"));
         }
         for (number, table) in form.tables.iter().enumerate() {
-            let read = self.table(table, number, kind)?;
+            let path = self.resolve(&table.get_ref().file, &recording.sources)?;
+            let read = self.table(table, number, kind, &path)?;
             self.add_channels(&mut recording, read.channels, table)?;
             recording.notes.extend(read.notes);
-            if !recording.sources.contains(&read.source) {
-                recording.sources.push(read.source);
+            if !recording.sources.contains(&read.origin.source) {
+                recording.sources.push(read.origin.source.clone());
             }
+            recording.origins.push(read.origin);
         }
         recording.constants = self.constants(&form.constants)?;
         if let Some(spans) = &form.spans {
@@ -86,14 +81,19 @@ impl File<'_> {
         Unit::parse(text.get_ref()).map_err(|e| self.at(e, text.span().start + 1))
     }
 
-    fn table(&self, table: &Spanned<TableForm>, number: usize, kind: Kind) -> Result<csv::Table> {
+    fn table(
+        &self,
+        table: &Spanned<TableForm>,
+        number: usize,
+        kind: Kind,
+        path: &Path,
+    ) -> Result<csv::Table> {
         let form = table.get_ref();
-        let path = self.resolve(form.file.get_ref());
         if let Some(time) = form.time.as_ref().filter(|_| kind == Kind::Trials) {
             return Err(self.at(Error::bad_input("a table of trials has no time"), time.span().start));
         }
         match form.format {
-            Some(FormatForm::Nmea0183) => self.log(table, number, &path),
+            Some(FormatForm::Nmea0183) => self.log(table, number, path),
             Some(FormatForm::Csv) | None => {
                 let request = Request {
                     clock: self.clock(form.time.as_ref(), kind)?,
@@ -101,13 +101,24 @@ impl File<'_> {
                     rows: self.rows(form.rows.as_ref())?,
                     table: number,
                 };
-                csv::read(&path, &request)
+                csv::read(open(path)?, &request)
             }
         }
     }
 
-    fn resolve(&self, file: &str) -> PathBuf {
-        self.path.parent().unwrap_or(Path::new("")).join(file)
+    /// Where a table lies: beside this file, or from the working folder on where this came through a pipe.
+    fn resolve(&self, file: &Spanned<String>, read: &[Source]) -> Result<PathBuf> {
+        if file.get_ref() == "-" {
+            let error = Error::bad_input("a table cannot come from standard input here");
+            return Err(self.at(error, file.span().start).with_hint(
+                "name a file (`./-` for one of that name), or give the table itself as the recording: `-`",
+            ));
+        }
+        let folder = if is_stream(self.path) { None } else { self.path.parent() };
+        let path = folder.unwrap_or(Path::new("")).join(file.get_ref());
+        let before = read.iter().map(|source| source.file.as_path());
+        read_once(before.chain([path.as_path()])).map_err(|e| self.at(e, file.span().start))?;
+        Ok(path)
     }
 
     fn log(&self, table: &Spanned<TableForm>, number: usize, path: &Path) -> Result<csv::Table> {
@@ -138,7 +149,7 @@ impl File<'_> {
         for (name, channel) in in_order(&form.channels) {
             wanted.push(self.selection(name, channel)?);
         }
-        nmea::read(path, &nmea::Request { zero: Some(zero), wanted, table: number })
+        nmea::read(open(path)?, &nmea::Request { zero: Some(zero), wanted, table: number })
     }
 
     fn selection(&self, name: &str, channel: &Spanned<ChannelForm>) -> Result<nmea::Selection> {
@@ -300,6 +311,12 @@ impl File<'_> {
             }
         }
     }
+}
+
+/// Opens a table; where it is not there, the error says where it was looked for.
+fn open(path: &Path) -> Result<Input> {
+    let hint = "a path in a TOML recording is relative to the folder of the TOML file";
+    Input::open(path).map_err(|e| if path.exists() { e } else { e.with_hint(hint) })
 }
 
 fn hold(form: HoldForm) -> Hold {

@@ -1,82 +1,185 @@
-//! Purpose: hand a file's lines over in large blocks, unpacked and hashed on the way.
+//! Purpose: one reader for every input: a file, a pipe, a device, or standard input for `-`. Each is opened
+//! and read once; what it is, its first bytes tell.
 //!
-//! Method: one thread reads, hashes and unpacks; the caller parses what has come so far. At most
+//! Method: for tables one thread reads, hashes and unpacks; the caller parses what has come so far. At most
 //! a few blocks are alive, so that memory does not grow with the file.
 
 use super::Source;
+use super::packed::Unpacked;
 use crate::{Error, Result};
-use flate2::bufread::MultiGzDecoder;
-use sha2::{Digest, Sha256};
-use std::fmt::Write as _;
 use std::fs::File;
-use std::io::{self, BufRead, BufReader, Read};
-use std::path::Path;
-use std::sync::mpsc::{Receiver, Sender, SyncSender, channel, sync_channel};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, Sender, channel, sync_channel};
 
 const BLOCK: u64 = 1 << 18;
 const LONGEST_LINE: usize = 16 << 20;
 const BLOCKS_WAITING: usize = 4;
+/// Bytes that are looked at to tell what an input is.
+const START: u64 = 1 << 16;
+const MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// Whole lines; only the last block may end without a line end.
 pub(super) type Block = Vec<u8>;
 
-/// A file whose bytes are hashed as they pass.
-struct Hashed {
-    file: File,
-    hash: Sha256,
+/// An input, opened; its bytes come unpacked, without a byte-order mark of UTF-8, and with line ends of
+/// carriage returns alone turned into line feeds.
+pub(crate) struct Input {
+    path: PathBuf,
+    bytes: Unpacked,
+    /// What was read to look at, and how much of it was handed over.
+    start: Vec<u8>,
+    taken: usize,
+    /// A failure met while looking, to be told when the reader comes there.
+    failed: Option<io::Error>,
+    /// Whether lines end with carriage returns alone.
+    returns: bool,
 }
 
-impl Read for Hashed {
+impl Input {
+    /// Opens a file, or standard input for `-`.
+    ///
+    /// # Errors
+    /// `Io`.
+    pub(crate) fn open(path: &Path) -> Result<Self> {
+        let mut bytes = source(path).and_then(Unpacked::new).map_err(|e| Error::io(path, &e))?;
+        let mut start = Vec::new();
+        let failed = bytes.by_ref().take(START).read_to_end(&mut start).err();
+        let taken = if start.starts_with(MARK) { MARK.len() } else { 0 };
+        let returns = ends_with_returns(&start);
+        Ok(Self { path: path.to_owned(), bytes, start, taken, failed, returns })
+    }
+
+    /// What was opened.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The first bytes, up to 64 KiB.
+    pub(crate) fn start(&self) -> &[u8] {
+        &self.start[self.taken.min(self.start.len())..]
+    }
+
+    /// Whether this is a TOML file: by its name, or as its first line that says something is `key = …` or `[table]`.
+    pub(crate) fn is_toml(&self) -> bool {
+        let named = self.path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
+        named || looks_like_toml(&String::from_utf8_lossy(self.start()))
+    }
+
+    /// The whole text, and the hash of the bytes as they came.
+    ///
+    /// # Errors
+    /// What is no UTF-8 text; `Io`.
+    pub(crate) fn text(mut self) -> Result<(String, Source)> {
+        let mut bytes = Vec::new();
+        let path = self.path.clone();
+        self.read_to_end(&mut bytes).map_err(|e| Error::io(&path, &e))?;
+        let (sha256, _) = self.bytes.finish().map_err(|e| Error::io(&path, &e))?;
+        let text = String::from_utf8(bytes).map_err(|e| {
+            let at = e.utf8_error().valid_up_to();
+            let what = match e.as_bytes() {
+                [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => "the file is UTF-16".to_owned(),
+                _ => format!("byte {at} is no UTF-8 text"),
+            };
+            Error::bad_input(what).with_file(&path).with_hint("save it as UTF-8")
+        })?;
+        Ok((text, Source { file: path, sha256 }))
+    }
+}
+
+impl Read for Input {
     fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
-        let got = self.file.read(into)?;
-        self.hash.update(&into[..got]);
+        let mut left = self.start();
+        let got = if left.is_empty() {
+            if let Some(e) = self.failed.take() {
+                return Err(e);
+            }
+            self.start = Vec::new();
+            self.bytes.read(into)?
+        } else {
+            let got = left.read(into)?;
+            self.taken += got;
+            got
+        };
+        if self.returns {
+            for byte in into[..got].iter_mut().filter(|b| **b == b'\r') {
+                *byte = b'\n';
+            }
+        }
         Ok(got)
     }
 }
 
-enum Decoder {
-    Plain(BufReader<Hashed>),
-    Gzip(Box<MultiGzDecoder<BufReader<Hashed>>>),
+/// The stream behind a path; `-` is standard input.
+fn source(path: &Path) -> io::Result<Box<dyn Read + Send>> {
+    if path == Path::new("-") {
+        return Ok(Box::new(io::stdin()));
+    }
+    let file = File::open(path)?;
+    if file.metadata()?.is_dir() {
+        return Err(io::Error::other("this is a folder; give a file"));
+    }
+    Ok(Box::new(file))
 }
 
-impl Decoder {
-    fn open(path: &Path) -> io::Result<Self> {
-        let file = File::open(path)?;
-        if file.metadata()?.is_dir() {
-            return Err(io::Error::other("this is a folder; give a file"));
+/// Whether the first line end outside quotes is a carriage return alone.
+fn ends_with_returns(start: &[u8]) -> bool {
+    let mut quoted = false;
+    let end = start.iter().position(|b| {
+        quoted ^= *b == b'"';
+        !quoted && matches!(b, b'\r' | b'\n')
+    });
+    end.is_some_and(|at| start[at] == b'\r' && start.get(at + 1) != Some(&b'\n'))
+}
+
+fn looks_like_toml(start: &str) -> bool {
+    let mut lines = start.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with('#'));
+    let Some(line) = lines.next() else { return false };
+    let is_key = |text: &str| {
+        !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || "_-.\"' ".contains(c))
+    };
+    let table = line.strip_prefix('[').and_then(|l| l.split('#').next()?.trim_end().strip_suffix(']'));
+    let table = table.map(|t| t.strip_prefix('[').and_then(|t| t.strip_suffix(']')).unwrap_or(t));
+    table.or_else(|| line.split_once('=').map(|(key, _)| key.trim())).is_some_and(is_key)
+}
+
+/// Whether a path is no file of bytes that lie there, but a pipe or a device, which is read once.
+pub(crate) fn is_stream(path: &Path) -> bool {
+    path == Path::new("-") || std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
+}
+
+/// Refuses a pipe or device that would be read twice.
+///
+/// # Errors
+/// `Usage`, with the path.
+pub(crate) fn read_once<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Result<()> {
+    let mut seen = Vec::new();
+    for path in paths.into_iter().filter(|p| is_stream(p)) {
+        let own = identity(path);
+        if seen.contains(&own) {
+            return Err(Error::usage("it is named twice as an input, and a pipe can be read only once")
+                .with_file(path)
+                .with_hint("write what comes into a file, and name the file"));
         }
-        let mut reader = BufReader::with_capacity(1 << 18, Hashed { file, hash: Sha256::new() });
-        Ok(if reader.fill_buf()?.starts_with(&[0x1f, 0x8b]) {
-            Self::Gzip(Box::new(MultiGzDecoder::new(reader)))
-        } else {
-            Self::Plain(reader)
-        })
+        seen.push(own);
     }
+    Ok(())
+}
 
-    fn finish(self) -> io::Result<String> {
-        let mut reader = match self {
-            Self::Plain(reader) => reader,
-            Self::Gzip(gzip) => gzip.into_inner(),
-        };
-        io::copy(&mut reader, &mut io::sink())?;
-        Ok(hexadecimal(&reader.into_inner().hash.finalize()))
+/// What makes a stream the same under several names.
+#[cfg(unix)]
+fn identity(path: &Path) -> (PathBuf, u64, u64) {
+    use std::os::unix::fs::MetadataExt;
+    let real = if path == Path::new("-") { Path::new("/dev/stdin") } else { path };
+    match std::fs::metadata(real) {
+        Ok(m) if !m.is_file() => (PathBuf::new(), m.dev(), m.ino()),
+        _ => (path.to_owned(), 0, 0),
     }
 }
 
-impl Read for Decoder {
-    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
-        match self {
-            Self::Plain(reader) => reader.read(into),
-            Self::Gzip(reader) => reader.read(into),
-        }
-    }
-}
-
-fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+#[cfg(not(unix))]
+fn identity(path: &Path) -> PathBuf {
+    path.to_owned()
 }
 
 /// What takes a file's lines in.
@@ -87,25 +190,40 @@ pub(super) trait Sink {
     fn lines(&self) -> usize;
 }
 
-/// Reads a file through to its end and hands its lines over, block by block.
+/// What is known of an input that was read to its end: the hash, and what is to be said of it.
+pub(super) type Told = (Source, Option<String>);
+
+/// The hash of an input that was read to its end, and what is to be said of it.
+type End = (String, Option<String>);
+
+/// Reads an input through to its end and hands its lines over, block by block.
 ///
 /// # Errors
-/// What the sink refuses; a file that cannot be read, or a gzip file that is damaged or cut
+/// What the sink refuses; an input that cannot be read, or a gzip file that is damaged or cut
 /// short, with the last line that could be read.
-pub(super) fn read_lines(path: &Path, sink: &mut impl Sink) -> Result<Source> {
-    let decoder = Decoder::open(path).map_err(|e| missing(path, &e))?;
-    let packed = matches!(decoder, Decoder::Gzip(_));
+pub(super) fn read_lines(input: Input, sink: &mut impl Sink) -> Result<Told> {
+    let (path, packed) = (input.path.clone(), input.bytes.is_packed());
     let (sender, blocks) = sync_channel(BLOCKS_WAITING);
     let (back, used) = channel();
-    let hash = std::thread::scope(|scope| {
-        let reader = scope.spawn(move || pump(decoder, &sender, &used));
-        take_all(blocks, &back, sink)?;
-        reader
-            .join()
-            .unwrap_or_else(|_| Err(io::Error::other("the reader stopped")))
-            .map_err(|e| if packed { damaged(path, &e, sink.lines()) } else { Error::io(path, &e) })
-    })?;
-    Ok(Source { file: path.to_owned(), sha256: hash })
+    // The input follows when the thread is there, so that it is not lost where the system gives none.
+    let (give, given) = channel();
+    let fetch = move || {
+        let input = given.recv().map_err(io::Error::other)?;
+        pump(input, |block| sender.send(block).ok().map(|()| used.try_recv().unwrap_or_default()))
+    };
+    // Not joined where the sink refuses: the writer of a pipe may keep the reader waiting.
+    let end = match std::thread::Builder::new().spawn(fetch) {
+        Ok(reader) => {
+            // A reader that is gone already is told of when it is joined.
+            let _ = give.send(input);
+            take_all(blocks, &back, sink)?;
+            reader.join().unwrap_or_else(|_| Err(io::Error::other("the reader stopped")))
+        }
+        Err(_) => alone(input, sink)?,
+    };
+    let (sha256, note) =
+        end.map_err(|e| if packed { damaged(&path, &e, sink.lines()) } else { Error::io(&path, &e) })?;
+    Ok((Source { file: path, sha256 }, note))
 }
 
 /// Takes blocks as they come and gives them back to be filled again.
@@ -119,40 +237,41 @@ fn take_all(blocks: Receiver<Block>, back: &Sender<Block>, sink: &mut impl Sink)
     Ok(())
 }
 
-fn pump(mut decoder: Decoder, sender: &SyncSender<Block>, used: &Receiver<Block>) -> io::Result<String> {
-    let mut bytes = Vec::new();
+/// Reads and takes in turn, without a thread.
+fn alone(input: Input, sink: &mut impl Sink) -> Result<io::Result<End>> {
+    let mut taken = Ok(());
+    let end = pump(input, |mut block| {
+        taken = sink.take(&block);
+        block.clear();
+        taken.is_ok().then_some(block)
+    });
+    taken.map(|()| end)
+}
+
+/// Reads to the end; whole lines are handed over for a block to be filled next, and for none where no more is wanted.
+fn pump(mut input: Input, mut hand_over: impl FnMut(Block) -> Option<Block>) -> io::Result<End> {
+    let mut bytes = Block::new();
     loop {
-        let got = decoder.by_ref().take(BLOCK).read_to_end(&mut bytes);
+        let got = input.by_ref().take(BLOCK).read_to_end(&mut bytes);
         let whole = match got {
             Ok(0) => bytes.len(),
             _ => bytes.iter().rposition(|b| *b == b'\n').map_or(0, |at| at + 1),
         };
-        let mut rest = used.try_recv().unwrap_or_else(|_| Vec::with_capacity(2 * BLOCK as usize));
-        rest.extend_from_slice(&bytes[whole..]);
-        bytes.truncate(whole);
-        // A consumer that has given up has its own error to tell.
-        if whole > 0 && sender.send(bytes).is_err() {
-            return Ok(String::new());
+        if whole > 0 {
+            let rest = bytes.split_off(whole);
+            // A consumer that has given up has its own error to tell.
+            let Some(next) = hand_over(bytes) else { return Ok((String::new(), None)) };
+            bytes = next;
+            bytes.extend_from_slice(&rest);
         }
-        bytes = rest;
         match got {
-            Ok(0) => return decoder.finish(),
+            Ok(0) => return input.bytes.finish(),
             Ok(_) if bytes.len() > LONGEST_LINE => {
                 return Err(io::Error::other("a line is longer than 16 MB; this is no table of text"));
             }
             Ok(_) => {}
             Err(e) => return Err(e),
         }
-    }
-}
-
-fn missing(path: &Path, e: &io::Error) -> Error {
-    let error = Error::io(path, e);
-    match e.kind() {
-        io::ErrorKind::NotFound => {
-            error.with_hint("a path in a TOML recording is relative to the folder of the TOML file")
-        }
-        _ => error,
     }
 }
 
@@ -168,9 +287,35 @@ fn damaged(path: &Path, e: &io::Error, lines: usize) -> Error {
         .with_hint("copy the file again from where it was made; `gzip -t FILE` tests a copy")
 }
 
-impl Source {
-    /// A file whose bytes were read already.
-    pub fn of(path: &Path, bytes: &[u8]) -> Self {
-        Self { file: path.to_owned(), sha256: hexadecimal(&Sha256::digest(bytes)) }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn toml_is_told_from_tables() {
+        for toml in
+            ["[[tables]]\n", "# words\n\nname = \"x\"\n", " [inputs] # words\n", "kind=\"trials\"", "a.b = 1"]
+        {
+            assert!(looks_like_toml(toml), "{toml}");
+        }
+        for other in
+            ["t [s],x [m]\n", "", "# words\n", "t,a=b\n0,1\n", "[1,2]\n", "$HEHDT,1*00", "t [s]\n0\n"]
+        {
+            assert!(!looks_like_toml(other), "{other}");
+        }
+    }
+
+    #[test]
+    fn line_ends_are_told_by_the_first_outside_quotes() {
+        for (text, returns) in [
+            ("a\rb", true),
+            ("a\r\nb\rc", false),
+            ("a\nb\rc", false),
+            ("\"a\rb\",c\n", false),
+            ("a", false),
+            ("a\r", true),
+        ] {
+            assert_eq!(ends_with_returns(text.as_bytes()), returns, "{text:?}");
+        }
     }
 }

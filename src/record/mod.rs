@@ -4,11 +4,13 @@
 //! times at which they were taken. Tables of different rates lie side by side on one clock; a
 //! gap is a NaN. A recording of steady trials has row numbers for times.
 
+mod apart;
 mod csv;
 mod file;
 mod form;
 mod input;
 mod nmea;
+mod packed;
 pub mod quality;
 mod recording;
 mod request;
@@ -16,20 +18,24 @@ mod spans;
 mod summary;
 mod wrap;
 
+pub use apart::keep_apart;
 pub use csv::{Raw, columns};
-pub use recording::{Channel, Constant, Hold, Kind, Note, Recording, Source};
+pub(crate) use input::{Input, is_stream, read_once};
+pub use recording::{Channel, Constant, Hold, Kind, Note, Origin, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 pub use summary::{Peak, Summary, summaries, summary};
 pub use wrap::unwrap;
 
-use crate::{Error, Result};
-use std::io::Read;
+use crate::Result;
+use crate::text::in_line;
 use std::path::Path;
 
 impl Recording {
     /// Reads a recording: a TOML file that names its tables, one CSV file (plain or gzip) whose
     /// header carries units and whose first column is time, or an NMEA 0183 log by itself, whose
-    /// first stamp is then the zero of time.
+    /// first stamp is then the zero of time. What a file is, its first bytes tell; `-` is standard
+    /// input. A pipe is read once; files that a TOML recording from a pipe names are relative to the
+    /// working folder.
     ///
     /// # Errors
     /// `BadInput` or `Units` with file, line and column and what to do; `Io`.
@@ -46,19 +52,20 @@ impl Recording {
     /// ```
     pub fn read(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
-        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
-            return file::read(path);
+        let input = Input::open(path)?;
+        if input.is_toml() {
+            let (text, source) = input.text()?;
+            return file::parse(&text, source);
         }
-        let stem = path.file_name().unwrap_or_default().to_string_lossy();
-        let name = stem.split('.').next().unwrap_or_default().to_owned();
-        let table = if is_log(path)? {
-            nmea::read(path, &nmea::Request { zero: None, wanted: Vec::new(), table: 0 })?
+        let name = stem(path);
+        let table = if nmea::looks_like_log(input.start()) {
+            nmea::read(input, &nmea::Request { zero: None, wanted: Vec::new(), table: 0 })?
         } else {
             let clock = request::Clock::FirstColumn;
-            csv::read(path, &request::Request { clock, wanted: Vec::new(), rows: None, table: 0 })?
+            csv::read(input, &request::Request { clock, wanted: Vec::new(), rows: None, table: 0 })?
         };
-        let (channels, sources, notes) = (table.channels, vec![table.source], table.notes);
-        Ok(Self { name, channels, sources, notes, ..Self::default() })
+        let (sources, origins) = (vec![table.origin.source.clone()], vec![table.origin]);
+        Ok(Self { name, channels: table.channels, sources, origins, notes: table.notes, ..Self::default() })
     }
 
     /// Reads the recording that the text of a TOML recording describes; `path` is where the text is to
@@ -67,8 +74,22 @@ impl Recording {
     /// # Errors
     /// As [`Recording::read`].
     pub fn parse(text: &str, path: impl AsRef<Path>) -> Result<Self> {
-        file::parse(text, path.as_ref())
+        file::parse(text, Source::of(path.as_ref(), text.as_bytes()))
     }
+}
+
+/// The whole text of a file, or of standard input for `-`, and the hash of its bytes.
+pub(crate) fn read_text(path: &Path) -> Result<(String, Source)> {
+    Input::open(path)?.text()
+}
+
+/// The name of a file without its folder and endings, in one line, for reports.
+fn stem(path: &Path) -> String {
+    if path == Path::new("-") {
+        return "standard input".into();
+    }
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    in_line(name.split('.').next().unwrap_or_default()).into_owned()
 }
 
 /// Whether a file is an NMEA 0183 log.
@@ -76,12 +97,5 @@ impl Recording {
 /// # Errors
 /// `Io`.
 pub fn is_log(path: &Path) -> Result<bool> {
-    Ok(nmea::looks_like_log(&start_of(path)?))
-}
-
-fn start_of(path: &Path) -> Result<Vec<u8>> {
-    let mut start = Vec::new();
-    let file = std::fs::File::open(path).map_err(|e| Error::io(path, &e))?;
-    file.take(4096).read_to_end(&mut start).map_err(|e| Error::io(path, &e))?;
-    Ok(start)
+    Ok(nmea::looks_like_log(Input::open(path)?.start()))
 }

@@ -5,7 +5,7 @@ use crate::error::nearest;
 use crate::units::Unit;
 use crate::{Error, Result};
 use std::fmt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Whether rows follow each other in time.
@@ -135,6 +135,24 @@ pub struct Source {
     pub sha256: String,
 }
 
+impl Source {
+    /// A file whose bytes were read already.
+    pub fn of(path: &Path, bytes: &[u8]) -> Self {
+        Self { file: path.to_owned(), sha256: super::packed::sha256(bytes) }
+    }
+}
+
+/// Where a table's samples come from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Origin {
+    /// The file.
+    pub source: Source,
+    /// The row of the file that is the first sample.
+    pub first_row: usize,
+    /// Whether people count its rows; those of a log nobody does.
+    pub is_table: bool,
+}
+
 /// Something that a reader noticed and that did not stop it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
@@ -148,7 +166,7 @@ pub struct Note {
 
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:", self.file.display())?;
+        write!(f, "{}:", crate::text::in_line(&crate::error::named(&self.file)))?;
         if let Some(line) = self.line {
             write!(f, "{line}:")?;
         }
@@ -171,6 +189,8 @@ pub struct Recording {
     pub constants: Vec<Constant>,
     /// The files read, with hashes.
     pub sources: Vec<Source>,
+    /// Where the samples come from, by table; empty for what was made in memory.
+    pub origins: Vec<Origin>,
     /// What the reader noticed.
     pub notes: Vec<Note>,
 }

@@ -2,7 +2,7 @@
 
 use crate::diagnose::pictures::closer;
 use crate::estimate::Direction;
-use crate::estimate::fit::{Beside, Estimate, Fit, HeldOut, InitialEstimate, Series, Status};
+use crate::estimate::fit::{Beside, Combination, Estimate, Fit, HeldOut, InitialEstimate, Series, Status};
 use crate::model::Output;
 use crate::record::{Kind, Recording, Source};
 use crate::report::page::{self, Page, Section, head, table, with_unit};
@@ -74,7 +74,7 @@ pub fn page(r: &FitReport<'_>) -> String {
             Section::new("spectra", "What it leaves in frequency", r.spectra.iter().map(spectrum).collect()),
             Section::new("parameters", "Parameters", parameters(r)),
             Section::new("errors", "Free-run error", errors(r)),
-            Section::new("unseen", "What these data do not tell", unseen(&r.fit.unseen)),
+            Section::new("unseen", "What these data do not tell", unseen(&r.fit.unseen, &r.fit.determined)),
             Section::new("warnings", "Warnings", warnings(r.fit)),
             page::made(program, r.seed, r.inputs().map(|s| (Path::new(&s.file), s.sha256.as_str()))),
         ],
@@ -239,6 +239,7 @@ fn row(name: &str, values: [f64; 3], unit: &Unit, remark: Option<&str>) -> Vec<S
     let (mut shown, mut interval) = page::estimate(value, low, high);
     match remark {
         Some("fixed") => (shown, interval) = (format!("{value}"), "fixed".into()),
+        Some("at its bound") if interval != "–" => interval += ", at its bound",
         Some(remark) => interval = remark.into(),
         None if interval == "–" => interval = "cannot be told from these data".into(),
         None => {}
@@ -267,14 +268,22 @@ fn unseen_words(d: &Direction) -> String {
 }
 
 /// The same for a terminal, with its heading; empty where the data tell all.
-pub fn untold(directions: &[Direction]) -> String {
-    let lines: String = directions.iter().map(|d| format!("  {}\n", unseen_words(d))).collect();
-    if lines.is_empty() { lines } else { format!("\nNot identifiable: these data do not tell\n{lines}") }
+pub fn untold(directions: &[Direction], determined: &[Combination]) -> String {
+    let mut text: String = directions.iter().map(|d| format!("  {}\n", unseen_words(d))).collect();
+    if !text.is_empty() {
+        text = format!("\nNot identifiable: these data do not tell\n{text}");
+    }
+    if !determined.is_empty() {
+        text += "\nOf parameters that trade these data determine\n";
+    }
+    text + &determined.iter().map(|c| format!("  {}\n", c.words())).collect::<String>()
 }
 
-/// What the data do not tell, a paragraph each; empty where they tell all.
-pub fn unseen(directions: &[Direction]) -> String {
-    directions.iter().map(|d| format!("<p>{}.</p>", escaped(&unseen_words(d)))).collect()
+/// What the data do not tell, and what they determine instead, a paragraph each; empty where they tell all.
+pub fn unseen(directions: &[Direction], determined: &[Combination]) -> String {
+    let hidden = directions.iter().map(unseen_words);
+    let told = determined.iter().map(|c| format!("These data determine {}", c.words()));
+    hidden.chain(told).map(|words| format!("<p>{}.</p>", escaped(&words))).collect()
 }
 
 fn warnings(fit: &Fit) -> String {

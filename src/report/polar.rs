@@ -1,5 +1,6 @@
 //! The heading error on a compass card, as SVG.
 
+use crate::gyro::SIGN;
 use crate::report::svg::escaped;
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -22,6 +23,8 @@ pub struct Polar {
     pub title: String,
     /// Second line.
     pub subtitle: String,
+    /// What stands below it all, where something is to be warned of.
+    pub warning: String,
     /// The errors, by rising heading.
     pub points: Vec<Point>,
 }
@@ -40,15 +43,15 @@ path.spread{fill:#4477aa;fill-opacity:.25}line.spread{stroke:#4477aa;stroke-widt
 path.mean{stroke:#cc3311;stroke-width:2px}circle.mean{fill:#cc3311}";
 
 /// What the strokes mean.
-const KEY: &str =
-    "bold ring: no error; outside: positive, inside: negative; shade and strokes: ± one standard deviation";
+const KEY: &str = "bold ring: no error; outside: +, inside: −; shade and strokes: ± one standard deviation";
 
 /// Draws the picture; one SVG document without scripts or outside parts.
 ///
 /// ```
 /// use gyrospec::report::polar::{Point, Polar, svg};
 /// let points = (0..24).map(|k| Point { heading: f64::from(k) * 0.2618, mean: 1.0, spread: 0.1 });
-/// let picture = svg(&Polar { title: "a".into(), subtitle: "b".into(), points: points.collect() });
+/// let (title, subtitle, warning) = ("a".into(), "b".into(), String::new());
+/// let picture = svg(&Polar { title, subtitle, warning, points: points.collect() });
 /// assert!(picture.starts_with("<svg") && picture.trim_end().ends_with("</svg>"));
 /// ```
 pub fn svg(picture: &Polar) -> String {
@@ -56,13 +59,13 @@ pub fn svg(picture: &Polar) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {SIZE} {:.0}\">\n<style>{STYLE}</style>\n\
          <rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n\
          <text class=\"title\" x=\"320\" y=\"28\" text-anchor=\"middle\">{}</text>\n{}",
-        SIZE + 40.0,
+        SIZE + 100.0,
         escaped(&picture.title),
-        subtitle(&picture.subtitle)
+        lines(&picture.subtitle, 48)
     );
     drawing(&mut out, &picture.points);
-    let _ = writeln!(out, "<text x=\"320\" y=\"665\" text-anchor=\"middle\">{KEY}</text>\n</svg>");
-    out
+    let warning = picture.warning.replace(", ", "; ");
+    out + &lines(&format!("{}; {SIGN}; {warning}", KEY.replace("; ", ", ")), 656) + "</svg>\n"
 }
 
 /// The picture as a figure of a page, whose style colours it.
@@ -74,7 +77,7 @@ pub fn figure(picture: &Polar) -> String {
         CENTRE.1 - 0.5 * side
     );
     drawing(&mut out, &picture.points);
-    out + &format!("</svg><p class=\"legend\">{KEY}</p></figure>\n")
+    out + &format!("</svg><p class=\"legend\">{KEY}; {SIGN}</p></figure>\n")
 }
 
 fn drawing(out: &mut String, points: &[Point]) {
@@ -90,12 +93,12 @@ fn drawing(out: &mut String, points: &[Point]) {
     labels(out, step, scale);
 }
 
-/// The second line, broken behind semicolons.
-fn subtitle(text: &str) -> String {
+/// Lines from a height downwards, broken behind semicolons.
+fn lines(text: &str, from: usize) -> String {
     let line = |(k, part): (usize, &str)| {
-        format!("<text x=\"320\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", 48 + 16 * k, escaped(part))
+        format!("<text x=\"320\" y=\"{}\" text-anchor=\"middle\">{}</text>\n", from + 16 * k, escaped(part))
     };
-    text.split("; ").enumerate().map(line).collect()
+    text.split("; ").filter(|t| !t.is_empty()).enumerate().map(line).collect()
 }
 
 /// 1, 2 or 5 times a power of ten, at least `x`.

@@ -1,5 +1,6 @@
 //! The rolling error of a gyrocompass as one page with pictures.
 
+use crate::gyro::{SIGN, side};
 use crate::report::page::{self, Page, Section, table};
 use crate::report::polar::{self, Polar};
 use crate::report::svg::{Layer, Picture, escaped};
@@ -22,6 +23,8 @@ pub struct Rolling<'a> {
     pub card: Option<Polar>,
     /// The recorded roll, where there is one.
     pub recorded: Option<Recorded<'a>>,
+    /// What of the linear theory does not hold; empty where all of it does.
+    pub beyond: &'a str,
     /// What of the numbers to trust, in paragraphs.
     pub trust: &'a str,
     /// Whether the mean to trust is that by the measured spectrum.
@@ -46,6 +49,8 @@ pub struct Row {
     pub swing: f64,
     /// The part of it by products of motions.
     pub products: f64,
+    /// Half the 99 % interval of the mean, where a simulation gives it.
+    pub margin: Option<f64>,
     /// The mean by quadrature over the measured spectrum.
     pub measured: Option<f64>,
 }
@@ -75,7 +80,7 @@ pub fn page(r: &Rolling<'_>) -> String {
         kind: format!("Rolling error of a gyrocompass: {}", r.instrument),
         title: "Rolling error of a gyrocompass".into(),
         verdict: sentence(r),
-        lead: format!("Motion: {}. Compass: {}.", r.motion, r.compass),
+        lead: format!("{} Motion: {}. Compass: {}.", r.beyond, r.motion, r.compass).trim_start().to_owned(),
         sections: vec![
             Section::new("card", "The error", errors(r)),
             Section::new("roll", "The recorded roll", r.recorded.as_ref().map_or(String::new(), recorded)),
@@ -104,9 +109,10 @@ fn sentence(r: &Rolling<'_>) -> String {
     let Some(w) = worst else { return "There is nothing to compute.".into() };
     let (what, unit) = r.against.split_once(", ").unwrap_or((r.against, ""));
     format!(
-        "On this roll the compass is off by {}{}° in the mean{} at {what} {}{}{unit}, and swings by ±{}° about it.",
+        "On this roll the compass is off by {}{}° ({}) in the mean{} at {what} {}{}{unit}, and swings by ±{}° about it.",
         if mean(w) < 0.0 { "−" } else { "+" },
         significant(mean(w).abs(), 3),
+        side(mean(w)),
         match (r.by_spectrum, r.recorded.is_some()) {
             (true, _) => " (by its measured spectrum)",
             (false, true) => " (by its fit)",
@@ -154,6 +160,7 @@ fn recorded(r: &Recorded<'_>) -> String {
 
 fn rows(r: &Rolling<'_>) -> String {
     let measured = r.rows.iter().any(|x| x.measured.is_some());
+    let margin = r.rows.iter().any(|x| x.margin.is_some());
     let cells = |x: &Row| {
         let mut cells = vec![
             figure(x.value),
@@ -162,6 +169,9 @@ fn rows(r: &Rolling<'_>) -> String {
             format!("{:.4}°", x.swing),
             format!("{:.4}°", x.products),
         ];
+        if margin {
+            cells.push(x.margin.map_or("–".into(), |m| format!("±{m:.4}°")));
+        }
         if measured {
             cells.push(x.measured.map_or("–".into(), degrees));
         }
@@ -169,10 +179,13 @@ fn rows(r: &Rolling<'_>) -> String {
     };
     let first = format!("#{}", r.against);
     let mut heads = vec![first.as_str(), "#mean", "#spread", "#of it by swing", "#by products"];
+    if margin {
+        heads.push("#mean within (99 %)");
+    }
     if measured {
         heads.push("#mean by measured spectrum");
     }
-    table(&heads, &r.rows.iter().map(cells).collect::<Vec<_>>())
+    table(&heads, &r.rows.iter().map(cells).collect::<Vec<_>>()) + &format!("<p class=\"note\">{SIGN}</p>")
 }
 
 fn paragraphs(text: &str) -> String {

@@ -6,6 +6,7 @@ use super::simulator::Simulator;
 use super::start::start;
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::{Error, Result};
+use std::collections::HashMap;
 
 /// Refuses a model whose rates are no numbers at the first step, and names the term.
 pub(super) fn first_step(simulator: &Simulator, mesh: &Mesh, parameters: &[f64]) -> Result<()> {
@@ -21,35 +22,31 @@ pub(super) fn first_step(simulator: &Simulator, mesh: &Mesh, parameters: &[f64])
         return Err(Error::not_computed("a lag or a rate limit has no finite rate at the first step")
             .with_hint("its time must not be 0"));
     };
-    let lookup = |name: &str| value(simulator, &m, name);
+    let values = values(simulator, &m);
+    let lookup = |name: &str| values.get(name).copied();
     let message = format!("states.{}.rate is no number at the first step (t = {t} s)", state.name);
     let fault = find(&state.rate, &lookup).map(|e| (&state.rate, e));
     let fault = fault.or_else(|| {
-        let mut definitions = model.definitions.iter();
+        let mut definitions = model.definition_order().unwrap_or_default().into_iter();
         definitions.find_map(|d| Some((&d.equals, find(&d.equals, &lookup)?)))
     });
     Err(shown(Error::not_computed(message), fault))
 }
 
-/// The value of a name as it is loaded.
-fn value(simulator: &Simulator, m: &Machine<'_, f64>, name: &str) -> Option<f64> {
+/// The values of all names as they are loaded; there is none of a definition that remembers.
+fn values<'a>(simulator: &'a Simulator, m: &Machine<'_, f64>) -> HashMap<&'a str, f64> {
     let (model, p) = (simulator.model(), &simulator.program);
-    let at = |register: u16| m.r[usize::from(register)];
-    if name == "t" {
-        return Some(at(p.time));
+    let at = |register: &u16| m.r[usize::from(*register)];
+    let mut values = HashMap::from([("t", at(&p.time))]);
+    values.extend(model.parameters.iter().zip(&p.parameters).map(|(x, r)| (x.name.as_str(), at(r))));
+    values.extend(model.states.iter().zip(&p.states).map(|(x, r)| (x.name.as_str(), at(r))));
+    let columns = p.columns.iter().filter(|c| c.delay.is_none());
+    values.extend(columns.map(|c| (model.inputs[c.input].name.as_str(), at(&c.value))));
+    for d in model.definition_order().unwrap_or_default() {
+        let value = d.equals.value(&|name| values.get(name).copied());
+        values.extend(value.map(|v| (d.name.as_str(), v)));
     }
-    if let Some(i) = model.parameters.iter().position(|x| x.name == name) {
-        return Some(at(p.parameters[i]));
-    }
-    if let Some(i) = model.states.iter().position(|x| x.name == name) {
-        return Some(at(p.states[i]));
-    }
-    if let Some(i) = model.inputs.iter().position(|x| x.name == name) {
-        let column = p.columns.iter().find(|c| c.input == i && c.delay.is_none())?;
-        return Some(at(column.value));
-    }
-    let d = model.definitions.iter().find(|x| x.name == name)?;
-    d.equals.value(&|inner| value(simulator, m, inner))
+    values
 }
 
 /// The innermost part that is no finite number though its own parts are.
@@ -58,7 +55,8 @@ fn find<'a>(e: &'a Expr, lookup: &dyn Fn(&str) -> Option<f64>) -> Option<&'a Exp
         return Some(inner);
     }
     let own = matches!(e, Expr::Binary(..) | Expr::Call(..));
-    (own && e.value(lookup).is_some_and(|v| !v.is_finite())).then_some(e)
+    let is_bad = |e: &Expr| e.value(lookup).is_some_and(|v| !v.is_finite());
+    (own && is_bad(e) && !e.children().into_iter().any(is_bad)).then_some(e)
 }
 
 fn shown(e: Error, fault: Option<(&Expr, &Expr)>) -> Error {

@@ -17,7 +17,7 @@ pub(super) struct Samples {
 }
 
 /// A gap is a stretch of missing samples longer than this many usual steps.
-const GAP_STEPS: f64 = 3.5;
+pub const GAP_STEPS: f64 = 3.5;
 
 impl Samples {
     pub fn of(channel: &Channel) -> Self {

@@ -5,6 +5,7 @@
 //! by more than a stated share of its spread. Runs with other parameters and initial states, with
 //! sensitivities if wanted, are then as quick as the arithmetic.
 
+mod budget;
 mod events;
 mod faults;
 mod gaps;
@@ -24,8 +25,10 @@ mod static_run;
 mod steps;
 mod trace;
 
+pub use budget::{Budget, Early};
+pub use mesh::GAP_STEPS;
 pub use request::{Options, Trajectory, Unknown};
-pub use signals::OutputSignal;
+pub use signals::{OutputSignal, coverage};
 pub use simulator::Simulator;
 pub use steps::Method;
 pub use trace::Trace;

@@ -129,8 +129,8 @@ pub(super) struct Search<'a> {
 
 impl Search<'_> {
     fn run(&self, method: Method, substeps: usize) -> Result<Ran<f64>> {
-        let Course { program, mesh, clocks, steady, .. } = *self.course;
-        run(&Course { program, mesh, clocks, steady, method, substeps }, self.parameters, self.given)
+        let Course { program, mesh, clocks, steady, budget, .. } = *self.course;
+        run(&Course { program, mesh, clocks, steady, method, substeps, budget }, self.parameters, self.given)
     }
 
     /// The plan of the stiff method; none that has not begun to converge.

@@ -1,9 +1,10 @@
 //! What is asked of a run, and what it gives.
 
+use super::budget::Budget;
 use super::steps::Method;
 
 /// How to simulate.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Options {
     /// Share of an output's spread by which halving the step may move it; 1e-5.
     pub tolerance: f64,
@@ -11,11 +12,16 @@ pub struct Options {
     pub window: Option<(f64, f64)>,
     /// Fixed method and number of steps in a usual interval of the inputs; no check then.
     pub fixed: Option<(Method, usize)>,
+    /// Whether what follows a gap of an input is left out until the model, at its own parameters, has
+    /// forgotten the gap; else the gap alone is.
+    pub waits: bool,
+    /// What the runs may spend; unlimited.
+    pub budget: Budget,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { tolerance: 1e-5, window: None, fixed: None }
+        Self { tolerance: 1e-5, window: None, fixed: None, waits: true, budget: Budget::default() }
     }
 }
 

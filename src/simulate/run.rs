@@ -1,5 +1,6 @@
 //! A run over the whole mesh.
 
+use super::budget::Budget;
 use super::machine::Machine;
 use super::mesh::Mesh;
 use super::probe::{Clock, Probe, Stretch};
@@ -14,6 +15,9 @@ const MOST_EVENTS: usize = 12;
 /// A state beyond this has blown up.
 const TOO_LARGE: f64 = 1e100;
 
+/// Steps after which the time is looked at.
+const PATIENCE: usize = 256;
+
 /// What a run needs besides numbers.
 pub(super) struct Course<'a> {
     pub program: &'a Program,
@@ -24,6 +28,8 @@ pub(super) struct Course<'a> {
     pub method: Method,
     /// Steps in a usual interval of the mesh.
     pub substeps: usize,
+    /// What the run may spend.
+    pub budget: &'a Budget,
 }
 
 /// What a run gives.
@@ -32,6 +38,8 @@ pub(super) struct Ran<T> {
     pub values: Vec<Vec<T>>,
     /// Σ over steps of the embedded error against the range of each state, the largest.
     pub roughness: f64,
+    /// The lowest and the highest value of each state at the ends of the steps.
+    pub swings: Vec<(f64, f64)>,
     /// The time and the state at which the run blew up.
     pub blew_up: Option<(f64, usize)>,
     /// Number of events.
@@ -97,10 +105,11 @@ pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T])
         roughness: Roughness::new(n),
     };
     runner.begin(first);
-    let blew_up = runner.walk(course);
+    let blew_up = runner.walk(course)?;
     Ok(Ran {
         values: runner.probe.values,
         roughness: runner.roughness.worst(),
+        swings: runner.roughness.ranges,
         blew_up,
         events: runner.events,
     })
@@ -114,22 +123,30 @@ impl<T: Scalar> Runner<'_, T> {
         self.probe.record(&mut self.m, &here, &mut self.room);
     }
 
-    fn walk(&mut self, course: &Course<'_>) -> Option<(f64, usize)> {
+    fn walk(&mut self, course: &Course<'_>) -> Result<Option<(f64, usize)>> {
         let mesh = course.mesh;
+        let mut asked = 0;
         for i in 0..mesh.intervals() {
             let (from, to) = (mesh.time[i], mesh.time[i + 1]);
             self.enter(i, from, to);
             let pieces = substeps(course.substeps, to - from, mesh.usual);
             let h = (to - from) / pieces as f64;
+            // Each step once for its values and once for each sensitivity.
+            course.budget.spend((pieces * (1 + T::TANGENTS)) as u64);
+            asked += pieces;
+            if asked >= PATIENCE {
+                course.budget.in_time()?;
+                asked = 0;
+            }
             for s in 0..pieces {
                 let end = if s + 1 == pieces { to } else { from + (s + 1) as f64 * h };
                 self.advance(from + s as f64 * h, end);
             }
             if let Some(bad) = self.x.iter().position(|x| x.value().is_nan() || x.value().abs() > TOO_LARGE) {
-                return Some((to, bad));
+                return Ok(Some((to, bad)));
             }
         }
-        None
+        Ok(None)
     }
 
     fn enter(&mut self, interval: usize, from: f64, to: f64) {

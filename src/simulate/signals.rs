@@ -1,11 +1,11 @@
 //! The outputs of a model beside the channels that measured them.
 
-use super::gaps::inside;
+use super::gaps::{gaps, inside};
 use super::mesh::Samples;
 use super::probe::Clock;
 use crate::model::Model;
 use crate::model::program::{Program, Register};
-use crate::record::{Channel, Recording};
+use crate::record::{Channel, Kind, Recording};
 use crate::units::Unit;
 use crate::{Error, ErrorKind, Result};
 use std::sync::Arc;
@@ -42,6 +42,7 @@ pub(super) fn channel<'a>(
             format!("{what} {name} has the unit {unit} in the model, but {} in the recording", channel.unit);
         return Err(Error::new(ErrorKind::Units, message));
     }
+    unit.turns_or_radians(&channel.unit).map_err(|e| e.about(&format!("{what} {name}")))?;
     Ok(channel)
 }
 
@@ -115,6 +116,22 @@ pub(super) fn lasting(span: (f64, f64)) -> Result<()> {
     Err(Error::bad_input(message).with_hint("a model with states needs a stretch of time"))
 }
 
+/// The outputs of a model on a recording, and which of their samples it can predict whatever its
+/// parameters: those inside the time of all inputs and outside the inputs' gaps.
+///
+/// # Errors
+/// Missing channels, units that do not fit, inputs and outputs without common time.
+pub fn coverage(model: &Model, recording: &Recording) -> Result<Vec<OutputSignal>> {
+    let samples = inputs(model, recording)?;
+    let mut outputs = outputs(model, recording)?;
+    let span = span(&samples, &outputs, None)?;
+    match recording.kind {
+        Kind::Time => cover(&mut outputs, span, &gaps(&samples)),
+        Kind::Trials => cover_trials(&mut outputs, &samples, span),
+    }
+    Ok(outputs)
+}
+
 /// Marks what can be predicted: inside the span and outside the blanks.
 pub(super) fn cover(outputs: &mut [OutputSignal], span: (f64, f64), blanks: &[(f64, f64)]) {
     for o in outputs {
@@ -161,6 +178,7 @@ pub(super) fn constants(model: &Model, recording: &Recording) -> Result<Vec<(usi
                 );
                 return Err(Error::new(ErrorKind::Units, message));
             }
+            wanted.turns_or_radians(&c.unit).map_err(|e| e.about(&format!("the constant {}", c.name)))?;
             found.push((k, c.value));
         }
     }

@@ -1,5 +1,6 @@
 //! The simulator: built once from a model and a recording, run as often as wanted.
 
+use super::budget::Budget;
 use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
 use super::plan::{self, Plan, Search};
@@ -59,6 +60,7 @@ pub struct Simulator {
     /// What to take where the plan of order 2 does not do.
     careful: Option<Plan>,
     tolerance: f64,
+    budget: Budget,
 }
 
 impl Simulator {
@@ -92,6 +94,7 @@ impl Simulator {
             plan: Plan { method: Method::Explicit, substeps: 1, error: 0.0, roughness: 0.0, blew_up: false },
             careful: None,
             tolerance: options.tolerance,
+            budget: options.budget.clone(),
         };
         if simulator.is_dynamic() {
             if recording.kind == Kind::Trials {
@@ -102,7 +105,9 @@ impl Simulator {
             }
             signals::lasting(span)?;
             simulator.prepare(options)?;
-            simulator.wait_after_gaps();
+            if options.waits {
+                simulator.wait_after_gaps();
+            }
         }
         Ok(simulator)
     }
@@ -276,6 +281,18 @@ impl Simulator {
         Ok(out)
     }
 
+    /// How far each state moves in a run, from its lowest to its highest value; none where the run does not
+    /// go to its end, or the model has no states.
+    ///
+    /// # Errors
+    /// As [`Simulator::run`].
+    pub fn swings(&self, parameters: &[f64], initials: &[f64]) -> Result<Option<Vec<(f64, f64)>>> {
+        let parameters = self.with_constants(parameters);
+        let case = Case { parameters, initials, unknowns: &[], clocks: &self.clocks };
+        let (ran, _) = self.ran::<f64>(&case)?;
+        Ok(Some(ran.swings).filter(|_| ran.blew_up.is_none()))
+    }
+
     /// Runs one chunk of unknowns and adds what it gives.
     fn add<T: Scalar>(&self, case: &Case<'_>, out: &mut Trajectory) -> Result<()> {
         let (ran, plan) = self.ran::<T>(case)?;
@@ -308,7 +325,10 @@ impl Simulator {
         let parameters: Vec<T> = case.parameters.iter().enumerate().map(parameter).collect();
         if !self.is_dynamic() {
             let values = static_run::run(&self.program, &self.samples, case.clocks, &parameters);
-            return Ok((Ran { values, roughness: 0.0, blew_up: None, events: 0 }, self.plan));
+            return Ok((
+                Ran { values, roughness: 0.0, swings: Vec::new(), blew_up: None, events: 0 },
+                self.plan,
+            ));
         }
         let (starts, steady) = self.starts(case.initials);
         let given: Vec<T> =
@@ -378,6 +398,7 @@ impl Simulator {
             steady,
             method: plan.method,
             substeps: plan.substeps,
+            budget: &self.budget,
         }
     }
 }

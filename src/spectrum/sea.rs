@@ -109,8 +109,8 @@ impl Sea {
     }
 }
 
-/// How a ship rolls in a beam sea: one damped resonance, driven by the wave's slope, with
-/// waves shorter than the ship is wide averaged out.
+/// How a ship moves in a long-crested sea: its slope athwart drives a damped resonance of roll, its slope along the
+/// ship drives pitch, and waves shorter than the ship is long or wide along their travel are averaged out.
 ///
 /// | field | symbol | unit |
 /// |---|---|---|
@@ -118,6 +118,14 @@ impl Sea {
 /// | `damping` | ζ_φ, ratio of critical damping | 1 |
 /// | `slope` | χ, effective part of the wave slope | 1 |
 /// | `beam` | B | m |
+///
+/// A sea from the bearing ν off the bow (clockwise: 0 ahead, π/2 from abeam to starboard) has the slope
+/// σ = (−s²/g)ζ along its travel, of which −σ sin ν acts athwart and +σ cos ν along the ship; positive turns carry the
+/// mast to port and forward. Heave is given the phase of the slope. Waves come at their own frequency: the speed of the
+/// ship through them is not counted.
+///
+/// References: M. St. Denis, W. J. Pierson, Trans. SNAME 61 (1953) 280–357; E. V. Lewis (ed.), Principles of Naval
+/// Architecture III (SNAME 1989), ch. VIII.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hull {
     /// ω_φ, rad/s.
@@ -138,44 +146,64 @@ impl Default for Hull {
 }
 
 impl Hull {
-    /// θ/ζ: φ̈ + 2ζ_φω_φφ̇ + ω_φ²φ = ω_φ² χ (−s²/g) ζ/(1 + s/ω_B)², ω_B² = 2g/B; rad/m.
+    /// The parts of a wave's slope athwart and along the ship, (−sin ν, cos ν); no part is a rounding error of 0.
+    pub fn slopes(from: f64) -> (f64, f64) {
+        let clean = |x: f64| if x.abs() < 1e-9 { 0.0 } else { x };
+        (clean(-from.sin()), clean(from.cos()))
+    }
+
+    /// θ/ζ: φ̈ + 2ζ_φω_φφ̇ + ω_φ²φ = ω_φ² χ (−sin ν)(−s²/g) ζ/(1 + s/ω_L)², rad/m, in a sea from the bearing ν
+    /// (rad, clockwise off the bow).
     ///
     /// # Errors
-    /// `BadInput` when a number is not positive.
-    pub fn roll_response(&self) -> Result<TransferFunction> {
-        let values = [self.frequency, self.damping, self.slope, self.beam];
+    /// `BadInput` when a number is not positive, or nothing of the slope lies athwart.
+    pub fn roll_response(&self, from: f64) -> Result<TransferFunction> {
+        let values = [self.frequency, self.damping, self.slope];
         if values.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
             return Err(Error::bad_input("frequency, damping, slope and beam of a ship must be positive"));
         }
         let w2 = self.frequency * self.frequency;
-        let short = (2.0 * GRAVITY / self.beam).sqrt();
         let resonance = TransferFunction::new(
-            &[-w2 * self.slope / GRAVITY, 0.0, 0.0],
+            &[-excited(Self::slopes(from).0, "roll")? * w2 * self.slope / GRAVITY, 0.0, 0.0],
             &[1.0, 2.0 * self.damping * self.frequency, w2],
         )?;
-        let averaged = TransferFunction::new(&[1.0], &[1.0 / (short * short), 2.0 / short, 1.0])?;
-        Ok(resonance.then(&averaged))
+        Ok(resonance.then(&self.averaged(from)?))
     }
 
-    /// Pitch/ζ = (−s²/g)/(1 + s/ω_L)²: the wave's slope along the ship, rad/m.
+    /// Pitch/ζ = cos ν (−s²/g)/(1 + s/ω_L)²: the wave's slope along the ship, rad/m.
     ///
     /// # Errors
-    /// `BadInput` when the beam is not positive.
-    pub fn pitch_response(&self) -> Result<TransferFunction> {
-        TransferFunction::new(&[-1.0 / GRAVITY, 0.0, 0.0], self.along_ship()?.denominator())
+    /// `BadInput` when the beam is not positive, or nothing of the slope lies along the ship.
+    pub fn pitch_response(&self, from: f64) -> Result<TransferFunction> {
+        let along = excited(Self::slopes(from).1, "pitch")?;
+        TransferFunction::new(&[-along / GRAVITY, 0.0, 0.0], self.averaged(from)?.denominator())
     }
 
     /// Heave/ζ = 1/(1 + s/ω_L)²: the wave's height, m/m.
     ///
     /// # Errors
     /// `BadInput` when the beam is not positive.
-    pub fn heave_response(&self) -> Result<TransferFunction> {
-        self.along_ship()
+    pub fn heave_response(&self, from: f64) -> Result<TransferFunction> {
+        self.averaged(from)
     }
 
-    /// 1/(1 + s/ω_L)², ω_L² = 2g/(6B): waves shorter than a ship of six beams averaged out.
-    fn along_ship(&self) -> Result<TransferFunction> {
-        let corner = (2.0 * GRAVITY / (6.0 * self.beam)).sqrt();
+    /// 1/(1 + s/ω_L)², ω_L² = 2g/L: waves shorter than the ship's extent L = B|sin ν| + 6B|cos ν| along their travel
+    /// averaged out, of a ship of six beams.
+    fn averaged(&self, from: f64) -> Result<TransferFunction> {
+        if !(self.beam.is_finite() && self.beam > 0.0) {
+            return Err(Error::bad_input("frequency, damping, slope and beam of a ship must be positive"));
+        }
+        let (athwart, along) = Self::slopes(from);
+        let extent = self.beam * (athwart.abs() + 6.0 * along.abs());
+        let corner = (2.0 * GRAVITY / extent).sqrt();
         TransferFunction::new(&[1.0], &[1.0 / (corner * corner), 2.0 / corner, 1.0])
     }
+}
+
+/// A part of the slope that is there.
+fn excited(part: f64, what: &str) -> Result<f64> {
+    if part != 0.0 {
+        return Ok(part);
+    }
+    Err(Error::bad_input(format!("a sea from there has no slope that excites {what}")))
 }

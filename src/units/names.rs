@@ -1,7 +1,7 @@
 //! The names of the closed list: code name | factor | powers of m, kg, s, A, K | prefixes.
 
 use super::Dimension;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 /// One named unit with its prefix already applied.
 pub(super) struct Named {
@@ -10,6 +10,8 @@ pub(super) struct Named {
     pub decade: i32,
     pub offset: f64,
     pub dimension: Dimension,
+    /// The power of an angle in it, which the dimension leaves out.
+    pub angle: i32,
 }
 
 /// Derived SI units used to spell a dimension.
@@ -19,7 +21,7 @@ pub(super) const DERIVED: [(&str, [i32; 5]); 4] =
 type Row = (&'static str, f64, i32, [i32; 5], &'static str);
 
 /// Symbol, mantissa, decade, powers of (m, kg, s, A, K), prefixes allowed.
-const TABLE: [Row; 25] = [
+const TABLE: [Row; 33] = [
     ("m", 1.0, 0, [1, 0, 0, 0, 0], "kdcmun"),
     ("g", 1.0, -3, [0, 1, 0, 0, 0], "Mkmu"),
     ("s", 1.0, 0, [0, 0, 1, 0, 0], "mun"),
@@ -44,8 +46,19 @@ const TABLE: [Row; 25] = [
     ("arcsec", PI / 648_000.0, 0, [0; 5], "m"),
     ("rpm", PI / 30.0, 0, [0, 0, -1, 0, 0], ""),
     ("kn", 1852.0 / 3600.0, 0, [1, 0, -1, 0, 0], ""),
+    ("rev", TAU, 0, [0; 5], ""),
+    ("%", 1.0, -2, [0; 5], ""),
+    ("d", 86_400.0, 0, [0, 0, 1, 0, 0], ""),
+    ("nmi", 1852.0, 0, [1, 0, 0, 0, 0], ""),
+    ("ft", 3048.0, -4, [1, 0, 0, 0, 0], ""),
+    ("l", 1.0, -3, [3, 0, 0, 0, 0], "mcd"),
+    ("bar", 1.0, 5, [-1, 1, -2, 0, 0], "m"),
+    ("Wh", 3600.0, 0, [2, 1, -2, 0, 0], "kM"),
     ("1", 1.0, 0, [0; 5], ""),
 ];
+
+/// The names that hold one power of an angle. A revolution is one too, but what `rev/s` counts is asked for.
+const ANGLES: [&str; 5] = ["rad", "deg", "arcmin", "arcsec", "rpm"];
 
 fn decade_of(prefix: char) -> i32 {
     match prefix {
@@ -68,6 +81,7 @@ fn named(row: &Row, prefix: Option<char>) -> Named {
         decade: decade + prefix.map_or(0, decade_of),
         offset: if symbol == "degC" { 273.15 } else { 0.0 },
         dimension: Dimension::whole(powers),
+        angle: i32::from(ANGLES.contains(&symbol)),
     }
 }
 
@@ -78,8 +92,7 @@ pub(super) fn all() -> impl Iterator<Item = Named> {
     plain.chain(prefixed)
 }
 
-/// The unit of that name (`µ` counts as `u`).
+/// The unit of that name.
 pub(super) fn find(name: &str) -> Option<Named> {
-    let plain = name.replace(['µ', 'μ'], "u");
-    all().find(|n| n.name == plain)
+    all().find(|n| n.name == name)
 }

@@ -1,11 +1,13 @@
 //! Reads a unit text: names joined by `*` and `/`, whole or half powers by `^`, parentheses.
 
-use super::{Dimension, Ratio, Unit, names};
+use super::turning::Counts;
+use super::{Dimension, Ratio, Unit, names, spelling};
 use crate::error::nearest;
 use crate::{Error, ErrorKind, Result};
 
 /// Reads the whole text.
 pub(super) fn unit(text: &str) -> Result<Unit> {
+    let text = &spelling::plain(text);
     let mut reader = Reader { text, at: 0 };
     reader.spaces();
     if reader.rest().is_empty() {
@@ -81,7 +83,8 @@ impl<'a> Reader<'a> {
             return if self.takes(')') { Ok(inner) } else { Err(self.error("a ) is missing")) };
         }
         let start = self.at;
-        let length = self.rest().find(|c: char| !c.is_alphanumeric()).unwrap_or(self.rest().len());
+        let length =
+            self.rest().find(|c: char| !c.is_alphanumeric() && c != '%').unwrap_or(self.rest().len());
         let name = &self.rest()[..length];
         if name.is_empty() {
             return Err(self.error("a unit name is missing here"));
@@ -95,6 +98,8 @@ impl<'a> Reader<'a> {
             decade: found.decade,
             offset: 0.0,
             dimension: found.dimension,
+            angle: Ratio::new(found.angle, 1).unwrap_or(Ratio::ZERO),
+            counts: Counts::of(&found.name),
         })
     }
 
@@ -104,7 +109,7 @@ impl<'a> Reader<'a> {
         let e = self.error_at(start, name.chars().count(), message);
         match spelled_out(name).or_else(|| nearest(name, known.iter().map(String::as_str))) {
             Some(near) => e.with_hint(format!("the nearest known unit is {near}")),
-            None => e.with_hint("known are m g s min h A K degC N dyn Nm J W Pa V ohm T Hz rad deg arcmin arcsec rpm kn 1, with prefixes"),
+            None => e.with_hint("known are m ft nmi l g s min h d A K degC N dyn Nm J Wh W Pa bar V ohm T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
         }
     }
 
@@ -146,8 +151,14 @@ fn spelled_out(name: &str) -> Option<&'static str> {
         "radian" | "radians" => "rad",
         "newton" | "newtons" => "N",
         "volt" | "volts" => "V",
-        "knot" | "knots" | "kt" | "kts" => "kn",
+        "knot" | "kt" | "kts" => "kn",
         "celsius" | "degc" | "degf" | "c" => "degC",
+        "ohms" => "ohm",
+        "day" | "days" => "d",
+        "revs" | "revolution" | "revolutions" | "turn" | "turns" => "rev",
+        "percent" => "%",
+        "litre" | "liter" | "litres" | "liters" => "l",
+        "foot" | "feet" => "ft",
         "minute" | "minutes" => "min",
         "hour" | "hours" | "hr" => "h",
         "kilogram" | "kilograms" => "kg",
@@ -174,5 +185,7 @@ fn times(a: &Unit, b: &Unit, e: Ratio) -> Unit {
         decade: a.decade + whole,
         offset: 0.0,
         dimension: a.dimension.times(Dimension::power(b.dimension, e)),
+        angle: a.angle.plus(b.angle.times(e)),
+        counts: a.counts.with(b.counts),
     }
 }

@@ -42,14 +42,69 @@ fn conversions() {
 
 #[test]
 fn errors_name_the_nearest() {
-    for (text, near) in [("metre", "m"), ("Degc", "degC"), ("knots", "kn"), ("radd/s", "rad"), ("m/sec", "s")]
-    {
+    for (text, near) in [
+        ("metre", "m"),
+        ("Degc", "degC"),
+        ("kts", "kn"),
+        ("radd/s", "rad"),
+        ("m/sec", "s"),
+        ("OHM", "ohm"),
+        ("KN", "kN"),
+        ("PA", "Pa"),
+        ("HZ", "Hz"),
+    ] {
         let e = Unit::parse(text).unwrap_err();
         assert!(e.hint().unwrap().ends_with(&format!(" {near}")), "{text}: {e}");
     }
     assert_eq!(Unit::parse("m/foo").unwrap_err().column(), Some(3));
     for bad in ["", "m^", "m^0.3", "m**s", "(m", "m s", "/s", "m^1/0"] {
         assert!(Unit::parse(bad).is_err(), "{bad}");
+    }
+}
+
+#[test]
+fn the_spelling_of_people_is_read() {
+    for (people, list) in [
+        ("°C", "degC"),
+        ("℃", "degC"),
+        ("°", "deg"),
+        ("°/s", "deg/s"),
+        ("m/s²", "m/s^2"),
+        ("m³/h", "m^3/h"),
+        ("s⁻¹", "s^-1"),
+        ("N·m", "N*m"),
+        ("g·cm²/s", "g*cm^2/s"),
+        ("Ω", "ohm"),
+        ("kΩ", "kohm"),
+        ("MOhm", "Mohm"),
+        ("Ohm", "ohm"),
+        ("µm", "um"),
+        ("knots", "kn"),
+        ("m10²", "m10²"),
+    ] {
+        match Unit::parse(list) {
+            Ok(unit) => assert_eq!(u(people), unit, "{people}"),
+            Err(_) => assert!(Unit::parse(people).is_err(), "{people}"),
+        }
+    }
+    // by their definitions: 1 nmi = 1852 m, 1 ft = 0.3048 m, 1 l = 0.001 m^3, 1 bar = 1e5 Pa, 1 Wh = 3600 J
+    let cases = [
+        ("nmi", 1.0, 1852.0),
+        ("ft", 10.0, 3.048),
+        ("l", 1000.0, 1.0),
+        ("ml", 1.0, 1e-6),
+        ("mbar", 1013.25, 101_325.0),
+        ("kWh", 1.0, 3.6e6),
+        ("%", 50.0, 0.5),
+        ("%/s", 50.0, 0.5),
+        ("d", 1.0, 86_400.0),
+        ("rev", 1.0, std::f64::consts::TAU),
+        ("m³/h", 3600.0, 1.0),
+        ("l/min", 60.0, 0.001),
+    ];
+    for (unit, value, si) in cases {
+        let got = u(unit).to_si(value);
+        assert!((got - si).abs() <= 1e-14 * si.abs(), "{unit}: {got} for {si}");
     }
 }
 

@@ -22,6 +22,7 @@ fn every_slip_of_the_papers_is_found_and_placed() {
         ("(3.1), line 1", CheckKind::Value, "printed −"),
         ("(3.1), line 2", CheckKind::Dimensions, "^"),
         ("(3.1), line 2", CheckKind::Value, "printed x1, must be x1_d"),
+        ("(2.4), index", CheckKind::Value, "printed H_1, must be H"),
         ("(3.1), line 3", CheckKind::Dimensions, "^"),
         ("(3.1), line 3", CheckKind::Value, "printed x3, must be x3_d"),
         ("(3.1), line 4", CheckKind::Dimensions, "^"),

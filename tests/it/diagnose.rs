@@ -9,7 +9,7 @@ use gyrospec::model::{Initial, Model};
 use gyrospec::record::Recording;
 
 /// Noise of lag-one correlation 0.9 and unit deviation, from a small congruential generator.
-fn noise(n: usize, mut seed: u64) -> Vec<f64> {
+pub fn noise(n: usize, mut seed: u64) -> Vec<f64> {
     let mut uniform = || {
         seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
         (seed >> 11) as f64 / (1u64 << 53) as f64 - 0.5
@@ -25,8 +25,12 @@ fn noise(n: usize, mut seed: u64) -> Vec<f64> {
 }
 
 /// The axis with another force in its sum, simulated and covered with noise of 1 % of the motion.
-fn recording(force: Option<&str>) -> (Model, Recording) {
-    let scenario = Scenario::axis(5).unwrap();
+pub fn recording(force: Option<&str>) -> (Model, Recording) {
+    moved(Scenario::axis(5).unwrap(), force)
+}
+
+/// The same with the inputs of a scenario.
+pub fn moved(scenario: Scenario, force: Option<&str>) -> (Model, Recording) {
     let mut truth = scenario.model.clone();
     if let Some(force) = force {
         truth.states[1].rate = Expr::parse(&format!("(force - Fv*v - k*q - {force})/M")).unwrap();
@@ -48,10 +52,17 @@ fn recording(force: Option<&str>) -> (Model, Recording) {
     (model, recording)
 }
 
-fn diagnosed(model: &Model, recording: Recording) -> Diagnosis {
+pub fn diagnosed(model: &Model, recording: Recording) -> Diagnosis {
     let recordings = [recording];
-    let request =
-        Request { model, source: None, recordings: &recordings, separate: &[], seed: 1, progress: &Silent };
+    let request = Request {
+        model,
+        source: None,
+        recordings: &recordings,
+        separate: &[],
+        seed: 1,
+        time_limit: None,
+        progress: &Silent,
+    };
     diagnose(&request).unwrap()
 }
 
@@ -107,6 +118,7 @@ fn a_stuck_sensor_is_a_fault_and_no_physics() {
     assert_eq!(d.answer.verdict, Verdict::DataFault, "{}", d.answer.says);
     assert_eq!(d.answer.findings[0].code, "frozen-channel");
     assert_eq!(d.answer.findings.len(), 1);
+    assert_eq!(d.answer.faults.len(), 1);
 }
 
 /// The recording as a table in other units, under other names.

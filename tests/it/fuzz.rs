@@ -100,10 +100,13 @@ fn damaged(text: &str, all: &[Damage]) -> Vec<u8> {
     bytes
 }
 
+fn cases() -> u32 {
+    std::env::var("GYROSPEC_FUZZ").ok().and_then(|n| n.parse().ok()).unwrap_or(500)
+}
+
 /// Runs a reader on damaged copies of some texts.
 fn fuzz(seeds: &[&str], check: impl Fn(&[u8])) {
-    let cases = std::env::var("GYROSPEC_FUZZ").ok().and_then(|n| n.parse().ok()).unwrap_or(500);
-    let config = Config { cases, failure_persistence: None, ..Config::default() };
+    let config = Config { cases: cases(), failure_persistence: None, ..Config::default() };
     let rng = TestRng::from_seed(RngAlgorithm::ChaCha, &[7; 32]);
     let strategy = (0..seeds.len(), proptest::collection::vec(damage(), 0..6));
     let mut runner = TestRunner::new_with_rng(config, rng);

@@ -2,9 +2,9 @@
 
 use approx::assert_relative_eq;
 use gyrospec::ErrorKind;
-use gyrospec::gyro::elastic::{Backlash, Compliance, Elastic, Friction, Inertia, Lag, Relaxing};
+use gyrospec::gyro::elastic::{Compliance, Elastic, Inertia, Lag, Relaxing};
 use gyrospec::gyro::gimbal::{Demodulator, Gimbal, Noise, Run, State};
-use gyrospec::gyro::{Axis, Gyrosphere, Instrument, MonteCarlo, Motion, Trial, identify, seed, sweep};
+use gyrospec::gyro::{Axis, Drive, Gyrosphere, Instrument, MonteCarlo, Motion, Trial, identify, seed, sweep};
 use gyrospec::lti::TransferFunction;
 use gyrospec::spectrum::{Hull, Roll, Sea, fit_rational};
 use rand::{RngExt, SeedableRng};
@@ -12,6 +12,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 const NORTHEAST: f64 = std::f64::consts::FRAC_PI_4;
+
+/// A sea from 45° to starboard of the bow.
+const BOW_QUARTER: f64 = std::f64::consts::FRAC_PI_4;
 
 /// A quick compass, so that a short simulation holds many of its periods: the theory is the same.
 fn quick() -> Gyrosphere {
@@ -29,18 +32,24 @@ fn sea() -> Motion {
     let fit = fit_rational(&omega, &density, &[1.0; 200], &[0, 1, 3]).unwrap();
     let hull = Hull::default();
     let responses = [
-        (Axis::Roll, hull.roll_response().unwrap()),
-        (Axis::Pitch, hull.pitch_response().unwrap()),
-        (Axis::Heave, hull.heave_response().unwrap()),
+        (Axis::Roll, hull.roll_response(BOW_QUARTER).unwrap()),
+        (Axis::Pitch, hull.pitch_response(BOW_QUARTER).unwrap()),
+        (Axis::Heave, hull.heave_response(BOW_QUARTER).unwrap()),
     ];
     Motion::in_sea(&fit.shaping, &responses).unwrap()
 }
 
 fn agrees(name: &str, instrument: &Instrument, motion: &Motion) {
+    let plan = MonteCarlo { step: 0.0, duration: 6.0 * 3600.0, settle: 2000.0, runs: 24, seed: 5 };
+    agrees_by(name, instrument, motion, plan);
+}
+
+/// The moments against the equations of motion stepped as they stand, with which they share nothing.
+fn agrees_by(name: &str, instrument: &Instrument, motion: &Motion, plan: MonteCarlo) {
     let error = instrument.error(motion, NORTHEAST).unwrap();
-    let plan = MonteCarlo { step: 0.1, duration: 6.0 * 3600.0, settle: 2000.0, runs: 24, seed: 5 };
-    let system = instrument.system(motion, NORTHEAST).unwrap();
-    let got = plan.run(&system, 0, error.mean()).unwrap();
+    let drive = Drive::irregular(motion);
+    let plan = MonteCarlo { step: drive.step().unwrap(), ..plan };
+    let got = plan.run(instrument, &drive, NORTHEAST).unwrap();
     println!(
         "{name}: mean {:.5}° formula {:.5}° ± {:.5}°; variance {:.4e} formula {:.4e} ± {:.1e}",
         got.mean.to_degrees(),
@@ -74,6 +83,14 @@ fn every_exact_member_agrees_with_simulation() {
 }
 
 #[test]
+fn a_simulation_starts_as_it_goes_on() {
+    // a roll that would take hours to swing up from rest
+    let motion = Motion::roll(&Roll::new(0.02, 1e-4, 0.8).unwrap()).band_limited(2.5, 2).unwrap();
+    let plan = MonteCarlo { step: 0.0, duration: 1000.0, settle: 2000.0, runs: 150, seed: 7 };
+    agrees_by("narrow roll", &Instrument::new(quick(), Box::new(Lag)), &motion, plan);
+}
+
+#[test]
 fn the_seed_compass_itself_agrees_with_simulation() {
     let (sphere, roll, heading) = seed::example_3_1();
     let compass = Instrument::new(sphere, Box::new(Lag));
@@ -84,10 +101,8 @@ fn the_seed_compass_itself_agrees_with_simulation() {
         seed::irregular_error(&sphere, &roll, heading).unwrap(),
         max_relative = 1e-9
     );
-    let plan = MonteCarlo { step: 0.1, duration: 86400.0, settle: 20000.0, runs: 12, seed: 3 };
-    let got = plan.run(&compass.system(&motion, heading).unwrap(), 0, error.mean()).unwrap();
-    assert!((got.mean - error.mean()).abs() < got.mean_margin);
-    assert!((got.variance - error.spread.powi(2)).abs() < got.variance_margin);
+    let plan = MonteCarlo { step: 0.0, duration: 86400.0, settle: 20000.0, runs: 12, seed: 3 };
+    agrees_by("the seed", &compass, &motion, plan);
 }
 
 #[test]
@@ -129,59 +144,6 @@ fn inertia_and_small_parts_have_their_limits() {
     let lag = mean(Box::new(Lag));
     assert_relative_eq!(mean(Box::new(Inertia)), lag, max_relative = 1e-3);
     assert_relative_eq!(mean(Box::new(Relaxing { time: 3.0, share: 1e-9 })), lag, max_relative = 1e-8);
-    assert_relative_eq!(
-        mean(Box::new(Friction { force: 1e-6 })),
-        mean(Box::new(Inertia)),
-        max_relative = 1e-4
-    );
-    assert_relative_eq!(mean(Box::new(Backlash { gap: 1e-9 })), mean(Box::new(Inertia)), max_relative = 1e-3);
-    assert_eq!(mean(Box::new(Friction { force: 1e6 })), 0.0);
-}
-
-/// ⟨W₂ x⟩/(−½ sin 2K h²) of a nonlinear part by direct simulation of m ẍ + r ẋ + s(x, ẋ) = m W₁.
-fn simulated_moment(sphere: &Gyrosphere, force: impl Fn(f64, f64) -> f64) -> f64 {
-    let low = TransferFunction::new(&[1.0], &[0.4, 1.0]).unwrap();
-    let shaping = roll().shaping().then(&low).then(&low).differentiated().unwrap().differentiated().unwrap();
-    let system = gyrospec::lti::StateSpace::from_transfer(&shaping);
-    let step = 0.004;
-    let mut discrete = gyrospec::lti::Discrete::new(&system.a, &system.b, step);
-    let mut rng = ChaCha8Rng::seed_from_u64(8);
-    let mut z = vec![0.0; system.order()];
-    let (m, r) = (sphere.weight / sphere.gravity, sphere.lag * sphere.stiffness);
-    let (mut x, mut v, mut sum) = (0.0, 0.0, 0.0);
-    let count = 5_000_000;
-    for _ in 0..count {
-        discrete.advance(&mut z, &mut rng);
-        let acceleration: f64 = (0..z.len()).map(|j| system.c[(0, j)] * z[j]).sum();
-        // W₁ = −hθ̈ cos K, implicit in the smooth damping
-        v = (v + step * (-sphere.lever * acceleration * NORTHEAST.cos() - force(x, v) / m))
-            / (1.0 + step * r / m);
-        x += step * v;
-        sum += acceleration * x;
-    }
-    sum / f64::from(count)
-}
-
-#[test]
-fn linearised_friction_and_free_play_are_as_near_as_they_say() {
-    let sphere = Gyrosphere { stiffness: 30.0, lag: 0.5, lever: 1.0, ..Gyrosphere::seed() };
-    let motion = Motion::roll(&roll()).band_limited(2.5, 2).unwrap();
-    let unit = sphere.weight * sphere.lever * NORTHEAST.sin()
-        / (sphere.gravity * sphere.momentum * sphere.earth_rate * sphere.latitude.cos());
-    let formula = |part: Box<dyn Elastic>| {
-        Instrument::new(sphere, part).rectified_error(&motion, NORTHEAST).unwrap() / unit
-    };
-    let c = sphere.stiffness;
-    let fc = 0.2;
-    let rubbed = simulated_moment(&sphere, |x, v| c * x + fc * (v / 1e-3).clamp(-1.0, 1.0));
-    let said = formula(Box::new(Friction { force: fc }));
-    println!("friction: linearised {said:.6}, simulated {rubbed:.6}");
-    assert_relative_eq!(said, rubbed, max_relative = 0.1);
-    let gap = 0.01;
-    let loose = simulated_moment(&sphere, |x, _| c * (x - x.clamp(-gap, gap)));
-    let said = formula(Box::new(Backlash { gap }));
-    println!("free play: linearised {said:.6}, simulated {loose:.6}");
-    assert_relative_eq!(said, loose, max_relative = 0.1);
 }
 
 #[test]
@@ -209,11 +171,12 @@ fn a_sweep_says_what_each_case_says_alone() {
         })
         .collect();
     for ((sphere, roll, heading), swept) in cases.iter().zip(sweep(&cases).unwrap()) {
-        assert_relative_eq!(
-            swept.unwrap(),
-            seed::irregular_error_closed(sphere, roll, *heading),
-            max_relative = 1e-11
-        );
+        let closed = seed::irregular_error_closed(sphere, roll, *heading);
+        // beyond 45° the linear theory gives no number
+        match swept {
+            Ok(e) => assert_relative_eq!(e, closed, max_relative = 1e-11),
+            Err(e) => assert!(closed.abs() > NORTHEAST && e.kind() == ErrorKind::OutOfRange, "{e}"),
+        }
     }
 }
 
@@ -314,29 +277,6 @@ fn noise_equivalent_rates_agree_with_simulation() {
     println!("noise-equivalent rate: formula {:.4e}, simulated {:.4e}", said.torque, square.sqrt());
     // 600 s × 5 rad/s of band on two axes: some 3000 independent values, 99 % within 5 % of the deviation
     assert_relative_eq!(square.sqrt(), said.torque, max_relative = 0.06);
-}
-
-#[test]
-fn base_motion_near_twice_the_speed_folds_onto_slow_rates() {
-    let gimbal = Gimbal::example();
-    let base = [1e-3, 2.0 * gimbal.speed, 0.05];
-    let said = gimbal.noise_equivalent(&Noise { torque: [0.0; 2], base: Some(base) }, 4.0).unwrap();
-    // by plain quadrature over ν of |F(j(2Ω + ν))|² |a(ν)/a(0)|² S(ν)
-    let still = gimbal.scale_factor(0.0);
-    let density = |nu: f64| {
-        let (w0, z) = (base[1], base[2]);
-        base[0].powi(2) * 4.0 * z * w0.powi(3) / ((w0 * w0 - nu * nu).powi(2) + (2.0 * z * w0 * nu).powi(2))
-    };
-    let low = |w: f64| 1.0 / (1.0 + (w / 4.0).powi(2)).powi(2);
-    let step = 0.01;
-    let sum: f64 = (-300_000..300_000)
-        .map(|k| {
-            let nu = (f64::from(k) + 0.5) * step;
-            low(2.0 * gimbal.speed + nu) * (gimbal.scale_factor(nu) / still).norm_sqr() * density(nu)
-        })
-        .sum();
-    let by_quadrature = (sum * step / std::f64::consts::TAU).sqrt();
-    assert_relative_eq!(said.base, by_quadrature, max_relative = 1e-4);
 }
 
 #[test]

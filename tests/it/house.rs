@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::Path;
 
-const ROOMS: [&str; 18] = [
+const ROOMS: [&str; 19] = [
+    "text",
     "error",
     "units",
     "expression",

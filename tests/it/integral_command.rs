@@ -60,6 +60,19 @@ fn a_batch_answers_line_by_line_and_survives_broken_lines() {
 }
 
 #[test]
+fn what_is_no_case_in_a_batch_is_told_what_a_case_is() {
+    let input = b"[]\r{}\rnull\r7\r\"h\"\rtrue\r[[1,2,3],[0,1],null]\r[1,\r{\"h\":[1,2,3],\"g\":[0,1]}\r";
+    let answers = lines(&program(&["integral", "--batch", "-"], input));
+    let says = ["a list", "missing field", "null", "a number", "a text", "true or false", "a list", "a list"];
+    for (k, (answer, says)) in answers.iter().zip(says).enumerate() {
+        let message = answer["message"].as_str().unwrap();
+        assert!(message.starts_with(&format!("line {}", k + 1)) && message.contains(says), "{message}");
+        assert!(message.contains("such as {\"h\":[1,2,3]") || message.contains(", column"), "{message}");
+    }
+    assert_eq!((answers.len(), answers[8]["status"].as_str()), (9, Some("ok")));
+}
+
+#[test]
 fn a_check_shows_the_other_methods() {
     let output = program(&["integral", "--json", "--check", "--h", "1 2 3", "--g", "0 1"], b"");
     let all = &lines(&output)[0]["crosscheck"];

@@ -1,23 +1,43 @@
 //! All integration tests, in one binary: one module a capability.
 #![allow(clippy::print_stdout, clippy::print_stderr)] // what was skipped, and figures for the record
 
+mod apart;
 mod audit;
+mod chained;
 mod diagnose;
+mod diagnose_rough;
+mod endings;
+mod faults;
 mod fit;
 mod formula;
 mod fuzz;
+mod fuzz_diagnose;
+mod fuzz_gaps;
+mod gimbal;
 mod gyro;
+mod gyro_nonlinear;
 mod gyro_time;
 mod help;
 mod house;
 mod integral;
 mod integral_command;
+mod limits;
+mod located;
 mod lti;
+mod navigation;
+mod options;
+mod piped;
 mod quality;
 mod record;
 mod report;
 mod results;
 mod roll_error;
+mod roll_tail;
+mod saddles;
+mod schemas;
 mod simulate;
 mod symbolic;
+mod terminal;
+mod trade;
 mod transcript;
+mod turning;

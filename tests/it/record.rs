@@ -75,7 +75,6 @@ fn bad_tables_are_refused_with_place_and_remedy() {
     refused("a.csv", with("0,1\n\n1,2\n"), 3, &["empty"]);
     refused("a.csv", with("0,1\n1"), 3, &["mid-line", "cut short"]);
     refused("a.csv", with("0,1\n1,-"), 3, &["cut short"]);
-    refused("a.csv", "\u{feff}t [s],x [m]\n0,1\n", 1, &["byte-order mark", "UTF-8"]);
     refused("a.csv", b"\xff\xfet\0 \0[\0s\0]\0\n\0", 1, &["UTF-16"]);
     refused("a.csv", "t [s];x [m]\n0;1\n", 1, &["semicolons"]);
     refused("a.csv", "t [s]\tx [m]\n0\t1\n", 1, &["tabs"]);
@@ -348,4 +347,35 @@ fn a_log_by_itself_shows_all_its_sentences() {
     let r = Recording::read(set.join("raw_ins_seapath_position.nmea")).unwrap();
     assert_eq!(r.channel("PSXN23_roll").unwrap().len(), 500);
     assert!(r.channel("GPGGA_latitude").is_ok() && r.channel("GPVTG_course").unwrap().wraps);
+}
+
+/// A last line that may be cut is told by everything that reads a recording.
+#[test]
+fn a_last_line_that_may_be_cut_is_told_by_all_who_read_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows: String = (0..2400)
+        .map(|i| format!("{},{:.0}\n", 0.25 * f64::from(i), 2500.0 + 900.0 * (0.2 * f64::from(i)).sin()))
+        .collect();
+    let text = format!("time [s],roll [arcmin]\n{rows}600,1");
+    fs::write(folder.path().join("cut.csv"), text).unwrap();
+    fs::write(folder.path().join("cut.toml"), "[[tables]]\nfile = \"cut.csv\"\n").unwrap();
+    let model = "name = \"m\"\n[inputs]\nroll = { unit = \"rad\" }\n[parameters]\na = { value = 1, unit = \"1\" }\n\
+                 [outputs]\ny = { equals = \"a*roll\", unit = \"rad\" }\n";
+    fs::write(folder.path().join("m.toml"), model).unwrap();
+    for call in [
+        "record cut.csv",
+        "simulate m.toml cut.csv",
+        "roll-error cut.csv",
+        "roll-error cut.toml",
+        "roll-error cut.csv --roll roll:arcmin",
+        "new recording cut.csv",
+        "laboratory m.toml cut.csv --cases 1",
+    ] {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_gyrospec"));
+        let said = command.args(call.split(' ')).current_dir(folder.path()).output().unwrap();
+        let words = String::from_utf8_lossy(&[said.stdout, said.stderr].concat()).into_owned();
+        let note =
+            "note: cut.csv:2402: the last line has no line end, and its last number, `1`, has fewer digits";
+        assert_eq!(words.matches(note).count(), 1, "{call}: {words}");
+    }
 }

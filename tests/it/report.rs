@@ -2,8 +2,8 @@
 //! outside, and a real browser opens it.
 
 use gyrospec::diagnose::answer::{
-    Answer, Band, Detection, Finding, InputFile, Located, Made, ParameterChange, Proof, SignalChance,
-    SiteName, Stretch, Unexplained, Value, Verdict, Visible,
+    Answer, Band, DataFault, Detection, Finding, InputFile, Located, Made, ParameterChange, Proof, SCHEMA,
+    SignalChance, SiteName, Spell, Stretch, Unexplained, Value, Verdict, Visible,
 };
 use gyrospec::diagnose::pictures::{Close, Course, Faulty, Law, Pictures, Spectrum, Standing, Tried};
 use gyrospec::estimate::Direction;
@@ -43,9 +43,14 @@ fn finding(verdict: Verdict) -> Option<Finding> {
     })
 }
 
+fn faults(verdict: Verdict) -> Vec<DataFault> {
+    let fault = finding(verdict).filter(Finding::is_fault);
+    fault.map(|finding| DataFault { finding, masked: true }).into_iter().collect()
+}
+
 fn answer(verdict: Verdict) -> Answer {
     Answer {
-        schema: "gyrospec.diagnosis/1",
+        schema: SCHEMA,
         verdict,
         says: "The <model> leaves out \"something\" & more.".into(),
         detection: Detection {
@@ -60,12 +65,13 @@ fn answer(verdict: Verdict) -> Answer {
         },
         located: Located {
             sites: vec![site()],
-            time: vec![Stretch { from: 10.0, to: 12.0 }],
+            time: vec![Spell { from: 10.0, to: 12.0, recording: None }],
             bands: vec![Band { from: 1.0, to: 3.0, share: 0.7 }],
             signals: vec![SignalChance { name: "v".into(), p_value: 1e-9 }],
             separating_measurement: None,
         },
         findings: finding(verdict).into_iter().collect(),
+        faults: faults(verdict),
         unexplained: (verdict == Verdict::Unknown).then(|| Unexplained {
             p_value: 1e-5,
             signal: "v".into(),
@@ -93,9 +99,11 @@ fn answer(verdict: Verdict) -> Answer {
             high: 96.0,
             unit: "kg".into(),
         }],
+        notes: Vec::new(),
         made: Made {
             program: "gyrospec 0".into(),
             seed: 7,
+            ended_early: None,
             inputs: vec![InputFile { file: "rec.csv".into(), sha256: "ab12".into() }],
         },
     }
@@ -354,6 +362,12 @@ fn faults_and_physics_are_two_sentences_and_each_page_says_what_would_confirm_it
     let mut a = answer(Verdict::Named);
     a.next_experiment = None;
     assert!(shown(&a).contains("would confirm it"));
+    a.faults = faults(Verdict::DataFault);
+    let text = shown(&a);
+    let heading = "The model leaves out dry (Coulomb) friction (state v). The data have faults too: a channel that is stuck (state v).";
+    assert!(text.contains(heading), "{text:.3000}");
+    assert!(text.contains("<b>frozen-channel</b>") && text.contains("kept from the fit"));
+    a.faults.clear();
     let slight = Value { name: "c".into(), value: 0.1, low: -1.0, high: 1.0, unit: "N".into() };
     a.findings.push(Finding {
         code: "linear-damping".into(),

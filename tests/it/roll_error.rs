@@ -173,7 +173,7 @@ fn what_a_high_pass_took_is_not_missed_in_the_fit() {
 }
 
 /// The command on a file of the given text; its exit code, results and messages.
-fn command(name: &str, text: &str, options: &[&str]) -> (i32, String, String) {
+pub fn command(name: &str, text: &str, options: &[&str]) -> (i32, String, String) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join(name);
     std::fs::write(&path, text).unwrap();
@@ -217,4 +217,75 @@ fn the_part_of_a_model_is_the_part_computed() {
     let of_model = json("extends = \"gyrosphere-inertia\"\n", &[]);
     let of_options = json("extends = \"gyrosphere\"\n", &["--inertia"]);
     assert_eq!(of_model["rows"][0]["mean_deg"], of_options["rows"][0]["mean_deg"]);
+}
+
+/// The command without a file; its exit code, results and messages.
+pub fn asked(options: &[&str]) -> (i32, String, String) {
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+        .arg("roll-error")
+        .args(options)
+        .output()
+        .unwrap();
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    (output.status.code().unwrap(), text(&output.stdout), text(&output.stderr))
+}
+
+pub fn asked_json(options: &[&str]) -> serde_json::Value {
+    let all: Vec<&str> = options.iter().copied().chain(["--json", "--heading", "45"]).collect();
+    let (code, text, message) = asked(&all);
+    assert_eq!(code, 0, "{message}");
+    serde_json::from_str(&text).unwrap()
+}
+
+#[test]
+fn what_no_simulation_follows_is_refused_with_the_band_to_say() {
+    for options in [&["--friction", "2N"][..], &["--free-play", "1e-5m"], &["--inertia", "--simulate", "2"]] {
+        let (code, out, message) = asked(&[options, &["--heading", "45"]].concat());
+        assert!(code == 2 && out.is_empty() && message.contains("--band"), "{options:?} {message}");
+    }
+    let rows: String = (0..3000)
+        .map(|k| {
+            format!(
+                "{},{}\n",
+                0.2 * f64::from(k),
+                5.0 * (0.16 * f64::from(k)).sin() * (0.01 * f64::from(k)).cos()
+            )
+        })
+        .collect();
+    let recording = format!("time [s],roll [deg]\n{rows}");
+    let (code, _, message) = command("roll.csv", &recording, &["--friction", "2N"]);
+    assert!(code == 2 && message.contains("--irregular"), "{message}");
+}
+
+#[test]
+fn friction_is_told_as_simulated_with_its_margin_and_the_linearised_mean_beside() {
+    let options = ["--friction", "2N", "--band", "2.5rad/s", "--latitude", "60"];
+    let told = asked_json(&options);
+    let row = |name: &str| told["rows"][0][name].as_f64().unwrap();
+    // an independent simulation gives −0.755 ± 0.02
+    let margin = row("mean_margin_deg");
+    assert!((row("mean_deg") + 0.755).abs() < 0.02 + margin && margin < 0.02, "{told}");
+    assert!((row("linearised_mean_deg") + 0.427).abs() < 1e-3 && row("spread_margin_deg") > 0.0);
+    let (code, text, _) = asked(&[&options[..], &["--heading", "45"]].concat());
+    assert!(code == 0 && text.contains("linearised") && text.contains("is not linear"), "{text}");
+    // around the card, at every latitude and on every sea the same moments serve
+    let (code, text, _) = asked(&["--friction", "2N", "--band", "2.5", "--against", "latitude", "--json"]);
+    let all: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let at = all["rows"].as_array().unwrap().iter().find(|r| r["latitude_deg"] == 60.0).unwrap();
+    assert!(code == 0 && (at["mean_deg"].as_f64().unwrap() - row("mean_deg")).abs() < 1e-9, "{at}");
+}
+
+#[test]
+fn a_regular_roll_is_simulated_as_one() {
+    let told = asked_json(&["--regular", "10deg,0.8", "--simulate", "2"]);
+    let row = &told["rows"][0];
+    let (mean, got) = (row["mean_deg"].as_f64().unwrap(), &row["simulated"]);
+    // each day holds whole periods but for one part: no more than the step's error between them
+    let off = (got["mean_deg"].as_f64().unwrap() - mean).abs();
+    assert!(off < 3e-3 * mean.abs() + got["mean_margin_deg"].as_f64().unwrap(), "{row}");
+    assert!(got["mean_margin_deg"].as_f64().unwrap() < 0.02 * mean.abs(), "{row}");
+    // behind the low-passes its amplitude falls by 1 + p²/ω_c², its mean by the square
+    let banded = asked_json(&["--regular", "10deg,0.8", "--band", "2.5"]);
+    let fallen = banded["rows"][0]["mean_deg"].as_f64().unwrap() / mean;
+    assert_relative_eq!(fallen, (1.0 + (0.8f64 / 2.5).powi(2)).powi(-2), max_relative = 1e-4);
 }

@@ -102,6 +102,7 @@ pub fn typed(command: &str, folder: &Path) -> (i32, String) {
         .args(["-c", &format!("{command}\n")])
         .current_dir(folder)
         .env("PATH", std::env::join_paths(path).unwrap())
+        .env("GYROSPEC_PROGRESS", "never")
         .output()
         .unwrap();
     let said = String::from_utf8_lossy(&run.stderr) + String::from_utf8_lossy(&run.stdout);

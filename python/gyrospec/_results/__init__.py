@@ -3,6 +3,7 @@
 from ._batch import IntegralBatch
 from ._diagnosis import (
     Band,
+    DataFault,
     Detection,
     Diagnosis,
     Finding,
@@ -22,6 +23,7 @@ from ._simulation import SimulatedOutput, Simulation
 
 __all__ = [
     "Band",
+    "DataFault",
     "Detection",
     "Diagnosis",
     "Direction",

@@ -42,6 +42,8 @@ class Stretch:
 
     from_: float
     to: float
+    recording: str | None = None
+    """Whose clock it is, where several recordings are fitted."""
 
 
 @dataclass(frozen=True)
@@ -87,6 +89,13 @@ class Finding:
 
 
 @dataclass(frozen=True)
+class DataFault(Finding):
+    """A fault of the data; `masked`: it was kept from the fit, its samples left out or mended."""
+
+    masked: bool
+
+
+@dataclass(frozen=True)
 class Unexplained:
     """What no name explains: [signal, effect, low, high] along the signal."""
 
@@ -126,7 +135,11 @@ class ParameterChange:
 
 @dataclass(frozen=True, repr=False)
 class Diagnosis(Report):
-    """What a model leaves out, and the proof."""
+    """What a model leaves out, and the proof.
+
+    The verdict and the findings speak of the physics, by the data without their faults; `faults` speaks of
+    the data. Only where the verdict is `data-fault` do the faults stand among the findings too.
+    """
 
     schema: str
     verdict: str
@@ -134,15 +147,20 @@ class Diagnosis(Report):
     detection: Detection
     located: Located
     findings: list[Finding]
+    faults: list[DataFault]
     unexplained: Unexplained | None
     proof: list[Proof]
     next_experiment: str | None
     parameters: list[ParameterChange]
+    notes: list[str]
+    """What to know beside: what was not compared, what ended at its bound, what was left unfinished."""
     made: Made
 
     def __repr__(self) -> str:
         found = ", ".join(f"{f.code} at {f.site.kind} {f.site.name}" for f in self.findings)
-        return f"Diagnosis({self.verdict}{': ' if found else ''}{found})"
+        faults = ", ".join(f"{f.code} in {f.site.name}" for f in self.faults)
+        beside = f"; faults: {faults}" if faults and self.verdict != "data-fault" else ""
+        return f"Diagnosis({self.verdict}{': ' if found else ''}{found}{beside})"
 
     @property
     def model_out(self) -> Model:

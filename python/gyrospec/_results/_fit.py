@@ -11,9 +11,10 @@ from ._report import Made, Report, Value, table
 
 @dataclass(frozen=True)
 class FittedParameter(Value):
-    """A parameter after the fit, and what became of it."""
+    """A parameter after the fit, and what became of it; its interval is from the "curvature" or a "profile"."""
 
     status: str
+    interval: str
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,18 @@ class Direction:
     relative_deviation: float
 
 
+@dataclass(frozen=True)
+class Combination:
+    """What the recording determines of parameters that it cannot tell apart."""
+
+    expression: str
+    parameters: list[str]
+    value: float
+    low: float
+    high: float
+    unit: str
+
+
 @dataclass(frozen=True, repr=False)
 class Fit(Report):
     """A model fitted to recordings."""
@@ -75,6 +88,7 @@ class Fit(Report):
     initial_states: list[FittedInitial]
     outputs: list[FittedOutput]
     not_identifiable: list[Direction]
+    determined: list[Combination]
     warnings: list[str]
     end: str
     simulations: int

@@ -72,6 +72,8 @@ class Made:
     program: str
     seed: int
     inputs: list[InputFile]
+    ended_early: bool | str = False
+    """What ended a diagnosis before it was through, `steps` or `time`; False where it was through."""
 
 
 @dataclass(frozen=True)

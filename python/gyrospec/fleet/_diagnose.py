@@ -24,6 +24,9 @@ from ._parts import Progress, chunks, digest, do, finish, open_folder, parts, wr
 
 Ships: TypeAlias = Mapping[str, str] | Callable[[str], str]
 
+Member: TypeAlias = tuple[str, str, str, str]
+"""A recording to be done: key, ship, file, and the file that holds the same data, if one does."""
+
 VALUE = pa.struct(
     [
         ("code", pa.string()),
@@ -39,6 +42,9 @@ VALUE = pa.struct(
 )
 """A parameter of a finding; a finding without parameters has one entry with nulls."""
 
+FAULT = pa.struct([("code", pa.string()), ("channel", pa.string()), ("says", pa.string()), ("masked", pa.bool_())])
+"""A fault of a recording's data."""
+
 SCHEMA = pa.schema(
     [
         ("key", pa.string()),
@@ -49,6 +55,7 @@ SCHEMA = pa.schema(
         ("says", pa.string()),
         ("p_value", pa.float64()),
         ("findings", pa.list_(VALUE)),
+        ("faults", pa.list_(FAULT)),
         ("report", pa.string()),
     ]
 )
@@ -73,7 +80,7 @@ def diagnose(
     per_part: recordings in a part: what is lost at most when a worker dies.
 
     Recordings that an earlier call has done, with the same contents, are not done again; a file that
-    cannot be read or diagnosed has its error in its row.
+    cannot be read or diagnosed, or holds the same data as another, has its error in its row.
     """
     read = as_model(model)
     text = read.to_toml()
@@ -83,11 +90,13 @@ def diagnose(
     known = done_keys(folder)
     named = {str(p): _ship(p, ships) for p in paths}
     keys = dict(zip(named, _keys(client, list(named)), strict=True))
-    wanted: dict[str, tuple[str, str, str]] = {}
+    first: dict[str, str] = {}
+    wanted: dict[str, Member] = {}
     for path, ship in named.items():
+        twin = first.setdefault(keys[path], path)
         key = digest(ship, path, keys[path])
         if key not in known:
-            wanted[key] = (key, ship, path)
+            wanted[key] = (key, ship, path, "" if twin == path else twin)
     groups = list(chunks(list(wanted.values()), max(1, per_part)))
     tasks = [(digest(*(row[0] for row in g)), (folder, text, seed, g)) for g in groups]
     made, failures = do(client, make_part, tasks)
@@ -95,11 +104,11 @@ def diagnose(
     return Progress(folder, len(made), sum(made), len(named) - len(wanted))
 
 
-def make_part(folder: Path, model: str, seed: int, group: list[tuple[str, str, str]]) -> int:
+def make_part(folder: Path, model: str, seed: int, group: list[Member]) -> int:
     """Diagnoses a group of recordings and writes its part; returns the number of rows."""
     read = Model.parse(model)
-    rows = [_row(read, seed, *member) for member in group]
-    write_part(folder, digest(*(key for key, _, _ in group)), pa.Table.from_pylist(rows, SCHEMA))
+    rows = [_row(read, seed, member) for member in group]
+    write_part(folder, digest(*(member[0] for member in group)), pa.Table.from_pylist(rows, SCHEMA))
     return len(rows)
 
 
@@ -109,8 +118,11 @@ def done_keys(folder: Path) -> set[str]:
     return {key for column in columns for key in column}
 
 
-def _row(model: Model, seed: int, key: str, ship: str, path: str) -> dict[str, Any]:
-    row: dict[str, Any] = {"key": key, "ship": ship, "file": path, "findings": []}
+def _row(model: Model, seed: int, member: Member) -> dict[str, Any]:
+    key, ship, path, twin = member
+    row: dict[str, Any] = {"key": key, "ship": ship, "file": path, "findings": [], "faults": []}
+    if twin:
+        return {**row, "status": "error", "says": f"the same data as {twin}: it is not counted twice"}
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
@@ -124,13 +136,20 @@ def _row(model: Model, seed: int, key: str, ship: str, path: str) -> dict[str, A
         "says": found.says,
         "p_value": found.detection.p_value,
         "findings": _findings(found),
+        "faults": [
+            {"code": f.code, "channel": f.site.name, "says": f.says, "masked": f.masked} for f in found.faults
+        ],
         "report": json.dumps(found.to_dict(), separators=(",", ":")),
     }
 
 
 def _findings(found: Diagnosis) -> list[dict[str, Any]]:
+    """The physics alone: the faults have a column of their own."""
     rows = []
+    data = {(f.code, f.site) for f in found.faults}
     for f in found.findings:
+        if (f.code, f.site) in data:
+            continue
         head = {
             "code": f.code,
             "site": f"{f.site.kind} {f.site.name}",

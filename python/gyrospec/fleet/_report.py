@@ -18,7 +18,7 @@ from .._errors import InputError
 from ._parts import parts, read_card
 
 
-COLUMNS = ["ship", "file", "status", "verdict", "says", "findings"]
+COLUMNS = ["ship", "file", "status", "verdict", "says", "findings", "faults"]
 """What is read of a part; the whole reports stay on the disk."""
 
 
@@ -73,6 +73,8 @@ class FleetReport:
     mechanisms: list[Mechanism]
     alike: list[Alike]
     neighbours: list[Neighbour]
+    faults: dict[str, dict[str, list[str]]]
+    """Files whose data have a fault, by its code and the channel."""
     errors: dict[str, str]
     """Files that could not be diagnosed, and why."""
 
@@ -90,6 +92,9 @@ class FleetReport:
         lines += [f"  {n:>6}  {verdict}" for verdict, n in self.verdicts.items()]
         if self.errors:
             lines.append(f"  {len(self.errors):>6}  could not be diagnosed")
+        for code, channels in self.faults.items():
+            each = ", ".join(f"{c} in {_count(len(files), 'recording')}" for c, files in channels.items())
+            lines.append(f"  fault of the data, {code}: {each}")
         if self.mechanisms:
             lines.append("\nWhat is missing, and on which ships (median, quartiles, between ships)")
         for m in self.mechanisms:
@@ -124,6 +129,7 @@ def report(out: str | os.PathLike[str]) -> FleetReport:
         mechanisms=_mechanisms(done),
         alike=_alike(done),
         neighbours=_neighbours(done),
+        faults=_faults(done),
         errors={r["file"]: r["says"] for r in rows if r["status"] != "ok"},
     )
 
@@ -170,6 +176,14 @@ def _mechanism(
         between_ships=float(np.std(means, ddof=1)) if len(means) > 1 else float("nan"),
         uncertainty=_quantiles(np.array(widths), (0.5,))[0],
     )
+
+
+def _faults(rows: list[dict[str, Any]]) -> dict[str, dict[str, list[str]]]:
+    found: dict[str, dict[str, list[str]]] = defaultdict(lambda: defaultdict(list))
+    for row in rows:
+        for code, channel in sorted({(f["code"], f["channel"]) for f in row["faults"]}):
+            found[code][channel].append(row["file"])
+    return {code: {c: found[code][c] for c in sorted(found[code])} for code in sorted(found)}
 
 
 def _alike(rows: list[dict[str, Any]]) -> list[Alike]:

@@ -1,7 +1,7 @@
 //! The result of a fit as JSON; the schema is documented with the rest of the forms.
 
 use crate::estimate::Side;
-use crate::estimate::fit::{Estimate, Status};
+use crate::estimate::fit::{Combination, Estimate, Fit, Status};
 use crate::estimate::independent_samples;
 use crate::report::fit::FitReport;
 use crate::units::Unit;
@@ -18,13 +18,14 @@ pub fn render(told: &FitReport<'_>) -> Result<String> {
     let value = json!({
         "schema": "gyrospec.fit/1",
         "model": fit.model.name,
-        "parameters": fit.parameters.iter().map(parameter).collect::<Vec<_>>(),
+        "parameters": fit.parameters.iter().map(|p| parameter(p, fit)).collect::<Vec<_>>(),
         "initial_states": initial_states(told),
         "outputs": (0..fit.model.outputs.len()).map(|o| output(told, o)).collect::<Vec<_>>(),
         "not_identifiable": fit.unseen.iter().map(|d| json!({
             "direction": d.weights.iter().map(|(name, w)| json!({"name": name, "weight": number(*w)})).collect::<Vec<_>>(),
             "relative_deviation": number(d.deviation),
         })).collect::<Vec<_>>(),
+        "determined": fit.determined.iter().map(combination).collect::<Vec<_>>(),
         "warnings": fit.warnings.iter().map(|w| w.says.clone()).collect::<Vec<_>>(),
         "end": end(told),
         "simulations": fit.simulations,
@@ -41,7 +42,7 @@ pub fn render(told: &FitReport<'_>) -> Result<String> {
     Ok(text)
 }
 
-fn parameter(p: &Estimate) -> Value {
+fn parameter(p: &Estimate, fit: &Fit) -> Value {
     let status = match p.status {
         Status::Fitted => "fitted",
         Status::AtBound(Side::Lower) => "at-lower-bound",
@@ -49,7 +50,14 @@ fn parameter(p: &Estimate) -> Value {
         Status::Fixed => "fixed",
         Status::Constant => "constant-of-the-recording",
     };
-    with_interval(json!({"name": p.name, "status": status}), [p.value, p.low, p.high], &p.unit)
+    let interval = if fit.profiled.contains(&p.name) { "profile" } else { "curvature" };
+    let entry = json!({"name": p.name, "status": status, "interval": interval});
+    with_interval(entry, [p.value, p.low, p.high], &p.unit)
+}
+
+fn combination(c: &Combination) -> Value {
+    let unit = c.unit.of_differences();
+    with_interval(json!({"expression": c.expression, "parameters": c.names}), [c.value, c.low, c.high], &unit)
 }
 
 fn with_interval(mut entry: Value, values: [f64; 3], unit: &Unit) -> Value {
@@ -96,5 +104,6 @@ fn end(told: &FitReport<'_>) -> &'static str {
         End::Converged => "converged",
         End::Stalled => "stalled",
         End::OutOfSteps => "out-of-steps",
+        End::OutOfBudget => "out-of-budget",
     }
 }

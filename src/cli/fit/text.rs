@@ -30,7 +30,7 @@ pub fn render(told: &FitReport<'_>) -> String {
             _ => text.push_str(", nothing held out\n"),
         }
     }
-    text.push_str(&untold(&told.fit.unseen));
+    text.push_str(&untold(&told.fit.unseen, &told.fit.determined));
     text
 }
 
@@ -48,10 +48,16 @@ fn row(name: &str, values: [f64; 3], unit: &Unit, remark: Option<&str>) -> Strin
     let [value, low, high] = values.map(|x| unit.from_si(x));
     let width = high - low;
     let digits = digits_within(value, width);
+    let known = match (low.is_finite(), high.is_finite()) {
+        (true, true) => format!("{} to {}", significant(low, digits), significant(high, digits)),
+        (true, false) => format!("from {}", significant(low, 4)),
+        (false, true) => format!("up to {}", significant(high, 4)),
+        (false, false) => "cannot be told from this data".to_owned(),
+    };
     let interval = match remark {
+        Some("at its bound") if low.is_finite() || high.is_finite() => format!("{known}, at its bound"),
         Some(remark) => remark.to_owned(),
-        None if width.is_finite() => format!("{} to {}", significant(low, digits), significant(high, digits)),
-        None => "cannot be told from this data".to_owned(),
+        None => known,
     };
     let shown = if remark == Some("fixed") { format!("{value}") } else { significant(value, digits) };
     format!("  {name:<16} {shown:>14}   {interval:<28} {}\n", unit.text())

@@ -3,6 +3,8 @@
 //! The record room looks at the table; this guesses what its columns mean, writes that down, and has the
 //! record room read the result: what comes out is a recording, or the reason why it is none.
 
+use crate::cli::input::Held;
+use crate::cli::record::tell_notes;
 use crate::record::{self, Raw, Recording};
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
@@ -27,21 +29,20 @@ struct Guess {
 /// # Errors
 /// What the record room says of a table that it cannot read, with file, line and column.
 pub fn guessed(csv: &Path) -> Result<String> {
+    let held = Held::of(csv)?;
+    guessed_of(&held).map_err(|e| held.place(e))
+}
+
+fn guessed_of(held: &Held) -> Result<String> {
+    let csv = held.path();
     if record::is_log(csv)? {
         return Err(Error::bad_input("this is an NMEA 0183 log, not a CSV file").with_file(csv).with_hint(
             "`gyrospec record FILE` reads it as it is; its help shows how a recording file names it",
         ));
     }
     let columns = record::columns(csv)?;
-    let stem = csv.file_name().unwrap_or_default().to_string_lossy();
-    let stem = stem.split('.').next().unwrap_or_default();
     let time = time_of(&columns);
-    let mut out = format!(
-        "# Guessed from the header and the rows: look at every line marked GUESS.\nname = {}\n\n[[tables]]\nfile = {}\n",
-        quoted(stem),
-        quoted(&csv.display().to_string())
-    );
-    out += &clock(time.map(|i| (i, &columns[i])), csv)?;
+    let mut out = clock(time.map(|i| (i, &columns[i])), csv)?;
     out.push_str("[tables.channels]\n");
     let mut taken = BTreeSet::new();
     for (i, c) in columns.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
@@ -54,8 +55,23 @@ pub fn guessed(csv: &Path) -> Result<String> {
             .with_line(1)
             .with_hint("channels need numbers below their names"));
     }
-    Recording::parse(&out, "recording.toml")?;
-    Ok(out)
+    let read = Recording::parse(&(head(csv, "") + &out), "recording.toml")?;
+    tell_notes([&held.named(read)]);
+    if csv == held.given() {
+        return Ok(head(csv, "") + &out);
+    }
+    let save = "  # GUESS: what came through a pipe has no name; save it under this one, or set another";
+    Ok(head(Path::new("recording.csv"), save) + &out)
+}
+
+/// The first lines of the file, which name the table.
+fn head(csv: &Path, comment: &str) -> String {
+    let stem = csv.file_name().unwrap_or_default().to_string_lossy();
+    format!(
+        "# Guessed from the header and the rows: look at every line marked GUESS.\nname = {}\n\n[[tables]]\nfile = {}{comment}\n",
+        quoted(stem.split('.').next().unwrap_or_default()),
+        quoted(&csv.display().to_string())
+    )
 }
 
 /// The line of the file that says where the time is.
@@ -300,7 +316,7 @@ mod tests {
         for (text, line, column, says) in [
             ("t [s];roll [deg]\n0;1\n", 1, 6, "semicolons"),
             ("t [s]\troll [deg]\n0\t1\n", 1, 6, "tabs"),
-            ("\u{feff}t [s],roll [deg]\n0,1\n", 1, 1, "byte-order mark"),
+            ("PK\u{3}\u{4}\u{0}\u{0}\n0,1\n", 1, 1, "spreadsheet"),
             ("t,roll,roll\n0,1,2\n", 1, 8, "both named"),
             ("t,roll\n0,1\n2,1\n1,1\n", 4, 1, "backwards"),
             ("t,roll\n0,1\n1,two\n", 3, 3, "no number"),

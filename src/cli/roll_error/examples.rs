@@ -1,7 +1,7 @@
 //! The examples of the rolling-error paper, as derived and as printed.
 
 use crate::Result;
-use crate::gyro::{Gyrosphere, seed};
+use crate::gyro::{Gyrosphere, SIGN, seed};
 use crate::spectrum::Roll;
 use std::fmt::Write;
 
@@ -11,7 +11,8 @@ pub fn text() -> Result<String> {
     let error = seed::regular_error(&sphere, &regular, heading);
     let _ = writeln!(
         out,
-        "Rolling error of the paper's gyrocompass (U = 7.3e-5 1/s as printed, g = 981 cm/s²)\n\n\
+        "Rolling error of the paper's gyrocompass (U = 7.3e-5 1/s as printed, g = 981 cm/s²)\n\
+         sign: {SIGN}\n\n\
          Example 2.1, regular roll: heading 200°, θ₀h = 23.5 cm, p = 0.98 1/s, latitude 46°30′\n\
          \x20 by (2.4)                          {:>9.4}°   (printed −0.28°, measured −0.3°)\n",
         error.to_degrees()

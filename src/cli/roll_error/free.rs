@@ -22,9 +22,10 @@ pub fn text(compass: &Compass) -> Result<String> {
     let last = thrown.iter().rev().find(|p| p.1.abs() > 0.1f64.to_radians()).map_or(0.0, |p| p.0);
     let _ = writeln!(
         out,
-        "\nA sudden change of northward speed by 10 kn throws it by {:.2}° at once; the largest deviation from the new\n\
+        "\nA sudden change of northward speed by 10 kn throws it by {:.2}° at once ({}); the largest deviation from the new\n\
          steady error is {:.2}° after {:.0} min, and after {:.0} min it stays within 0.1°.",
         (compass.sphere.pendulous * knots / (compass.sphere.momentum * compass.sphere.gravity)).to_degrees(),
+        crate::gyro::side(knots),
         worst.1.to_degrees(),
         worst.0 / 60.0,
         last / 60.0

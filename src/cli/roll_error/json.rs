@@ -2,6 +2,9 @@
 
 use super::options::Against;
 use super::table::{Plan, Row};
+use super::tail::Tail;
+use crate::gyro::SIGN;
+use crate::gyro::validity::Smallness;
 use crate::{Error, Result};
 use serde_json::{Value, json};
 
@@ -12,7 +15,7 @@ pub fn text(plan: &Plan, rows: &[&Row]) -> Result<String> {
         Against::Latitude => "latitude_deg",
         Against::Height => "significant_height_m",
     };
-    let value = json!({
+    let mut value = json!({
         "schema": "gyrospec.roll-error/1",
         "instrument": plan.compass.instrument_name,
         "compass": {
@@ -23,13 +26,32 @@ pub fn text(plan: &Plan, rows: &[&Row]) -> Result<String> {
         "motion": plan.motion_says,
         "roll": roll(plan),
         "against": against,
+        "sign": SIGN,
+        "validity": plan.smallness.iter().map(smallness).collect::<Vec<_>>(),
         "trusted_mean": if plan.by_spectrum { "measured_spectrum_mean_deg" } else { "mean_deg" },
         "rows": rows.iter().map(|r| row(r, against)).collect::<Vec<_>>(),
         "note": plan.after.trim_end(),
     });
+    if let Some(tail) = &plan.tail {
+        value["white_tail"] = white_tail(tail);
+    }
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
     text.push('\n');
     Ok(text)
+}
+
+/// One figure that the linear theory takes for small, where the mean is largest.
+pub fn smallness(s: &Smallness) -> Value {
+    let holds = s.is_judged().then(|| s.holds());
+    json!({ "figure": s.figure, "says": s.says, "value": s.value, "limit": s.limit, "unit": s.unit, "holds": holds })
+}
+
+/// The mean on heading 45° by the frequencies up to each, and the share of it that those above count for.
+fn white_tail(tail: &Tail) -> Value {
+    let mean = |omega: Option<f64>, mean: f64, share: f64| json!({ "up_to_rad_per_s": omega, "mean_deg": mean.to_degrees(), "share_above": share });
+    let told = tail.told().into_iter().map(|(omega, m, share)| mean(Some(omega), m, share));
+    let means: Vec<Value> = told.chain([mean(None, tail.whole, 0.0)]).collect();
+    json!({ "infinite": tail.white, "above_rad_per_s": tail.from, "share": tail.share(), "means": means })
 }
 
 /// A, μ, ε with their 95 % intervals where they were fitted; null for a motion that is no such roll.
@@ -58,6 +80,11 @@ fn row(r: &Row, against: &str) -> Value {
         "spread_linear_deg": e.spread_linear.to_degrees(),
         "spread_quadratic_deg": e.spread_quadratic.to_degrees(),
     });
+    if !r.is_exact() {
+        out["mean_margin_deg"] = json!(e.rectified_margin.to_degrees());
+        out["spread_margin_deg"] = json!(e.spread_margin.to_degrees());
+        out["linearised_mean_deg"] = json!(e.linearised.map(|m| (e.mean() - e.rectified + m).to_degrees()));
+    }
     if let Some(measured) = r.measured {
         out["measured_spectrum_mean_deg"] = json!(measured.to_degrees());
     }

@@ -4,7 +4,7 @@ use super::Arguments;
 use super::options::{Against, Described, RowOptions};
 use super::parameters::{Compass, Part};
 use super::table::{Case, Plan};
-use crate::gyro::{Motion, seed};
+use crate::gyro::{Instrument, Motion, seed};
 use crate::record::{Recording, Source};
 use crate::report::terminal::{Trace, picture};
 use crate::spectrum::{
@@ -151,6 +151,7 @@ pub fn plan(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowO
         compass.sphere.latitude = latitude;
         compass.sphere.check()?;
     }
+    linear(&compass.instrument(&a.instrument)?)?;
     let analysis = analyse(recording, &name)?;
     let m = moments(&analysis, compass.sphere.lag)?;
     let motion = || -> Described {
@@ -158,7 +159,7 @@ pub fn plan(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowO
             "the recorded roll by its fit, and the last column by its measured spectrum to {:.2} rad/s",
             PI / analysis.samples.step
         );
-        Described { motion: Motion::roll(&analysis.fit.roll), says, regular: false }
+        Described { motion: Motion::roll(&analysis.fit.roll), says, regular: None }
     };
     let mut cases = Vec::new();
     let lag = matches!(compass.part(&a.instrument)?, Part::Lag);
@@ -167,19 +168,32 @@ pub fn plan(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowO
         let measured = lag.then(|| {
             instrument.sailing_error(heading) + seed::error_of_moment(&compass.sphere, m.measured, heading)
         });
-        cases.push(Case { instrument, motion: motion(), heading, value: heading.to_degrees(), measured });
+        let value = heading.to_degrees();
+        cases.push(Case { instrument, motion: motion(), heading, value, height: None, measured });
     }
     let by_spectrum = lag && m.is_surer(&analysis.fit);
     Ok(Plan {
         motion_says: motion().says,
-        after: tail(&m, lag, by_spectrum),
+        after: tail(&m, lag, by_spectrum) + &super::table::asides(compass.speed, a)?,
+        tail: None,
         by_spectrum,
+        smallness: Vec::new(),
         roll: Some(analysis.fit.roll),
         recorded: Some(analysis),
         cases,
         against: Against::Heading,
         compass,
     })
+}
+
+/// Refuses a part that is not linear: the fit of (3.3) has no finite acceleration to drive it.
+fn linear(instrument: &Instrument) -> Result<()> {
+    if instrument.is_linear()? {
+        return Ok(());
+    }
+    let what = instrument.elastic.name();
+    Err(Error::usage(format!("{what} is not linear, and the fit of a recorded roll has a white tail"))
+        .with_hint("run roll-error on the recording alone, then put the sigma, mu and eps that it tells into --irregular SIGMA,MU,EPS with --band"))
 }
 
 /// The recorded roll and its fit in words, with a picture of the correlation.

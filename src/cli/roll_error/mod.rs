@@ -1,32 +1,38 @@
 //! `gyrospec roll-error`: mean and spread of the rolling error.
 
+mod equations;
 mod examples;
 mod formulas;
 mod free;
 mod json;
 mod measured;
+mod nonlinear;
 mod options;
 mod page;
 mod parameters;
 mod recording;
 mod table;
+mod tail;
 
-use super::output::Sink;
+use super::input::Held;
 use super::{Outcome, output};
+use crate::gyro::SIGN;
+use crate::gyro::range::Range;
+use crate::record::read_once;
 use crate::report::polar;
 use crate::{Error, Result};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Mean and spread of a gyrocompass's heading error on a rolling ship.
 ///
 /// Without arguments: the two examples of the rolling-error paper, as derived and as printed.
 #[derive(clap::Args)]
-#[command(after_help = HELP)]
+#[command(after_help = help())]
 pub struct Arguments {
     /// Parameters of the compass: a model file, a file with [parameters], or a built-in model's
-    /// name; without it the gyrocompass of the rolling-error paper.
+    /// name; - is standard input; without it the gyrocompass of the rolling-error paper.
     model_or_parameters: Option<PathBuf>,
-    /// A recording of the ship's roll (CSV, or TOML).
+    /// A recording of the ship's roll (CSV, or TOML); - is standard input.
     recording: Option<PathBuf>,
     /// Channel that is the roll angle, with its unit if the header has none: NAME or NAME:UNIT.
     #[arg(long, value_name = "NAME[:UNIT]")]
@@ -38,10 +44,10 @@ pub struct Arguments {
     #[command(flatten)]
     rows: options::RowOptions,
     /// Free motion instead: periods, damping and settling against latitude.
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = FREE_OF)]
     free: bool,
-    /// Closed form of the mean error.
-    #[arg(long)]
+    /// Closed form of the mean error, with its value on each --heading.
+    #[arg(long, conflicts_with_all = LETTERS_HAVE_NO)]
     formula: bool,
     /// Polar picture of the error against heading, as SVG; - is standard output.
     #[arg(long, value_name = "FILE")]
@@ -54,8 +60,36 @@ pub struct Arguments {
     json: bool,
 }
 
+/// What says nothing of the free motion.
+const FREE_OF: [&str; 16] = [
+    "recording",
+    "roll",
+    "part",
+    "vertical",
+    "lever",
+    "speed",
+    "motion",
+    "waves",
+    "band",
+    "against",
+    "headings",
+    "simulate",
+    "seed",
+    "svg",
+    "html",
+    "json",
+];
+
+/// What the closed form cannot show.
+const LETTERS_HAVE_NO: [&str; 9] =
+    ["free", "recording", "speed", "band", "against", "simulate", "seed", "svg", "html"];
+
 /// Step of the headings in the picture, degrees; a divisor of the table's.
 const PICTURE_STEP: usize = 3;
+
+fn help() -> String {
+    format!("The sign of the error: {SIGN}.\n\n{HELP}")
+}
 
 const HELP: &str = "\
 Quantities are written with their unit, as 3m, 12kn, 5deg, 1.35e5N/m; without one they are in SI (latitude, heading: in degrees).
@@ -63,60 +97,100 @@ Examples:
   gyrospec roll-error
   gyrospec roll-error examples/roll.csv --html roll.html
   gyrospec roll-error --irregular 4deg,0.06,0.65 --latitude 60deg --svg error.svg
-  gyrospec roll-error --sea jonswap --height 3m --period 8s --also pitch,heave --against latitude
+  gyrospec roll-error --sea jonswap --height 3m --period 8s --sea-from 60deg --also pitch,heave --against latitude
   gyrospec roll-error compass.toml ship.csv --roll roll_deg:deg --json
   gyrospec roll-error --free
-  gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --heading 45deg --simulate 4";
+  gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --band 2.5rad/s --heading 45deg --simulate 4";
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
     let read = a.model_or_parameters.iter().chain(&a.recording);
-    output::keep_apart([&a.svg, &a.html].map(Option::as_ref), read)?;
-    let picture = a.svg.as_deref().map(Sink::open).transpose()?;
-    let html = a.html.as_deref().map(Sink::open).transpose()?;
-    let drawn_too = picture.is_some() || html.is_some();
-    let (parameters, file) = files(a);
-    let bare = parameters.is_none() && file.is_none() && !a.motion.given() && !a.rows.given();
-    if bare && !a.formula && !a.json && !a.free && !drawn_too && a.instrument.plain() {
-        output::print(examples::text()?.as_bytes())?;
+    let read: Vec<PathBuf> = read.cloned().collect();
+    let [picture, html] = output::open([&a.svg, &a.html].map(Option::as_deref))?;
+    output::spare(picture.iter().chain(&html), &read)?;
+    let to_stdout = picture.iter().chain(&html).any(output::Place::is_standard_output);
+    if to_stdout && a.json {
+        return Err(Error::usage("standard output takes one result: a page, a picture or JSON")
+            .with_hint("name a file for the picture or the page"));
+    }
+    read_once(a.model_or_parameters.iter().chain(&a.recording).map(PathBuf::as_path))?;
+    let hold = |path: &Option<PathBuf>| path.as_deref().map(Held::of).transpose();
+    let held = [hold(&a.model_or_parameters)?, hold(&a.recording)?];
+    let (parameters, file) = files(&held);
+    if let (Some(_), None) = (&a.roll, file) {
+        return Err(Error::usage("--roll names the channel of a recording, and there is no recording"));
+    }
+    if is_bare(a) {
+        output::words(&examples::text()?)?;
         return Ok(Outcome::Done);
     }
-    let compass = parameters::read(parameters, &a.instrument)?;
-    if a.formula {
-        output::print(formulas::text(compass.part(&a.instrument)?, &a.motion, a.json)?.as_bytes())?;
+    let named = |e: Error| parameters.map_or(e.clone(), |held| held.place(e));
+    let compass = parameters::read(parameters.map(Held::path), &a.instrument).map_err(named)?;
+    if a.formula || a.free {
+        if file.is_some() {
+            return Err(Error::usage("a recording says nothing of the closed form or of the free motion"));
+        }
+        let text = if a.free { free::text(&compass)? } else { formulas::text(&compass, a)? };
+        told(&text, a.json)?;
         return Ok(Outcome::Done);
     }
-    if a.free {
-        output::print(free::text(&compass)?.as_bytes())?;
-        return Ok(Outcome::Done);
-    }
+    computed(a, (compass, file), (picture, html), read)
+}
+
+/// The rows of a motion, put where they were asked for.
+fn computed(
+    a: &Arguments,
+    (compass, file): (parameters::Compass, Option<&Held>),
+    (picture, html): (Option<output::Place>, Option<output::Place>),
+    mut read: Vec<PathBuf>,
+) -> Result<Outcome> {
+    let to_stdout = picture.iter().chain(&html).any(output::Place::is_standard_output);
     let mut rows = a.rows.clone();
-    if drawn_too && !rows.has_headings() && rows.days()?.is_none() {
+    if (picture.is_some() || html.is_some()) && !rows.has_headings() && rows.days()?.is_none() {
         rows.step = PICTURE_STEP;
     }
-    let plan = match file {
-        Some(path) => measured::plan(&compass, &recording::read(path, a.roll.as_deref())?, a, &rows)?,
+    let mut plan = match file {
+        Some(held) => {
+            let recording = recording::read(held, a.roll.as_deref())?;
+            super::record::tell_notes([&recording]);
+            read.extend(recording.sources.iter().map(|s| s.file.clone()));
+            output::spare(picture.iter().chain(&html), &read)?;
+            measured::plan(&compass, &recording, a, &rows)?
+        }
         None => table::Plan::of_options(compass, a, &rows)?,
     };
     let drawn = plan.evaluate(rows.days()?, rows.seed)?;
     let every = if rows.step == a.rows.step || rows.has_headings() { 1 } else { a.rows.step / rows.step };
     let result: Vec<&table::Row> = drawn.iter().step_by(every).collect();
     let text = if a.json { json::text(&plan, &result)? } else { table::text(&plan, &result) };
-    if let Some(sink) = html {
-        sink.finish(page::html(&plan, (&drawn, &result), plan.compass.part(&a.instrument)?, a)?.as_bytes())?;
+    let mut results = Vec::new();
+    if let Some(place) = html {
+        let page = page::html(&plan, (&drawn, &result), plan.compass.part(&a.instrument)?, a)?;
+        results.push(place.data(page));
     }
-    if let Some(sink) = picture {
-        sink.finish(polar::svg(&plan.polar(&drawn)?).as_bytes())?;
+    if let Some(place) = picture {
+        results.push(place.data(polar::svg(&plan.polar(&drawn)?)));
     }
-    if ![&a.svg, &a.html].iter().any(|p| p.as_deref() == Some(Path::new("-"))) {
-        output::print(text.as_bytes())?;
+    output::put(&results, &read)?;
+    if !to_stdout {
+        told(&text, a.json)?;
     }
     Ok(Outcome::Done)
+}
+
+fn told(text: &str, json: bool) -> Result<()> {
+    if json { output::quoted(text) } else { output::words(text) }
+}
+
+/// Whether nothing is asked for but the paper's examples.
+fn is_bare(a: &Arguments) -> bool {
+    let wants = a.formula || a.json || a.free || a.svg.is_some() || a.html.is_some();
+    !wants && a.model_or_parameters.is_none() && !a.motion.given() && !a.rows.given() && a.instrument.plain()
 }
 
 /// A compass and a recording that lie in memory, or the path of a compass.
 #[cfg(feature = "python")]
 pub struct Given<'a> {
-    pub path: Option<&'a Path>,
+    pub path: Option<&'a std::path::Path>,
     pub text: Option<&'a str>,
     pub recording: Option<&'a crate::record::Recording>,
 }
@@ -146,8 +220,11 @@ pub fn answer(options: &[String], given: &Given<'_>) -> Result<Answer> {
         Some(text) => parameters::of_text(text, &a.instrument)?,
         None => parameters::read(given.path, &a.instrument)?,
     };
-    let plan = match given.recording {
+    let mut plan = match given.recording {
         Some(recording) => measured::plan(&compass, recording, &a, &a.rows)?,
+        None if a.roll.is_some() => {
+            return Err(Error::usage("roll names the channel of a recording, and there is none"));
+        }
         None => table::Plan::of_options(compass, &a, &a.rows)?,
     };
     let drawn = plan.evaluate(a.rows.days()?, a.rows.seed)?;
@@ -170,15 +247,15 @@ fn usage(e: &clap::Error) -> Error {
 }
 
 /// A lone file is the compass if it has parameters, else the recording.
-fn files(a: &Arguments) -> (Option<&Path>, Option<&Path>) {
-    match (a.model_or_parameters.as_deref(), a.recording.as_deref()) {
-        (Some(only), None) if !parameters::has_parameters(only) => (None, Some(only)),
-        (first, second) => (first, second),
+fn files(held: &[Option<Held>; 2]) -> (Option<&Held>, Option<&Held>) {
+    match [held[0].as_ref(), held[1].as_ref()] {
+        [Some(only), None] if !parameters::has_parameters(only.path()) => (None, Some(only)),
+        [first, second] => (first, second),
     }
 }
 
-/// `3m`, `3 m` or `3`: a number with a unit of the dimension of `si`, or in SI without one.
-fn quantity(option: &str, text: &str, si: &str) -> Result<f64> {
+/// `3m`, `3 m` or `3` as a number and its unit.
+fn parted<'a>(option: &str, text: &'a str, si: &str) -> Result<(f64, Option<&'a str>)> {
     let text = text.trim();
     // the longest head that is a number
     let cut = (1..=text.len())
@@ -191,29 +268,26 @@ fn quantity(option: &str, text: &str, si: &str) -> Result<f64> {
     if !value.is_finite() {
         return Err(wrong());
     }
-    if unit.trim().is_empty() {
-        return Ok(value);
-    }
-    let unit = crate::units::Unit::parse(unit.trim())?;
-    if unit.dimension() != crate::units::Unit::parse(si)?.dimension() {
-        return Err(Error::new(crate::ErrorKind::Units, format!("--{option}: {unit} where {si} is meant")));
-    }
-    Ok(unit.to_si(value))
+    Ok((value, Some(unit.trim()).filter(|u| !u.is_empty())))
+}
+
+/// A number with a unit of the range's dimension, or in SI without one, within the range.
+fn quantity(option: &str, text: &str, range: &Range) -> Result<f64> {
+    let (value, unit) = parted(option, text, range.unit)?;
+    range.read(value, unit).map_err(|e| e.about(&format!("--{option}")))
 }
 
 /// An angle on the compass card: a bare number is in degrees; rad.
-fn angle(option: &str, text: &str) -> Result<f64> {
-    match text.trim().parse::<f64>() {
-        Ok(v) if v.is_finite() => Ok(v.to_radians()),
-        _ => quantity(option, text, "rad"),
-    }
+fn angle(option: &str, text: &str, range: &Range) -> Result<f64> {
+    let (value, unit) = parted(option, text, range.unit)?;
+    range.read(value, unit.or(Some("deg"))).map_err(|e| e.about(&format!("--{option}")))
 }
 
-/// A list of quantities of given units.
-fn quantities(option: &str, text: &str, si: &[&str]) -> Result<Vec<f64>> {
+/// A list of quantities, each in its range.
+fn quantities(option: &str, text: &str, ranges: &[&Range]) -> Result<Vec<f64>> {
     let parts: Vec<&str> = text.split(',').collect();
-    if parts.len() != si.len() {
-        return Err(Error::usage(format!("--{option} takes {} numbers with commas between", si.len())));
+    if parts.len() != ranges.len() {
+        return Err(Error::usage(format!("--{option} takes {} numbers with commas between", ranges.len())));
     }
-    parts.iter().zip(si).map(|(p, u)| quantity(option, p, u)).collect()
+    parts.iter().zip(ranges).map(|(p, r)| quantity(option, p, r)).collect()
 }

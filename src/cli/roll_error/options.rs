@@ -3,6 +3,8 @@
 use super::parameters::Part;
 use super::{angle, quantities, quantity};
 use crate::gyro::elastic::{Backlash, Compliance, Elastic, Friction, Inertia, Lag, Relaxing};
+use crate::gyro::range::{self, Range};
+use crate::gyro::seed::Regular;
 use crate::gyro::{Axis, Motion};
 use crate::lti::TransferFunction;
 use crate::spectrum::{Hull, RationalFit, Roll, Sea, fit_rational};
@@ -20,16 +22,16 @@ pub struct InstrumentOptions {
     /// Compliance along the meridian too: stiffness and time.
     #[arg(long, group = "part", value_name = "STIFFNESS,TIME")]
     meridian: Option<String>,
-    /// Compliance along the vertical: stiffness and time.
+    /// Compliance along the vertical: stiffness and time; it changes the spread alone, not the mean.
     #[arg(long, conflicts_with_all = ["inertia", "flow", "friction", "free_play"], value_name = "STIFFNESS,TIME")]
     vertical: Option<String>,
-    /// Dry friction in the suspension, stochastically linearised.
+    /// Dry friction in the suspension: its errors are simulated.
     #[arg(long, group = "part", value_name = "FORCE", allow_hyphen_values = true)]
     friction: Option<String>,
-    /// Free play (half-width) in the suspension, stochastically linearised.
+    /// Free play (half-width) in the suspension: its errors are simulated.
     #[arg(long, group = "part", value_name = "GAP", allow_hyphen_values = true)]
     free_play: Option<String>,
-    /// Latitude; a bare number is in degrees.
+    /// Latitude; a bare number is in degrees; less than 90, and the error grows as 1/cos towards the pole.
     #[arg(long, allow_hyphen_values = true)]
     pub latitude: Option<String>,
     /// Height of the compass above the roll axis.
@@ -46,6 +48,11 @@ impl InstrumentOptions {
         self.is_lag() && self.latitude.is_none() && self.lever.is_none() && self.speed.is_none()
     }
 
+    /// Whether a part is asked for that moves no mean.
+    pub fn has_idle(&self) -> bool {
+        self.vertical.is_some()
+    }
+
     /// Whether the part is the paper's lag.
     pub fn is_lag(&self) -> bool {
         !self.inertia
@@ -60,7 +67,7 @@ impl InstrumentOptions {
             _ if self.is_lag() => None,
             _ if self.inertia => Some(Part::Inertia),
             Some(text) => {
-                let v = quantities("flow", text, &["s", "1"])?;
+                let v = quantities("flow", text, &[&range::RELAXATION, &range::SHARE])?;
                 Some(Part::Flow(Relaxing { time: v[0], share: v[1] }))
             }
             None => Some(Part::Other),
@@ -71,17 +78,17 @@ impl InstrumentOptions {
     pub fn part(&self) -> Result<Box<dyn Elastic>> {
         let pair = |name: &str, text: &Option<String>| -> Result<Option<(f64, f64)>> {
             let Some(text) = text else { return Ok(None) };
-            quantities(name, text, &["N/m", "s"]).map(|v| Some((v[0], v[1])))
+            quantities(name, text, &[&range::STIFFNESS, &range::RELAXATION]).map(|v| Some((v[0], v[1])))
         };
         if self.meridian.is_some() || self.vertical.is_some() {
             let meridian = pair("meridian", &self.meridian)?;
             return Ok(Box::new(Compliance { meridian, vertical: pair("vertical", &self.vertical)? }));
         }
         if let Some(text) = &self.friction {
-            return Ok(Box::new(Friction { force: quantity("friction", text, "N")? }));
+            return Ok(Box::new(Friction { force: quantity("friction", text, &range::FRICTION)? }));
         }
         if let Some(text) = &self.free_play {
-            return Ok(Box::new(Backlash { gap: quantity("free-play", text, "m")? }));
+            return Ok(Box::new(Backlash { gap: quantity("free-play", text, &range::FREE_PLAY)? }));
         }
         Ok(match self.kind()? {
             Some(Part::Flow(relaxing)) => Box::new(relaxing),
@@ -113,35 +120,45 @@ pub struct MotionOptions {
     /// Regular roll: amplitude, frequency.
     #[arg(long, value_name = "AMPLITUDE,FREQUENCY", group = "motion")]
     regular: Option<String>,
-    /// Roll in a wind sea from abeam.
+    /// Motion in a wind sea.
     #[arg(long, value_enum, group = "motion")]
     sea: Option<SeaKind>,
+    #[command(flatten)]
+    waves: SeaOptions,
+    /// Two first-order low-passes on the motion, at this frequency.
+    #[arg(long, value_name = "FREQUENCY")]
+    band: Option<String>,
+}
+
+#[derive(Args)]
+#[group(id = "waves", multiple = true, conflicts_with_all = ["irregular", "regular"])]
+struct SeaOptions {
     /// Significant wave height of the sea.
     #[arg(long, requires = "sea", allow_hyphen_values = true)]
     height: Option<String>,
     /// Peak period of the sea.
     #[arg(long, requires = "sea", allow_hyphen_values = true)]
     period: Option<String>,
-    /// Peakedness of JONSWAP.
-    #[arg(long, requires = "sea", default_value_t = 3.3)]
-    gamma: f64,
+    /// Peakedness of JONSWAP; 3.3 if absent.
+    #[arg(long, requires = "sea")]
+    gamma: Option<f64>,
+    /// Where the sea comes from, off the bow: 0 ahead, 90 from abeam to starboard (as if absent); a bare number is in degrees.
+    #[arg(long, requires = "sea", value_name = "BEARING", allow_hyphen_values = true)]
+    sea_from: Option<String>,
     /// The ship: roll period, damping ratio, effective wave slope, beam.
     #[arg(long, requires = "sea", value_name = "PERIOD,DAMPING,SLOPE,BEAM")]
     ship: Option<String>,
-    /// Other motions in the same sea.
+    /// Other motions in the same sea; heave changes the spread alone, not the mean.
     #[arg(long, requires = "sea", value_enum, value_delimiter = ',')]
     also: Vec<Also>,
-    /// Two first-order low-passes on the motion, at this frequency.
-    #[arg(long, value_name = "FREQUENCY")]
-    band: Option<String>,
 }
 
 /// A motion with what is to be said of it.
 pub struct Described {
     pub motion: Motion,
     pub says: String,
-    /// Regular roll has no spread of its own products.
-    pub regular: bool,
+    /// Regular roll, behind the low-passes where there are any.
+    pub regular: Option<Regular>,
 }
 
 impl MotionOptions {
@@ -151,7 +168,8 @@ impl MotionOptions {
             return Ok(None);
         }
         let Some(text) = &self.irregular else { return Ok(Some(*default)) };
-        let v = quantities("irregular", text, &["rad", "rad/s", "rad/s"])?;
+        let ranges = [&range::ROLL_DEVIATION, &range::ROLL_DECAY, &range::ROLL_FREQUENCY];
+        let v = quantities("irregular", text, &ranges)?;
         Roll::new(v[0] * v[0], v[1], v[2]).map(Some)
     }
 
@@ -165,6 +183,26 @@ impl MotionOptions {
         self.sea.is_some()
     }
 
+    /// Whether the motion is regular roll.
+    pub fn is_regular(&self) -> bool {
+        self.regular.is_some()
+    }
+
+    /// Whether the sea's height is said.
+    pub fn has_height(&self) -> bool {
+        self.waves.height.is_some()
+    }
+
+    /// Whether a motion is asked for that moves no mean.
+    pub fn has_idle(&self) -> bool {
+        self.waves.also.contains(&Also::Heave)
+    }
+
+    /// Whether the waves run along the ship as well, rad.
+    pub fn along(&self) -> Result<bool> {
+        Ok(self.is_sea() && Hull::slopes(self.waves.from()?).1 != 0.0)
+    }
+
     /// The motion asked for; in a sea of significant height `height` if given.
     pub fn motion(&self, default: &Roll, height: Option<f64>) -> Result<Described> {
         let mut described = match (self.sea, &self.regular) {
@@ -173,8 +211,11 @@ impl MotionOptions {
             (None, None) => self.irregular(default)?,
         };
         if let Some(text) = &self.band {
-            let corner = quantity("band", text, "rad/s")?;
+            let corner = quantity("band", text, &range::BAND)?;
             described.motion = described.motion.band_limited(corner, 2)?;
+            if let Some(roll) = &mut described.regular {
+                roll.amplitude /= 1.0 + (roll.frequency / corner).powi(2);
+            }
             described.says = format!("{}; behind two low-passes at {corner} rad/s", described.says);
         }
         Ok(described)
@@ -188,14 +229,46 @@ impl MotionOptions {
             roll.decay,
             roll.frequency
         );
-        Ok(Described { motion: Motion::roll(&roll), says, regular: false })
+        Ok(Described { motion: Motion::roll(&roll), says, regular: None })
     }
 
     fn in_sea(&self, kind: SeaKind, height: Option<f64>) -> Result<Described> {
-        let asked = self.height.as_deref().map(|t| quantity("height", t, "m")).transpose()?;
+        let sea = self.waves.sea(kind, height)?;
+        let fit = rational_sea(&sea)?;
+        let motion = Motion::in_sea(&fit.shaping, &self.waves.responses()?)?;
+        let says = format!(
+            "{} sea from {:03.0}° off the bow, significant height {:.2} m, peak period {:.1} s; rational spectrum within {:.1} % (its slope's power within {:.1} %)",
+            ["Pierson-Moskowitz", "Bretschneider", "JONSWAP"][kind as usize],
+            self.waves.from()?.to_degrees(),
+            sea.height(),
+            std::f64::consts::TAU / sea.peak(),
+            100.0 * fit.error,
+            100.0 * fit.power_error.abs()
+        );
+        Ok(Described { motion, says, regular: None })
+    }
+}
+
+impl SeaOptions {
+    /// The bearing, rad.
+    fn from(&self) -> Result<f64> {
+        let from = self.sea_from.as_deref().map(|t| angle("sea-from", t, &range::SEA_FROM)).transpose()?;
+        Ok(from.unwrap_or(std::f64::consts::FRAC_PI_2))
+    }
+
+    /// The sea; of significant height `height` if given.
+    fn sea(&self, kind: SeaKind, height: Option<f64>) -> Result<Sea> {
+        let read = |name, text: &Option<String>, range: &Range| {
+            text.as_deref().map(|t| quantity(name, t, range)).transpose()
+        };
+        let asked = read("height", &self.height, &range::WAVE_HEIGHT)?;
         let height = height.or(asked).unwrap_or(3.0);
-        let period = self.period.as_deref().map(|t| quantity("period", t, "s")).transpose()?;
+        let period = read("period", &self.period, &range::WAVE_PERIOD)?;
         let peak = std::f64::consts::TAU / period.unwrap_or(8.0);
+        if self.gamma.is_some() && kind != SeaKind::Jonswap {
+            return Err(Error::usage("only JONSWAP has a peakedness")
+                .with_hint("leave --gamma away, or use --sea jonswap"));
+        }
         let sea = match kind {
             SeaKind::Pm if period.is_some() => {
                 return Err(Error::usage("the sea of Pierson and Moskowitz has the period of its height")
@@ -203,34 +276,41 @@ impl MotionOptions {
             }
             SeaKind::Pm => Sea::PiersonMoskowitz { height },
             SeaKind::Bretschneider => Sea::Bretschneider { height, peak },
-            SeaKind::Jonswap => Sea::Jonswap { height, peak, gamma: self.gamma },
+            SeaKind::Jonswap => Sea::Jonswap { height, peak, gamma: self.gamma.unwrap_or(3.3) },
         };
         sea.check()?;
-        let fit = rational_sea(&sea)?;
-        let motion = Motion::in_sea(&fit.shaping, &self.responses()?)?;
-        let says = format!(
-            "{} sea, significant height {height:.2} m, peak period {:.1} s; rational spectrum within {:.1} % (its slope's power within {:.1} %)",
-            ["Pierson-Moskowitz", "Bretschneider", "JONSWAP"][kind as usize],
-            std::f64::consts::TAU / sea.peak(),
-            100.0 * fit.error,
-            100.0 * fit.power_error.abs()
-        );
-        Ok(Described { motion, says, regular: false })
+        Ok(sea)
+    }
+
+    fn hull(&self) -> Result<Hull> {
+        let Some(text) = &self.ship else { return Ok(Hull::default()) };
+        let ranges = [&range::ROLL_PERIOD, &range::ROLL_DAMPING, &range::WAVE_SLOPE, &range::BEAM];
+        let v = quantities("ship", text, &ranges)?;
+        Ok(Hull { frequency: std::f64::consts::TAU / v[0], damping: v[1], slope: v[2], beam: v[3] })
     }
 
     fn responses(&self) -> Result<Vec<(Axis, TransferFunction)>> {
-        let hull = match &self.ship {
-            Some(text) => {
-                let v = quantities("ship", text, &["s", "1", "1", "m"])?;
-                Hull { frequency: std::f64::consts::TAU / v[0], damping: v[1], slope: v[2], beam: v[3] }
-            }
-            None => Hull::default(),
-        };
-        let mut all = vec![(Axis::Roll, hull.roll_response()?)];
+        let (hull, from) = (self.hull()?, self.from()?);
+        let (athwart, along) = Hull::slopes(from);
+        let pitches = self.also.contains(&Also::Pitch);
+        if pitches && along == 0.0 {
+            return Err(Error::usage("a sea from abeam has no slope along the ship: nothing excites pitch")
+                .with_hint("say where it comes from, as --sea-from 60deg (0 is ahead, 90 abeam), or leave pitch away"));
+        }
+        if !pitches && athwart == 0.0 {
+            return Err(Error::usage(
+                "a sea from ahead or astern has no slope athwart: nothing excites roll",
+            )
+            .with_hint("say --also pitch, or another --sea-from"));
+        }
+        let mut all = Vec::new();
+        if athwart != 0.0 {
+            all.push((Axis::Roll, hull.roll_response(from)?));
+        }
         for also in &self.also {
             all.push(match also {
-                Also::Pitch => (Axis::Pitch, hull.pitch_response()?),
-                Also::Heave => (Axis::Heave, hull.heave_response()?),
+                Also::Pitch => (Axis::Pitch, hull.pitch_response(from)?),
+                Also::Heave => (Axis::Heave, hull.heave_response(from)?),
             });
         }
         Ok(all)
@@ -247,10 +327,11 @@ fn rational_sea(sea: &Sea) -> Result<RationalFit> {
 
 /// Regular roll as the limit of ever narrower irregular roll: θ₀² = 2A, p = ε, μ → 0.
 fn regular(text: &str) -> Result<Described> {
-    let v = quantities("regular", text, &["rad", "rad/s"])?;
+    let v = quantities("regular", text, &[&range::ROLL_AMPLITUDE, &range::ROLL_FREQUENCY])?;
     let roll = Roll::new(0.5 * v[0] * v[0], 1e-7 * v[1], v[1])?;
     let says = format!("regular roll, amplitude {:.2}°, frequency {} rad/s", v[0].to_degrees(), v[1]);
-    Ok(Described { motion: Motion::roll(&roll), says, regular: true })
+    let regular = Some(Regular { amplitude: v[0], frequency: v[1] });
+    Ok(Described { motion: Motion::roll(&roll), says, regular })
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -276,7 +357,7 @@ pub struct RowOptions {
     #[arg(long, value_name = "DAYS")]
     simulate: Option<usize>,
     /// Seed of the simulation.
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, requires = "simulate")]
     pub seed: u64,
 }
 
@@ -305,6 +386,6 @@ impl RowOptions {
         if self.headings.is_empty() {
             return Ok((0..360).step_by(self.step).map(|k| f64::from(k).to_radians()).collect());
         }
-        self.headings.iter().map(|text| angle("heading", text)).collect()
+        self.headings.iter().map(|text| angle("heading", text, &range::HEADING)).collect()
     }
 }

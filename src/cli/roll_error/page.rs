@@ -25,6 +25,7 @@ pub fn html(plan: &Plan, (all, some): (&[Row], &[&Row]), part: Part, a: &Argumen
         rows: some.iter().map(|r| row(r)).collect(),
         card: plan.goes_round().then(|| plan.polar(all)).transpose()?,
         recorded: plan.recorded.as_ref().map(|r| recorded(r, &says)),
+        beyond: &plan.beyond(),
         trust: &plan.after,
         by_spectrum: plan.by_spectrum,
         formula: formulas::derived(part).ok().filter(|_| !a.motion.is_sea()).map(|d| d.formula.text()),
@@ -40,6 +41,7 @@ fn row(r: &Row) -> rolling::Row {
         spread: r.error.spread.to_degrees(),
         swing: r.error.spread_linear.to_degrees(),
         products: r.error.spread_quadratic.to_degrees(),
+        margin: (!r.is_exact()).then(|| r.error.rectified_margin.to_degrees()),
         measured: r.measured.map(|m| plain(m.to_degrees())),
     }
 }

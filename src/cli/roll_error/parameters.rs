@@ -2,12 +2,13 @@
 //! nothing else; what it leaves out is the paper's gyrocompass, or the built-in it extends.
 
 use super::options::InstrumentOptions;
-use super::{angle, quantity};
+use super::{angle, equations, quantity};
+use crate::cli::input;
 use crate::gyro::elastic::{Elastic, Inertia, Relaxing};
+use crate::gyro::range::{self, Range};
 use crate::gyro::{Gyrosphere, Instrument};
 use crate::model::Model;
 use crate::spectrum::Roll;
-use crate::units::Unit;
 use crate::{Error, Result};
 use std::path::Path;
 
@@ -53,8 +54,23 @@ impl Compass {
     }
 }
 
+/// One part of the two: an option beside a model with a part of its own is refused, since neither can be
+/// taken without dropping the other.
 fn elastic(of_file: Part, options: &InstrumentOptions) -> Result<Box<dyn Elastic>> {
-    match (options.kind()?, of_file) {
+    let asked = options.kind()?;
+    if let (Some(_), Part::Inertia | Part::Flow(_)) = (asked, of_file) {
+        let (own, symbols) = match of_file {
+            Part::Inertia => ("inertia", "the model's x_rate"),
+            _ => ("a second relaxation by liquid flow", "T2 and kappa"),
+        };
+        return Err(Error::usage(format!(
+            "this model has an elastic part of its own, {own}, and an option asks for another"
+        ))
+        .with_hint(format!(
+            "take the plain `gyrosphere` (without {symbols}) with the option, or leave the option away"
+        )));
+    }
+    match (asked, of_file) {
         (None, Part::Inertia) => Ok(Box::new(Inertia)),
         (None, Part::Flow(relaxing)) => Ok(Box::new(relaxing)),
         _ => options.part(),
@@ -69,6 +85,8 @@ struct File {
     #[serde(default)]
     definitions: toml::Table,
     #[serde(default)]
+    outputs: toml::Table,
+    #[serde(default)]
     parameters: std::collections::BTreeMap<String, Entry>,
 }
 
@@ -79,16 +97,16 @@ enum Entry {
     Bare(f64),
 }
 
-/// The numbers of an irregular roll, with their units in SI.
-const ROLL: [(&str, &str); 3] = [("A", "rad^2"), ("mu", "1/s"), ("eps", "rad/s")];
+/// The numbers of an irregular roll.
+const ROLL: [&str; 3] = ["A", "mu", "eps"];
 
 /// The numbers of a second relaxation.
-const FLOW: [(&str, &str); 2] = [("T2", "s"), ("kappa", "1")];
+const FLOW: [&str; 2] = ["T2", "kappa"];
 
 /// All names of the symbol table.
 fn names() -> impl Iterator<Item = &'static str> {
     let sphere = ["P", "H", "lP", "C", "F", "C0", "T", "h", "lat", "g", "U"];
-    sphere.into_iter().chain(ROLL.map(|r| r.0)).chain(FLOW.map(|f| f.0))
+    sphere.into_iter().chain(ROLL).chain(FLOW)
 }
 
 /// What a file's parameters have filled so far.
@@ -112,7 +130,7 @@ pub fn has_parameters(path: &Path) -> bool {
     if !path.exists() {
         return path.to_str().is_some_and(|name| Model::builtin(name).is_ok());
     }
-    let Ok(text) = std::fs::read_to_string(path) else { return false };
+    let Ok(text) = input::text(path) else { return false };
     text.parse::<toml::Table>().is_ok_and(|t| t.contains_key("parameters") || t.contains_key("extends"))
 }
 
@@ -147,18 +165,18 @@ impl Filling {
 
     /// The compass, with what the options say of it.
     fn compass(mut self, base: Option<&str>, options: &InstrumentOptions) -> Result<Compass> {
-        let set = |option: &Option<String>, name: &str, si: &str, place: &mut f64| -> Result<()> {
+        let set = |option: &Option<String>, name: &str, range: &Range, place: &mut f64| -> Result<()> {
             if let Some(text) = option {
-                *place = quantity(name, text, si)?;
+                *place = quantity(name, text, range)?;
             }
             Ok(())
         };
         if let Some(text) = &options.latitude {
-            self.sphere.latitude = angle("latitude", text)?;
+            self.sphere.latitude = angle("latitude", text, &range::LATITUDE)?;
         }
-        set(&options.lever, "lever", "m", &mut self.sphere.lever)?;
+        set(&options.lever, "lever", &range::LEVER, &mut self.sphere.lever)?;
         let mut speed = 0.0;
-        set(&options.speed, "speed", "m/s", &mut speed)?;
+        set(&options.speed, "speed", &range::SPEED, &mut speed)?;
         self.sphere.check()?;
         let roll = match self.roll {
             [Some(a), Some(mu), Some(eps)] => Some(Roll::new(a, mu, eps)?),
@@ -185,6 +203,10 @@ impl Filling {
             .with_hint("start from gyrosphere, gyrosphere-inertia or gyrosphere-flow"));
         }
         match self.flow {
+            [Some(_), _] | [_, Some(_)] if has("x_rate") => Err(Error::bad_input(
+                "this model has an elastic part with inertia, and T2 or kappa ask for another",
+            )
+            .with_hint("take gyrosphere-flow for the liquid flow, or leave T2 and kappa away")),
             [Some(time), Some(share)] => Ok(Part::Flow(Relaxing { time, share })),
             [None, None] if has("x_rate") => Ok(Part::Inertia),
             [None, None] => Ok(Part::Lag),
@@ -199,7 +221,7 @@ impl Filling {
             self.builtin(&name)?;
             return Ok(Some(format!("the built-in model {name}")));
         }
-        let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, &e))?;
+        let text = input::text(path)?;
         self.read_text(&text).map_err(|e| e.with_file(path))
     }
 
@@ -211,6 +233,9 @@ impl Filling {
         }
         self.states.extend(file.states.keys().cloned());
         self.own = !(file.states.is_empty() && file.definitions.is_empty());
+        if self.own || !file.outputs.is_empty() {
+            equations::known(&Model::parse(text)?)?;
+        }
         for (name, entry) in &file.parameters {
             self.take(name, entry)?;
         }
@@ -222,9 +247,9 @@ impl Filling {
         self.states.extend(model.states.iter().map(|s| s.name.clone()));
         for p in &model.parameters {
             self.inherited.push(p.name.clone());
-            if let Some((place, _)) = self.slot(&p.name) {
+            if let Some(place) = self.slot(&p.name) {
                 *place = p.value;
-            } else if let Some(k) = FLOW.iter().position(|(n, _)| *n == p.name) {
+            } else if let Some(k) = FLOW.iter().position(|n| *n == p.name) {
                 self.flow[k] = Some(p.value);
             }
         }
@@ -236,12 +261,14 @@ impl Filling {
             Entry::Full { value, unit } => (*value, unit.as_deref()),
             Entry::Bare(value) => (*value, None),
         };
-        if let Some(k) = ROLL.iter().position(|(n, _)| *n == name) {
-            self.roll[k] = Some(in_si(name, value, unit, ROLL[k].1)?);
-        } else if let Some(k) = FLOW.iter().position(|(n, _)| *n == name) {
-            self.flow[k] = Some(in_si(name, value, unit, FLOW[k].1)?);
-        } else if let Some((place, si)) = self.slot(name) {
-            *place = in_si(name, value, unit, si)?;
+        let read =
+            || range::of_compass(name).map(|r| r.read(value, unit).map_err(|e| e.about(name))).transpose();
+        if let Some(k) = ROLL.iter().position(|n| *n == name) {
+            self.roll[k] = read()?;
+        } else if let Some(k) = FLOW.iter().position(|n| *n == name) {
+            self.flow[k] = read()?;
+        } else if let Some(place) = self.slot(name) {
+            *place = read()?.unwrap_or(value);
         } else if !self.own && !self.inherited.iter().any(|n| n == name) {
             let near = crate::error::nearest(&name.replace('_', ""), names())
                 .map(|n| format!("did you mean {n}? "))
@@ -256,21 +283,21 @@ impl Filling {
         Ok(())
     }
 
-    /// Where a name of the symbol table goes, and its unit in SI.
-    fn slot(&mut self, name: &str) -> Option<(&mut f64, &'static str)> {
+    /// Where a name of the symbol table goes.
+    fn slot(&mut self, name: &str) -> Option<&mut f64> {
         let s = &mut self.sphere;
         Some(match name {
-            "P" => (&mut s.weight, "N"),
-            "H" => (&mut s.momentum, "N*m*s"),
-            "lP" => (&mut s.pendulous, "N*m"),
-            "C" => (&mut s.damper, "N*m"),
-            "F" => (&mut s.flow, "1/s"),
-            "C0" => (&mut s.stiffness, "N/m"),
-            "T" => (&mut s.lag, "s"),
-            "h" => (&mut s.lever, "m"),
-            "lat" => (&mut s.latitude, "rad"),
-            "g" => (&mut s.gravity, "m/s^2"),
-            "U" => (&mut s.earth_rate, "rad/s"),
+            "P" => &mut s.weight,
+            "H" => &mut s.momentum,
+            "lP" => &mut s.pendulous,
+            "C" => &mut s.damper,
+            "F" => &mut s.flow,
+            "C0" => &mut s.stiffness,
+            "T" => &mut s.lag,
+            "h" => &mut s.lever,
+            "lat" => &mut s.latitude,
+            "g" => &mut s.gravity,
+            "U" => &mut s.earth_rate,
             _ => return None,
         })
     }
@@ -287,16 +314,4 @@ impl Filling {
         }
         text
     }
-}
-
-fn in_si(name: &str, value: f64, unit: Option<&str>, wanted: &str) -> Result<f64> {
-    let Some(unit) = unit else { return Ok(value) };
-    let parsed = Unit::parse(unit)?;
-    if parsed.dimension() != Unit::parse(wanted)?.dimension() {
-        return Err(Error::new(
-            crate::ErrorKind::Units,
-            format!("{name} is given in {unit}, but it is measured in {wanted}"),
-        ));
-    }
-    Ok(parsed.to_si(value))
 }

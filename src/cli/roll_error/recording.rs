@@ -1,18 +1,20 @@
 //! A recording of a ship's motion, with or without units in its header.
 
-use crate::record::Recording;
+use crate::cli::input::Held;
+use crate::record::{Input, Recording};
 use crate::{Error, Result};
-use std::io::Write;
 use std::path::Path;
 
 /// Reads a recording. For a bare CSV whose header has no units, `roll` as NAME:UNIT says what
 /// the roll column is; its first column is then time in seconds.
-pub fn read(path: &Path, roll: Option<&str>) -> Result<Recording> {
-    let toml = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
-    match roll.and_then(|r| r.split_once(':')) {
-        Some((name, unit)) if !toml => with_units(path, name, unit),
-        _ => Recording::read(path).map_err(|e| if toml { no_tables(path, e) } else { hinted(path, e) }),
-    }
+pub fn read(held: &Held, roll: Option<&str>) -> Result<Recording> {
+    let path = held.path();
+    let toml = Input::open(path).is_ok_and(|input| input.is_toml());
+    let recording = match roll.and_then(|r| r.split_once(':')) {
+        Some((name, unit)) if !toml => with_units(path, name, unit).map(|r| held.named(r)),
+        _ => held.recording().map_err(|e| if toml { no_tables(path, e) } else { hinted(path, e) }),
+    };
+    recording.map_err(|e| held.place(e))
 }
 
 /// A TOML file that is neither a recording nor a compass.
@@ -65,8 +67,7 @@ pub fn roll_name(recording: &Recording, asked: Option<&str>) -> Result<String> {
 
 fn with_units(path: &Path, name: &str, unit: &str) -> Result<Recording> {
     crate::units::Unit::parse(unit)?;
-    let absolute = std::fs::canonicalize(path).map_err(|e| Error::io(path, &e))?;
-    let first = first_column(&absolute)?;
+    let first = first_column(path)?;
     if first == name {
         return Err(Error::bad_input(format!(
             "the roll `{name}` is the first column, which must be time: the recording has no column of time"
@@ -81,25 +82,22 @@ fn with_units(path: &Path, name: &str, unit: &str) -> Result<Recording> {
     let form = format!(
         "name = {}\n[[tables]]\nfile = {}\ntime = {{ column = {}, unit = \"s\" }}\n[tables.channels]\n{} = {{ column = {}, unit = {} }}\n",
         quoted(&path.file_stem().unwrap_or_default().to_string_lossy()),
-        quoted(&absolute.to_string_lossy()),
+        quoted(&path.to_string_lossy()),
         quoted(&first),
         quoted(name),
         quoted(name),
         quoted(unit)
     );
-    let mut file = tempfile::Builder::new().suffix(".toml").tempfile().map_err(|e| Error::io(path, &e))?;
-    file.write_all(form.as_bytes()).map_err(|e| Error::io(file.path(), &e))?;
-    Recording::read(file.path())
+    let mut recording = Recording::parse(&form, "")?;
+    // The first source is the text above, which is no file.
+    recording.sources.remove(0);
+    Ok(recording)
 }
 
+/// The name of the first column, as the header has it.
 fn first_column(path: &Path) -> Result<String> {
-    use std::io::{BufRead, BufReader, Read};
-    let file = std::fs::File::open(path).map_err(|e| Error::io(path, &e))?;
-    let zipped = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("gz"));
-    let reader: Box<dyn Read> =
-        if zipped { Box::new(flate2::read::GzDecoder::new(file)) } else { Box::new(file) };
-    let mut line = String::new();
-    BufReader::new(reader.take(1 << 16)).read_line(&mut line).map_err(|e| Error::io(path, &e))?;
-    let first = line.trim_start_matches('\u{feff}').split(',').next().unwrap_or("").trim();
-    Ok(first.trim_matches('"').to_owned())
+    let input = Input::open(path)?;
+    let start = String::from_utf8_lossy(input.start()).into_owned();
+    let line = start.split(['\n', '\r']).next().unwrap_or_default();
+    Ok(line.split(',').next().unwrap_or_default().trim().trim_matches('"').to_owned())
 }

@@ -2,14 +2,20 @@
 
 use super::Arguments;
 use super::measured::{self, Analysis};
+use super::nonlinear::{Moments, moves_finitely, not_linear, within};
 use super::options::{Against, Described, RowOptions};
 use super::parameters::Compass;
-use crate::gyro::{HeadingError, Instrument, MonteCarlo, Simulated, seed};
+use super::tail::Tail;
+use crate::cli::progress::Meter;
+use crate::estimate::fit::Progress;
+use crate::gyro::validity::{LARGEST_MEAN, Smallness, bounded};
+use crate::gyro::{Drive, HeadingError, IDLE, Instrument, MonteCarlo, SIGN, Simulated, seed};
 use crate::report::polar::{Point, Polar};
 use crate::spectrum::Roll;
 use crate::{Error, Result};
 use rayon::prelude::*;
 use std::fmt::Write;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// One row to compute: its instrument, motion and heading.
 pub struct Case {
@@ -19,6 +25,8 @@ pub struct Case {
     pub heading: f64,
     /// The value of what the rows run over, in its unit of print.
     pub value: f64,
+    /// Significant height of its sea, m, where the rows run over it.
+    pub height: Option<f64>,
     /// The mean by quadrature over a measured spectrum, rad.
     pub measured: Option<f64>,
 }
@@ -30,12 +38,16 @@ pub struct Plan {
     /// The recorded roll, where the motion is one.
     pub recorded: Option<Analysis>,
     pub after: String,
+    /// How much a white tail of the motion counts, where it has one.
+    pub tail: Option<Tail>,
     /// The irregular roll of the form (3.3), where the motion is one.
     pub roll: Option<Roll>,
     pub cases: Vec<Case>,
     pub against: Against,
     /// Whether the mean to trust is that by the measured spectrum.
     pub by_spectrum: bool,
+    /// What the linear theory takes for small, where the mean is largest; filled by [`Plan::evaluate`].
+    pub smallness: Vec<Smallness>,
 }
 
 /// One row computed.
@@ -45,6 +57,13 @@ pub struct Row {
     pub error: HeadingError,
     pub measured: Option<f64>,
     pub simulated: Option<Simulated>,
+}
+
+impl Row {
+    /// Whether its figures are exact, and not those of a simulation.
+    pub fn is_exact(&self) -> bool {
+        self.error.rectified_margin == 0.0 && self.error.linearised.is_none()
+    }
 }
 
 impl Plan {
@@ -57,23 +76,86 @@ impl Plan {
         let described = a.motion.motion(&roll, None)?;
         let motion_says = described.says.clone();
         let cases = cases(&compass, &roll, a, rows)?;
-        let after = tail(&compass.instrument(&a.instrument)?, &described)?;
+        let instrument = compass.instrument(&a.instrument)?;
+        let tail = moves_finitely(&instrument, &described)?;
+        if rows.days()?.is_some() && tail.as_ref().is_some_and(Tail::is_beyond_simulation) {
+            return Err(Error::usage("the mean comes from frequencies that no simulation follows")
+                .with_hint(
+                    "limit the motion: say --band with the frequency above which this ship does not move",
+                ));
+        }
+        let after = tail.as_ref().map_or_else(|| not_linear(&instrument, &described), |t| Ok(t.text()))?;
+        let after = after + &asides(compass.speed, a)?;
         let roll = a.motion.irregular_roll(&roll)?;
         Ok(Self {
             compass,
             motion_says,
             recorded: None,
             after,
+            tail,
             roll,
             cases,
             against: rows.against,
             by_spectrum: false,
+            smallness: Vec::new(),
         })
     }
 
-    /// Computes the rows, with so many days simulated beside each.
-    pub fn evaluate(&self, days: Option<usize>, seed: u64) -> Result<Vec<Row>> {
-        self.cases.par_iter().map(|case| case.evaluate(days, seed)).collect()
+    /// The rows, whatever the theory reaches.
+    fn computed(&self, days: Option<usize>, seed: u64) -> Result<Vec<Row>> {
+        let (meter, done) = (Meter, AtomicUsize::new(0));
+        let moments = Moments::of(&self.cases, &meter)?;
+        let row = |case: &Case| {
+            let row = case.evaluate(days, seed, &moments)?;
+            let share = (1 + done.fetch_add(1, Ordering::Relaxed)) as f64 / self.cases.len() as f64;
+            meter.says("rows of the table", Some(share));
+            Ok(row)
+        };
+        self.cases.par_iter().map(row).collect()
+    }
+
+    /// Computes the rows, with so many days simulated beside each; rows of latitudes and heights that no linear
+    /// theory reaches are left out.
+    pub fn evaluate(&mut self, days: Option<usize>, seed: u64) -> Result<Vec<Row>> {
+        let all = self.computed(days, seed);
+        let judged: Vec<(&Case, Row, Result<()>)> = self
+            .cases
+            .iter()
+            .zip(all?)
+            .map(|(case, row)| {
+                let reached = bounded(self.mean(&row));
+                (case, row, reached)
+            })
+            .collect();
+        let reached = judged.iter().filter(|j| j.2.is_ok());
+        let worst = reached.max_by(|a, b| self.mean(&a.1).abs().total_cmp(&self.mean(&b.1).abs()));
+        let beyond: Vec<f64> = judged.iter().filter(|j| j.2.is_err()).map(|j| j.1.value).collect();
+        let Some((case, row, _)) = worst.filter(|_| beyond.is_empty() || self.against != Against::Heading)
+        else {
+            return judged.into_iter().map(|(_, row, reached)| reached.map(|()| row)).collect();
+        };
+        let (motion, instrument) = (&case.motion.motion, &case.instrument);
+        let smallness = match case.motion.regular {
+            Some(_) => instrument.regular_smallness(motion, case.heading, &row.error)?,
+            None => instrument.smallness(motion, case.heading, &row.error)?,
+        };
+        let rows = judged.into_iter().filter(|j| j.2.is_ok()).map(|j| j.1).collect();
+        self.after.push_str(unjudged(&smallness));
+        self.smallness = smallness;
+        if !beyond.is_empty() {
+            let left: Vec<String> = beyond.iter().map(ToString::to_string).collect();
+            self.after.push_str(&format!(
+                "Left out, since the linear theory would give a mean error beyond {:.0}°: {}.\n",
+                LARGEST_MEAN.to_degrees(),
+                left.join(", ")
+            ));
+        }
+        Ok(rows)
+    }
+
+    /// What of the linear theory does not hold, in words; empty where all of it does.
+    pub fn beyond(&self) -> String {
+        beyond(&self.smallness)
     }
 
     /// Whether the rows go around the card.
@@ -101,13 +183,41 @@ impl Plan {
         Ok(Polar {
             title,
             subtitle: format!("{}{by}", self.motion_says),
+            warning: self.beyond(),
             points: rows.iter().map(point).collect(),
         })
     }
 }
 
+/// What of the linear theory does not hold, in words; empty where all of it does.
+pub fn beyond(smallness: &[Smallness]) -> String {
+    let broken = smallness.iter().filter(|s| s.is_judged() && !s.holds());
+    let broken: Vec<String> = broken.map(Smallness::told).collect();
+    if broken.is_empty() {
+        return String::new();
+    }
+    format!(
+        "BEYOND THE LINEAR THEORY where the mean is largest: {}. The figures are a guide at best.",
+        broken.join(", ")
+    )
+}
+
+/// What of the linear theory cannot be judged, in words.
+pub fn unjudged(smallness: &[Smallness]) -> &'static str {
+    if smallness.iter().all(Smallness::is_judged) {
+        return "";
+    }
+    "The acceleration at the compass is infinite without a band, so it is not held against gravity: --band gives it an end.\n"
+}
+
 fn cases(compass: &Compass, roll: &Roll, a: &Arguments, rows: &RowOptions) -> Result<Vec<Case>> {
     let headings = rows.headings()?;
+    if rows.against == Against::Latitude && a.instrument.latitude.is_some() {
+        return Err(Error::usage("--against latitude runs over all latitudes; leave --latitude away"));
+    }
+    if rows.against == Against::Height && a.motion.has_height() {
+        return Err(Error::usage("--against height runs over all heights; leave --height away"));
+    }
     let lone = match headings[..] {
         [one] => one,
         _ if rows.has_headings() && rows.against != Against::Heading => {
@@ -116,7 +226,8 @@ fn cases(compass: &Compass, roll: &Roll, a: &Arguments, rows: &RowOptions) -> Re
         _ => 45f64.to_radians(),
     };
     let case = |instrument, heading, height, value| -> Result<Case> {
-        Ok(Case { instrument, motion: a.motion.motion(roll, height)?, heading, value, measured: None })
+        let motion = a.motion.motion(roll, height)?;
+        Ok(Case { instrument, motion, heading, value, height, measured: None })
     };
     match rows.against {
         Against::Heading => headings
@@ -145,41 +256,39 @@ fn cases(compass: &Compass, roll: &Roll, a: &Arguments, rows: &RowOptions) -> Re
 }
 
 impl Case {
-    fn evaluate(&self, days: Option<usize>, seed: u64) -> Result<Row> {
-        let mut error = self.instrument.error(&self.motion.motion, self.heading)?;
-        if self.motion.regular {
-            // a steady sine has a steady product: only its own swing spreads
-            (error.spread, error.spread_quadratic) = (error.spread_linear, 0.0);
-        }
-        let simulated = match days {
-            None => None,
-            Some(days) => {
-                let plan =
-                    MonteCarlo { step: 0.1, duration: 86400.0, settle: 6.0 * 3600.0, runs: days, seed };
-                let system = self.instrument.system(&self.motion.motion, self.heading)?;
-                Some(plan.run(&system, 0, error.mean())?)
-            }
+    fn evaluate(&self, days: Option<usize>, seed: u64, moments: &Moments) -> Result<Row> {
+        let motion = &self.motion.motion;
+        let drive =
+            self.motion.regular.as_ref().map_or_else(|| Ok(Drive::irregular(motion)), Drive::regular)?;
+        let error = match (&self.motion.regular, moments.get(self)) {
+            (Some(roll), _) => self.instrument.regular_error(roll, self.heading)?,
+            (None, Some(moment)) => self.instrument.error_by(moment, motion, self.heading)?,
+            (None, None) => self.instrument.error(motion, self.heading)?,
         };
+        let simulate = |days: usize| -> Result<Simulated> {
+            let (step, settle) = (drive.step()?, 6.0 * 3600.0);
+            let plan = MonteCarlo { step, duration: 86400.0, settle, runs: days, seed };
+            plan.run(&self.instrument, &drive, self.heading)
+        };
+        let simulated = days.map(simulate).transpose()?;
         let Self { heading, value, measured, .. } = *self;
         Ok(Row { heading, value, error, measured, simulated })
     }
 }
 
-/// What of the error depends on a white tail of the acceleration.
-fn tail(instrument: &Instrument, described: &Described) -> Result<String> {
-    if !described.motion.has_white_acceleration() || described.regular {
-        return Ok(String::new());
+/// What else is to be said of what was asked for.
+pub fn asides(speed: f64, a: &Arguments) -> Result<String> {
+    let mut out = String::new();
+    if a.motion.has_idle() || a.instrument.has_idle() {
+        let what = if a.instrument.has_idle() { "compliance along the vertical" } else { "heave" };
+        out.push_str(&format!("{what} changes no mean: {IDLE}.\n"));
     }
-    let heading = 45f64.to_radians();
-    let corner = 2.5;
-    let whole = instrument.rectified_error(&described.motion, heading)?.to_degrees();
-    let banded =
-        instrument.rectified_error(&described.motion.band_limited(corner, 2)?, heading)?.to_degrees();
-    Ok(format!(
-        "This motion's acceleration has a white tail (infinite variance), which no ship has. On heading 45°\n\
-         the mean is {whole:.3}° with it and {banded:.3}° behind two low-passes at {corner} rad/s: {:.0} % of it depend on the tail (see --band).\n",
-        100.0 * (1.0 - banded / whole).abs()
-    ))
+    if speed != 0.0 && a.motion.along()? {
+        out.push_str(
+            "The waves are met at their own frequency: the ship's speed through them is not counted.\n",
+        );
+    }
+    Ok(out)
 }
 
 /// A number without a sign on its zero.
@@ -204,11 +313,14 @@ pub fn text(plan: &Plan, rows: &[&Row]) -> String {
     let _ = writeln!(
         out,
         "Heading error of a gyrosphere: {}; h = {} m, {place}\n\
-         compass: {}\nmotion: {}\n",
+         compass: {}\nmotion: {}\nsign: {SIGN}\n",
         plan.compass.instrument_name, s.lever, plan.compass.says, plan.motion_says
     );
-    let simulated = rows.iter().any(|r| r.simulated.is_some());
-    out.push_str(&heads(plan, rows.iter().any(|r| r.measured.is_some()), simulated));
+    let beyond = plan.beyond();
+    if !beyond.is_empty() {
+        let _ = writeln!(out, "{beyond}\n");
+    }
+    out.push_str(&heads(plan, rows));
     for row in rows {
         let e = &row.error;
         let _ = write!(
@@ -220,6 +332,9 @@ pub fn text(plan: &Plan, rows: &[&Row]) -> String {
             e.spread_linear.to_degrees(),
             e.spread_quadratic.to_degrees()
         );
+        if !row.is_exact() {
+            out.push_str(&within(e));
+        }
         if let Some(measured) = row.measured {
             let _ = write!(out, "   {:>10.5}°", plain(measured.to_degrees()));
         }
@@ -236,17 +351,24 @@ pub fn text(plan: &Plan, rows: &[&Row]) -> String {
     out
 }
 
-fn heads(plan: &Plan, measured: bool, simulated: bool) -> String {
+fn heads(plan: &Plan, rows: &[&Row]) -> String {
+    let any = |has: fn(&Row) -> bool| rows.iter().any(|r| has(r));
     let first = match plan.against {
         Against::Heading => "heading °",
         Against::Latitude => "latitude °",
         Against::Height => "height m",
     };
     let mut out = format!("{first:>10}        mean  ±  spread    by swing   by products");
-    if measured {
+    if any(|r| !r.is_exact()) {
+        out.push_str("   mean within");
+    }
+    if any(|r| r.error.linearised.is_some()) {
+        out.push_str("   linearised");
+    }
+    if any(|r| r.measured.is_some()) {
         out.push_str("   mean, measured spectrum");
     }
-    if simulated {
+    if any(|r| r.simulated.is_some()) {
         out.push_str("   simulated: mean (99 %), spread (99 %)");
     }
     out + "\n"

@@ -1,8 +1,9 @@
 //! Edits of a model: where forces enter, how a signal is replaced, which unit an expression has.
 
 use crate::expression::{BinaryOp, Expr, Function};
-use crate::model::Model;
+use crate::model::{Definition, Model};
 use crate::units::{Dimension, Unit};
+use std::collections::BTreeSet;
 
 /// The unit of a product, quotient, power or call, spelled from the units of its names.
 pub fn unit_of(e: &Expr, of_name: &dyn Fn(&str) -> Option<Unit>) -> Unit {
@@ -71,12 +72,38 @@ fn is_sum(e: &Expr) -> bool {
     matches!(e, Expr::Binary(BinaryOp::Add | BinaryOp::Sub, _, _))
 }
 
+/// Whether a sum stands under the products and quotients of an expression, definitions opened.
 fn leads_to_sum(model: &Model, e: &Expr) -> bool {
-    match e {
-        Expr::Name(n) => model.definitions.iter().any(|d| d.name == *n && leads_to_sum(model, &d.equals)),
-        Expr::Binary(BinaryOp::Mul, a, b) => leads_to_sum(model, a) || leads_to_sum(model, b),
-        Expr::Binary(BinaryOp::Div, a, _) => leads_to_sum(model, a),
-        other => is_sum(other),
+    let mut opened = Opened::new(model);
+    let mut left = vec![e];
+    while let Some(e) = left.pop() {
+        match e {
+            Expr::Name(n) => left.extend(opened.once(n).map(|d| &d.equals)),
+            Expr::Binary(BinaryOp::Mul, a, b) => left.extend([&**a, &**b]),
+            Expr::Binary(BinaryOp::Div, a, _) => left.push(a),
+            other if is_sum(other) => return true,
+            _ => {}
+        }
+    }
+    false
+}
+
+/// The definitions of a model, each given once however often it is used: written out, a chain of them
+/// that use each other twice would double at every link.
+struct Opened<'m> {
+    model: &'m Model,
+    seen: BTreeSet<&'m str>,
+}
+
+impl<'m> Opened<'m> {
+    fn new(model: &'m Model) -> Self {
+        Self { model, seen: BTreeSet::new() }
+    }
+
+    /// The definition of that name, the first time that it is asked for.
+    fn once(&mut self, name: &str) -> Option<&'m Definition> {
+        let d = self.model.definitions.iter().find(|d| d.name == name)?;
+        self.seen.insert(&d.name).then_some(d)
     }
 }
 
@@ -95,21 +122,21 @@ pub fn sum_of<'e>(model: &Model, e: &'e Expr) -> &'e Expr {
     }
 }
 
-/// The terms of a sum, definitions opened, without their signs.
+/// The terms of a sum without their signs; every definition that is a sum is opened once.
 pub fn terms_of(model: &Model, sum: &Expr) -> Vec<Expr> {
-    match sum {
-        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
-            let mut terms = terms_of(model, a);
-            terms.extend(terms_of(model, b));
-            terms
+    let mut opened = Opened::new(model);
+    let (mut left, mut terms) = (vec![sum], Vec::new());
+    while let Some(e) = left.pop() {
+        match e {
+            Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => left.extend([&**b, &**a]),
+            Expr::Neg(a) => left.push(a),
+            Expr::Name(n) if model.definitions.iter().any(|d| d.name == *n && is_sum(&d.equals)) => {
+                left.extend(opened.once(n).map(|d| &d.equals));
+            }
+            other => terms.push(other.clone()),
         }
-        Expr::Neg(a) => terms_of(model, a),
-        Expr::Name(n) => match model.definitions.iter().find(|d| d.name == *n && is_sum(&d.equals)) {
-            Some(d) => terms_of(model, &d.equals),
-            None => vec![sum.clone()],
-        },
-        other => vec![other.clone()],
     }
+    terms
 }
 
 /// Whether the sum in a rate has a term that is a signal times parameters and numbers.
@@ -192,11 +219,15 @@ pub enum Place<'a> {
 
 /// Whether a name occurs in an expression or in a definition that it uses.
 pub fn reaches(model: &Model, e: &Expr, name: &str) -> bool {
-    e.mentions(name)
-        || model
-            .definitions
-            .iter()
-            .any(|d| d.name != name && e.mentions(&d.name) && reaches(model, &d.equals, name))
+    let mut opened = Opened::new(model);
+    let mut left = vec![e];
+    while let Some(e) = left.pop() {
+        if e.mentions(name) {
+            return true;
+        }
+        left.extend(e.names().into_iter().filter_map(|n| opened.once(n)).map(|d| &d.equals));
+    }
+    false
 }
 
 /// Whether a name stands in an expression outside its sines and cosines.

@@ -41,6 +41,7 @@ pub fn examine(folder: &Path, number: usize, seed: u64) -> Result<Answer> {
         source: None,
         recordings: &recordings,
         separate: &[],
+        time_limit: None,
         seed,
         progress: &Silent,
     };

@@ -17,7 +17,7 @@
 //! Differentiated noise is large: the means along the signal count, not the single samples.
 
 use super::bins::{self, Sample};
-use super::probe::{Probe, accused, opened};
+use super::probe::{Probe, accused};
 use super::{Assembly, Law, Point};
 use crate::diagnose::catalogue::{Proposal, edit};
 use crate::estimate::Fit;
@@ -46,7 +46,7 @@ pub fn laws(assembly: &Assembly<'_>) -> Vec<Law> {
 
 /// What the finding acts on.
 struct Target {
-    /// The whole expression, definitions opened.
+    /// The whole expression.
     whole: Expr,
     /// What a unit of the drawn effect brings in the expression.
     factor: Expr,
@@ -61,23 +61,22 @@ struct Target {
 }
 
 fn target(model: &Model, p: &Proposal) -> Option<Target> {
-    let touched = |e: &Expr| p.added.iter().any(|a| e.mentions(&a.name));
+    let touched = |e: &Expr| p.added.iter().any(|a| edit::reaches(model, e, &a.name));
     for (s, seen) in model.states.iter().zip(seen_states(model)) {
-        let whole = opened(model, &s.rate);
-        let Some(seen) = seen.filter(|s| s.order < 2 && touched(&whole)) else { continue };
+        let Some(seen) = seen.filter(|seen| seen.order < 2 && touched(&s.rate)) else { continue };
         let unit = edit::unit_of(edit::sum_of(model, &s.rate), &|n| edit::unit_of_name(model, n));
         return Some(Target {
             formula: inner_term(model, &s.rate, p).map_or_else(String::new, |e| e.to_string()),
-            factor: opened(model, &edit::with_sum(model, &s.rate, &|_| Expr::Number(1.0))),
-            whole,
+            factor: edit::with_sum(model, &s.rate, &|_| Expr::Number(1.0)),
+            whole: s.rate.clone(),
             unit,
             words: format!("what is missing at {}", s.name),
             measured: Seen { output: seen.output, order: seen.order + 1 },
         });
     }
-    let (output, o) = model.outputs.iter().enumerate().find(|(_, o)| touched(&opened(model, &o.equals)))?;
+    let (output, o) = model.outputs.iter().enumerate().find(|(_, o)| touched(&o.equals))?;
     Some(Target {
-        whole: opened(model, &o.equals),
+        whole: o.equals.clone(),
         factor: Expr::Number(1.0),
         unit: o.unit.of_differences(),
         words: format!("what is missing in {}", o.name),
@@ -119,11 +118,11 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     let neutral = p.neutral.as_ref()?;
     let (signal, along, signal_unit) = accused(model, p);
     let mut probe = Probe::of(model);
-    let mut rest = target.whole.clone();
+    let mut at_rest = Vec::new();
     for (a, value) in p.added.iter().zip(neutral) {
-        let at_rest = probe.constant(*value, &a.unit);
-        rest = rest.substitute(&a.name, &at_rest);
+        at_rest.push((a.name.as_str(), probe.constant(*value, &a.unit)));
     }
+    let rest = probe.variant(&target.whole, &at_rest);
     for e in [along, target.factor.clone(), rest, target.whole.clone()] {
         probe.watch(e);
     }
@@ -131,7 +130,8 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     for (a, deviation) in p.added.iter().zip(&spread.deviations) {
         let value = model.parameters.iter().find(|q| q.name == a.name)?.value;
         let moved = probe.constant(value + deviation, &a.unit);
-        probe.watch(target.whole.substitute(&a.name, &moved));
+        let whole = probe.variant(&target.whole, &[(&a.name, moved)]);
+        probe.watch(whole);
     }
     let channel = bench.recordings.first()?.find(&model.outputs[target.measured.output].name)?;
     let measured = measured(channel, &bench.spans(model, 0), target.measured.order)?;

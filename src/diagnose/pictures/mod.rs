@@ -16,9 +16,9 @@ mod sites;
 
 use super::answer::{Band, SiteName, Stretch};
 use super::assemble::Assembly;
+use super::faults::Spoiled;
 use super::locate;
 use crate::estimate::Fit;
-use crate::record::quality::Fault;
 use serde::Serialize;
 
 /// Stretches that a long series is thinned to.
@@ -163,7 +163,7 @@ pub struct Faulty {
 }
 
 /// Gathers the series of all pictures; what cannot be run is left out.
-pub(super) fn gather(assembly: &Assembly<'_>, faults: &[Fault]) -> Pictures {
+pub(super) fn gather(assembly: &Assembly<'_>) -> Pictures {
     let found = &assembly.found;
     Pictures {
         trials: assembly.bench.is_trials(),
@@ -171,7 +171,7 @@ pub(super) fn gather(assembly: &Assembly<'_>, faults: &[Fault]) -> Pictures {
         spectra: spectra(&found.base, &found.last),
         laws: law::laws(assembly),
         tried: sites::tried(found),
-        faults: faulty(assembly, faults),
+        faults: faulty(assembly),
     }
 }
 
@@ -207,7 +207,7 @@ fn spectra(before: &Fit, after: &Fit) -> Vec<Spectrum> {
         let step = (own.time[longest.end - 1] - own.time[longest.start]) / (longest.len() - 1) as f64;
         Some(lines(&locate::spectrum(&own.residual[longest]), step))
     };
-    let bands = locate::bands(before, after);
+    let fits = (before, after);
     let outputs = before.model.outputs.iter().enumerate();
     outputs
         .filter_map(|(k, o)| {
@@ -217,7 +217,7 @@ fn spectra(before: &Fit, after: &Fit) -> Vec<Spectrum> {
                 return None;
             }
             let relative = |v: Vec<Point>| v.into_iter().map(|p| [p[0], p[1] / top]).collect();
-            let bands = if k == 0 { bands.clone() } else { Vec::new() };
+            let bands = locate::bands(fits.0, fits.1, k);
             Some(Spectrum { output: o.name.clone(), bands, before: relative(before), after: relative(after) })
         })
         .collect()
@@ -239,21 +239,22 @@ fn lines(power: &[f64], step: f64) -> Vec<Point> {
     lines
 }
 
-fn faulty(assembly: &Assembly<'_>, faults: &[Fault]) -> Vec<Faulty> {
+fn faulty(assembly: &Assembly<'_>) -> Vec<Faulty> {
     let all = assembly.request.recordings.iter().chain(assembly.request.separate);
     let recordings: Vec<_> = all.collect();
-    let picture = |f: &Fault| {
-        let c = recordings.iter().find_map(|r| r.find(&f.channel))?;
+    let picture = |s: &Spoiled| {
+        let fault = &s.fault;
+        let c = recordings.get(s.recording)?.find(&fault.channel)?;
         let recorded = c.time.iter().zip(&c.values).map(|(t, v)| [*t, c.unit.from_si(*v)]);
         Some(Faulty {
-            code: f.kind.code().to_string(),
-            channel: f.channel.clone(),
+            code: fault.kind.code().to_string(),
+            channel: fault.channel.clone(),
             unit: c.unit.text().to_string(),
             recorded: thinned(recorded),
-            spans: f.spans.iter().take(200).map(|s| Stretch { from: s.from, to: s.to }).collect(),
+            spans: fault.spans.iter().take(200).map(|s| Stretch { from: s.from, to: s.to }).collect(),
         })
     };
-    faults.iter().take(4).filter_map(picture).collect()
+    assembly.spoiled.iter().take(4).filter_map(picture).collect()
 }
 
 #[cfg(test)]

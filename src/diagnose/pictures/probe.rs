@@ -5,20 +5,22 @@ use crate::diagnose::catalogue::{Proposal, edit};
 use crate::estimate::Fit;
 use crate::estimate::fit::{Effort, setup};
 use crate::expression::Expr;
-use crate::model::{Model, Output, Parameter};
+use crate::model::{Definition, Model, Output, Parameter};
 use crate::record::Channel;
 use crate::units::Unit;
+use std::collections::HashMap;
 
 /// A model with expressions to be watched instead of outputs.
 pub struct Probe {
     model: Model,
+    copies: Vec<Definition>,
     watched: Vec<Expr>,
 }
 
 impl Probe {
     /// A probe of a model; nothing is watched yet.
     pub fn of(model: &Model) -> Self {
-        Self { model: model.clone(), watched: Vec::new() }
+        Self { model: model.clone(), copies: Vec::new(), watched: Vec::new() }
     }
 
     /// A parameter with a value of its own, for [`Probe::watch`].
@@ -46,8 +48,29 @@ impl Probe {
         self.watched.push(e);
     }
 
+    /// An expression with some names replaced, in the definitions that it uses as well: those that such a
+    /// name reaches stand a second time, under names of their own.
+    pub fn variant(&mut self, e: &Expr, by: &[(&str, Expr)]) -> Expr {
+        let mut by: HashMap<String, Expr> = by.iter().map(|(n, e)| ((*n).to_string(), e.clone())).collect();
+        let mut stem = "watched_copy_".to_string();
+        let taken = self.model.scope();
+        while taken.keys().any(|n| n.starts_with(&stem)) {
+            stem.push('_');
+        }
+        for d in self.model.definition_order().unwrap_or_default() {
+            if d.equals.names().into_iter().any(|n| by.contains_key(n)) {
+                let name = format!("{stem}{}", self.copies.len());
+                let equals = d.equals.substitute_each(&|n| by.get(n).cloned());
+                by.insert(d.name.clone(), Expr::name(name.clone()));
+                self.copies.push(Definition { name, equals, ..d.clone() });
+            }
+        }
+        e.substitute_each(&|n| by.get(n).cloned())
+    }
+
     /// The values of all that is watched at times of the first recording: rows of time and values.
     pub fn run(mut self, bench: &Bench, fit: &Fit, times: &[f64]) -> Option<Vec<(f64, Vec<f64>)>> {
+        self.model.definitions.append(&mut self.copies);
         let given = std::mem::take(&mut self.model.outputs);
         let outputs = self.watched.iter().enumerate();
         self.model.outputs = outputs
@@ -80,16 +103,6 @@ impl Probe {
         });
         Some(rows.collect())
     }
-}
-
-/// An expression with the model's definitions put in their places.
-pub fn opened(model: &Model, e: &Expr) -> Expr {
-    let mut e = e.clone();
-    for _ in 0..model.definitions.len() {
-        let Some(d) = model.definitions.iter().find(|d| e.mentions(&d.name)) else { break };
-        e = e.substitute(&d.name, &d.equals);
-    }
-    e
 }
 
 /// The signal that a finding goes with: what it brings in, else what its term or its site names.

@@ -21,6 +21,10 @@ use super::propose::View;
 use super::screen::{Score, Screen};
 use rayon::prelude::*;
 
+/// Difference in worth, and share of it, up to which laws at two sites fit as well: what acts at one site
+/// reaches the next through the model, so that a law there follows it in part.
+const ALIKE: (f64, f64) = (3.0, 0.1);
+
 /// A flexible law at a site, scored.
 pub struct Law {
     /// The state or output that it acts on.
@@ -41,6 +45,15 @@ pub struct Law {
     pub lowers: f64,
 }
 
+impl Law {
+    /// Its gain in log-likelihood, −n/2 ln(1 − R²), less the price of its weights, d/2 ln n.
+    fn worth(&self) -> f64 {
+        let samples = (self.score.chi2 / self.explained.max(f64::MIN_POSITIVE)).max(2.0);
+        let gain = -0.5 * samples * (1.0 - self.explained.min(1.0 - 1e-12)).ln();
+        gain - 0.5 * self.score.degrees as f64 * samples.ln()
+    }
+}
+
 /// All flexible laws, best first, with the chance of the best.
 pub struct Rest {
     /// The laws.
@@ -50,6 +63,21 @@ pub struct Rest {
 }
 
 impl Rest {
+    /// The sites at which some law fits as well as the best law of all, the best first.
+    pub fn sites(&self) -> Vec<&Site> {
+        let mut best: Vec<(&Site, f64)> = Vec::new();
+        for l in &self.laws {
+            match best.iter_mut().find(|b| *b.0 == l.site) {
+                Some(b) => b.1 = b.1.max(l.worth()),
+                None => best.push((&l.site, l.worth())),
+            }
+        }
+        best.sort_by(|a, b| b.1.total_cmp(&a.1));
+        let top = best.first().map_or(0.0, |b| b.1);
+        let alike = |worth: f64| worth >= top - ALIKE.0.max(ALIKE.1 * top);
+        best.into_iter().filter(|b| alike(b.1)).map(|b| b.0).collect()
+    }
+
     /// Tells the developer, where GYROSPEC_TRACE is set.
     pub fn trace(&self, when: &str) {
         if std::env::var_os("GYROSPEC_TRACE").is_some() {

@@ -6,15 +6,18 @@ use super::warnings;
 use crate::Result;
 use crate::estimate::coordinates::Range;
 use crate::estimate::covariance::{Stretch, coloured_covariance, half_width, independent_samples};
-use crate::estimate::identify::{Direction, unseen};
+use crate::estimate::identify::{Direction, told_once, unseen};
 use crate::estimate::least_squares::Minimum;
 use crate::estimate::noise::NoiseModel;
 use crate::estimate::triangle::Triangle;
 use crate::model::Model;
+use crate::simulate::Early;
 use faer::Mat;
 
 /// Everything about a minimum that the report needs.
 pub struct Assembly<'a> {
+    /// What ended the search before it was through.
+    pub ended_early: Option<Early>,
     /// The model as given.
     pub model: &'a Model,
     /// The problem that was solved.
@@ -65,8 +68,11 @@ impl Assembly<'_> {
             records,
             noise,
             unseen,
+            profiled: Vec::new(),
+            determined: Vec::new(),
             warnings: [self.warnings.clone(), warnings::all(&self, fitted)].concat(),
             tolerance: self.tolerance,
+            ended_early: self.ended_early,
             end: self.minimum.end,
             simulations: self.simulations,
             model,
@@ -158,15 +164,13 @@ impl Assembly<'_> {
             .iter()
             .zip(self.start)
             .zip(&norms)
-            .map(|((x, start), norm)| {
-                let size = x.abs().max(start.abs());
-                if size > 0.0 {
-                    size
-                } else if *norm > 0.0 {
-                    signal / norm
-                } else {
-                    1.0
-                }
+            .enumerate()
+            .map(|(j, ((x, start), norm))| {
+                // what nobody gave a size has at least the one that moves the predictions by their noise
+                let is_given = j < self.problem.free.len() && *start != 0.0;
+                let least = if !is_given && *norm > 0.0 { signal / norm } else { 0.0 };
+                let size = x.abs().max(start.abs()).max(least);
+                if size > 0.0 { size } else { 1.0 }
             })
             .collect();
         let all = unseen(whitened, names, &sizes);
@@ -180,7 +184,7 @@ impl Assembly<'_> {
             }
         }
         let named = all.into_iter().filter(|d| d.weights.iter().any(|w| parameters.contains(&w.0)));
-        (named.collect(), blind)
+        (told_once(named.collect()), blind)
     }
 
     fn covariance(&self, records: &[RecordFit], noise: &[NoiseModel], seen: &[usize]) -> Mat<f64> {
@@ -286,7 +290,7 @@ pub fn samples(records: &[RecordFit]) -> usize {
 }
 
 /// Half the width of the 95 % intervals in standard deviations.
-fn reach(records: &[RecordFit], noise: &[NoiseModel], seen: usize) -> f64 {
+pub fn reach(records: &[RecordFit], noise: &[NoiseModel], seen: usize) -> f64 {
     let series = records.iter().flat_map(|r| &r.series);
     let worth: f64 = series.map(|s| independent_samples(&noise[s.output], s.time.len())).sum();
     half_width(worth - seen as f64)

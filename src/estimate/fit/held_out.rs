@@ -7,7 +7,6 @@ use super::rig::{Record, Track};
 use super::search::{given, problem};
 use super::setup;
 use crate::Result;
-use crate::estimate::coordinates::Range;
 use crate::estimate::least_squares::minimise;
 use crate::model::Model;
 use crate::record::{Recording, Span};
@@ -71,7 +70,7 @@ fn alone(
     let initials = if start.is_empty() {
         records[0].initials.clone()
     } else {
-        let minimum = minimise(&p, &start, &vec![Range::FREE; start.len()], options.stopping)?;
+        let minimum = minimise(&p, &start, &records[0].reach, options.stopping)?;
         p.spread(&minimum.x).1.swap_remove(0)
     };
     run(&frozen, &records[0], &initials, &|_| true)

@@ -5,6 +5,8 @@
 //! fitted model over what was held out.
 
 mod assemble;
+mod certain;
+mod combination;
 mod equation_error;
 mod held_out;
 mod options;
@@ -16,15 +18,19 @@ pub mod seen;
 pub mod setup;
 mod shooting;
 mod simulated;
+mod valley;
 mod warnings;
 
+pub use certain::ascertain;
+pub use combination::Combination;
 pub use options::{Effort, FitOptions, Progress, Silent, Weighting};
 pub use outcome::{Beside, Estimate, Fit, HeldOut, InitialEstimate, RecordFit, Series, Status, Warning};
 
 use crate::Result;
-use crate::estimate::least_squares::{Minimum, minimise};
+use crate::estimate::least_squares::{End, Minimum, minimise};
 use crate::model::Model;
 use crate::record::Recording;
+use crate::simulate::Early;
 use assemble::Assembly;
 use problem::FreeRun;
 use rig::Record;
@@ -43,7 +49,8 @@ const FINEST: f64 = 1e-9;
 /// Where a channel is missing, no sample is left to fit, or no start can be simulated.
 pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<Fit> {
     let (mut fitted, wanted, met) = once(model, recordings, options)?;
-    if wanted < options.tolerance && !options.is_rough && !model.states.is_empty() {
+    let finer = wanted < options.tolerance && !options.is_rough && !model.states.is_empty();
+    if finer && fitted.ended_early.is_none() {
         options.progress.says("fitting with finer steps", None);
         let finer = FitOptions {
             tolerance: wanted.max(FINEST),
@@ -52,7 +59,12 @@ pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) ->
             ..options.clone()
         };
         let coarse = fitted;
-        fitted = once(&coarse.model, recordings, &finer)?.0;
+        let found = once(&coarse.model, recordings, &finer);
+        if let (Err(_), Some(early)) = (&found, options.budget.over()) {
+            // Not a single run was finished: the coarser fit is the best so far.
+            return Ok(Fit { ended_early: Some(early), ..coarse });
+        }
+        fitted = found?.0;
         fitted.simulations += coarse.simulations;
         let own = std::mem::take(&mut fitted.warnings);
         let met = met.into_iter().filter(|w| !own.contains(w)).collect();
@@ -67,6 +79,7 @@ fn once(
     recordings: &[Recording],
     options: &FitOptions<'_>,
 ) -> Result<(Fit, f64, Vec<Warning>)> {
+    let options = &FitOptions { budget: options.budget.rest(), ..options.clone() };
     let records = records(model, recordings, options)?;
     let parameters = model.parameters.iter().map(|p| p.value).collect();
     let mut problem = search::problem(model, &records, parameters, options);
@@ -77,7 +90,12 @@ fn once(
     if problem.whitening.is_none() && model.outputs.len() > 1 {
         balance(&mut problem, &mut found.minimum, &ranges, options)?;
     }
+    let spent = (found.minimum.end == End::OutOfBudget).then_some(Early::Steps);
+    let ended_early = options.budget.over().or(spent);
+    options.budget.tell(ended_early);
+    options.budget.lift_time();
     let fitted = Assembly {
+        ended_early,
         model,
         problem: &problem,
         minimum: &found.minimum,
@@ -112,16 +130,24 @@ fn balance(
     ranges: &[super::Range],
     options: &FitOptions<'_>,
 ) -> Result<()> {
+    let over = || options.budget.over().is_some();
     for _ in 0..ROUNDS {
-        let squares = problem.mean_squares(&minimum.x)?;
+        let squares = match problem.mean_squares(&minimum.x) {
+            Err(_) if over() => break,
+            squares => squares?,
+        };
         let mut change: f64 = 0.0;
         for (weight, square) in problem.weights.iter_mut().zip(squares) {
             let new = 1.0 / square.max(1e-12 / *weight);
             change = change.max((new / *weight).ln().abs());
             *weight = new;
         }
-        *minimum = minimise(problem, &minimum.x, ranges, options.stopping)?;
-        if change < 0.05 {
+        problem.begin_walk();
+        *minimum = match minimise(problem, &minimum.x, ranges, options.stopping) {
+            Err(_) if over() => break,
+            found => found?,
+        };
+        if change < 0.05 || over() {
             break;
         }
     }

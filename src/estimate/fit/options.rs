@@ -2,6 +2,7 @@
 
 use crate::estimate::least_squares::Stopping;
 use crate::estimate::noise::NoiseModel;
+use crate::simulate::Budget;
 
 /// Hears how far a long computation has come.
 pub trait Progress: Sync {
@@ -57,10 +58,23 @@ pub struct FitOptions<'a> {
     pub tolerance: f64,
     /// Whether the solver keeps to that share whatever the noise: for fits that are only ranked.
     pub is_rough: bool,
+    /// Whether what follows a gap of an input is left out until the model, at its own parameters, has
+    /// forgotten the gap; else the gap alone is.
+    pub waits: bool,
     /// Initial states to start from: one list a recording, one value a state; empty for none.
     pub initials: Vec<Vec<f64>>,
+    /// What the fit may spend; one fit alone spends it.
+    pub budget: Budget,
     /// Who hears the progress.
     pub progress: &'a dyn Progress,
+}
+
+impl FitOptions<'_> {
+    /// The same with nothing to end it early: for what is made of a fit.
+    #[must_use]
+    pub fn without_limit(&self) -> Self {
+        Self { budget: Budget::default(), ..self.clone() }
+    }
 }
 
 impl Default for FitOptions<'_> {
@@ -74,7 +88,9 @@ impl Default for FitOptions<'_> {
             separate_holdout: false,
             tolerance: 1e-4,
             is_rough: false,
+            waits: true,
             initials: Vec::new(),
+            budget: Budget::default(),
             progress: &Silent,
         }
     }

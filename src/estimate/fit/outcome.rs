@@ -1,11 +1,13 @@
 //! What a fit finds.
 
+use super::combination::Combination;
 use crate::estimate::coordinates::Side;
 use crate::estimate::identify::Direction;
 use crate::estimate::least_squares::End;
 use crate::estimate::noise::NoiseModel;
 use crate::model::Model;
 use crate::record::Channel;
+use crate::simulate::Early;
 use crate::units::Unit;
 use std::ops::Range;
 
@@ -163,12 +165,18 @@ pub struct Fit {
     pub rmse: Vec<f64>,
     /// Directions in parameter space that the data do not see.
     pub unseen: Vec<Direction>,
+    /// Parameters whose intervals are profiles, by [`super::ascertain`].
+    pub profiled: Vec<String>,
+    /// Combinations that the data determine of parameters that trade, by [`super::ascertain`].
+    pub determined: Vec<Combination>,
     /// What a user should know.
     pub warnings: Vec<Warning>,
     /// Share of an output's spread that the solver's error was kept below.
     pub tolerance: f64,
     /// How the walk ended.
     pub end: End,
+    /// What ended the search for the minimum before it was through.
+    pub ended_early: Option<Early>,
     /// Simulations done.
     pub simulations: usize,
 }

@@ -18,7 +18,12 @@ use crate::Result;
 use crate::estimate::least_squares::Problem;
 use crate::estimate::noise::NoiseModel;
 use crate::estimate::triangle::Triangle;
+use crate::simulate::Budget;
 use rayon::prelude::*;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+/// One walk may spend one part in so many of what the fit may.
+const WALKS: u64 = 3;
 
 /// The free-run fit of some records.
 pub struct FreeRun<'a> {
@@ -32,6 +37,10 @@ pub struct FreeRun<'a> {
     pub weights: Vec<f64>,
     /// Frozen noise models, one an output, if residuals are whitened.
     pub whitening: Option<&'a [NoiseModel]>,
+    /// What may be spent.
+    pub budget: &'a Budget,
+    /// Steps spent at which the present walk ends.
+    pub walk_ends: AtomicU64,
 }
 
 /// What one record gives at some x.
@@ -102,6 +111,12 @@ impl FreeRun<'_> {
             .collect()
     }
 
+    /// Grants the next walk its share of the steps.
+    pub fn begin_walk(&self) {
+        let ends = self.budget.spent().saturating_add(self.budget.most() / WALKS);
+        self.walk_ends.store(ends, Ordering::Relaxed);
+    }
+
     /// The mean square of each output's residual at x.
     pub fn mean_squares(&self, x: &[f64]) -> Result<Vec<f64>> {
         let (parameters, initials) = self.spread(x);
@@ -163,6 +178,10 @@ impl FreeRun<'_> {
 }
 
 impl Problem for FreeRun<'_> {
+    fn is_over(&self) -> bool {
+        self.budget.over().is_some() || self.budget.spent() >= self.walk_ends.load(Ordering::Relaxed)
+    }
+
     fn unknowns(&self) -> usize {
         self.free.len() + self.records.iter().map(|r| r.free_initials.len()).sum::<usize>()
     }

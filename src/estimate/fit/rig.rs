@@ -1,9 +1,9 @@
 //! What a fit needs of a simulation, and what it knows about one recording.
 
+use crate::estimate::coordinates::Range;
 use crate::simulate::OutputSignal;
 pub use crate::simulate::Unknown;
 use crate::{Error, Result};
-use std::ops::Range;
 
 /// One free run: for every track its predictions, and their sensitivities to what was asked for.
 #[derive(Debug, Clone)]
@@ -19,6 +19,10 @@ pub trait Rig: Send + Sync {
     /// Runs freely from the initial states (all of the model's, NaN where it starts by itself);
     /// `wanted` lists the sensitivities to give.
     fn run(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run>;
+
+    /// How far each state of the model moves in a run, from its lowest to its highest value; None where the
+    /// run does not go to its end.
+    fn swings(&self, parameters: &[f64], initials: &[f64]) -> Option<Vec<(f64, f64)>>;
 
     /// The longest time constant of the model about its start, s; None where there is none.
     fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64>;
@@ -36,7 +40,7 @@ pub struct Track {
     /// Whether differences count modulo a turn.
     pub wraps: bool,
     /// Contiguous stretches.
-    pub stretches: Vec<Range<usize>>,
+    pub stretches: Vec<std::ops::Range<usize>>,
 }
 
 /// A step of the clock over the usual one from which on a stretch ends.
@@ -81,7 +85,7 @@ impl Track {
 }
 
 /// Runs of times without a step longer than `jump`.
-fn stretches(time: &[f64], jump: f64) -> Vec<Range<usize>> {
+fn stretches(time: &[f64], jump: f64) -> Vec<std::ops::Range<usize>> {
     let mut found = Vec::new();
     let mut from = 0;
     for i in 1..=time.len() {
@@ -113,6 +117,8 @@ pub struct Record {
     pub lost: usize,
     /// States whose start is fitted.
     pub free_initials: Vec<usize>,
+    /// Between what the start of each of them may lie.
+    pub reach: Vec<Range>,
 }
 
 impl Record {

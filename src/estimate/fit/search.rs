@@ -29,6 +29,7 @@ use crate::record::Recording;
 use crate::{Error, Result};
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
+use std::sync::atomic::AtomicU64;
 
 /// Two sums of squares this near to each other, relatively, are one minimum.
 const SAME: f64 = 1e-3;
@@ -102,7 +103,7 @@ impl<'a> Search<'a> {
         if let Some(values) = equation_error(self.model, self.recordings, self.options) {
             self.walk("from the equation error", &self.with_parameters(given, &values));
         }
-        if self.agreed() {
+        if self.is_done() {
             return;
         }
         if has_states {
@@ -113,7 +114,7 @@ impl<'a> Search<'a> {
                 if let Some(values) = shoot(self.model, self.recordings, self.options, &self.all(&base)) {
                     self.walk("from multiple shooting", &self.with_parameters(given, &values));
                 }
-                if self.agreed() {
+                if self.is_done() {
                     return;
                 }
             }
@@ -121,9 +122,9 @@ impl<'a> Search<'a> {
         let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(self.options.seed);
         for _ in 0..self.options.drawn_starts {
             let near = self.best().map_or(given.to_vec(), |m| m.x.clone());
-            let drawn = self.draw(&near, &mut rng);
+            let drawn = self.draw(&near, given, &mut rng);
             self.walk("from drawn values", &drawn);
-            if self.agreed() {
+            if self.is_done() {
                 return;
             }
         }
@@ -145,6 +146,7 @@ impl<'a> Search<'a> {
 
     fn walk(&mut self, says: &str, start: &[f64]) {
         self.options.progress.says(&format!("fitting {says}"), None);
+        self.problem.begin_walk();
         match minimise(self.problem, start, self.ranges, self.options.stopping) {
             Ok(minimum) => {
                 self.simulations += minimum.evaluations;
@@ -160,6 +162,11 @@ impl<'a> Search<'a> {
         self.found.iter().min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares))
     }
 
+    /// Whether no further walk is worth while, or allowed.
+    fn is_done(&self) -> bool {
+        self.agreed() || self.options.budget.over().is_some()
+    }
+
     /// Whether two walks ended in the best minimum, and at least one of them came there from elsewhere:
     /// where an output is clipped throughout, say, no walk moves at all.
     fn agreed(&self) -> bool {
@@ -170,13 +177,15 @@ impl<'a> Search<'a> {
         there.len() > 1 && there.into_iter().any(moved)
     }
 
-    /// Parameters drawn about x: factors for those of one sign, shifts by their size for the others.
-    fn draw(&self, x: &[f64], rng: &mut rand_chacha::ChaCha8Rng) -> Vec<f64> {
+    /// Parameters drawn about x, or about the given values where x is 0: factors for those of one sign,
+    /// shifts by their size for the others.
+    fn draw(&self, x: &[f64], given: &[f64], rng: &mut rand_chacha::ChaCha8Rng) -> Vec<f64> {
         let mut drawn = x.to_vec();
         for at in 0..self.problem.free.len() {
             let z: f64 = StandardNormal.sample(rng);
             let range = self.ranges[at];
-            drawn[at] = if range.min >= 0.0 && x[at] > 0.0 { x[at] * z.exp() } else { x[at] * (1.0 + z) };
+            let x = if x[at] == 0.0 { given[at] } else { x[at] };
+            drawn[at] = if range.min >= 0.0 && x > 0.0 { x * z.exp() } else { x * (1.0 + z) };
             drawn[at] = range.clamp(drawn[at]);
         }
         drawn
@@ -217,5 +226,7 @@ pub fn problem<'a>(
             super::options::Weighting::FreeRun => None,
             super::options::Weighting::Whitened(noise) => Some(noise),
         },
+        budget: &options.budget,
+        walk_ends: AtomicU64::new(u64::MAX),
     }
 }

@@ -1,9 +1,12 @@
 //! Which states a recording shows, directly or by differentiation.
 
-use super::rig::Track;
+use super::rig::{Rig, Track};
+use crate::estimate::coordinates::Range;
 use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
 use crate::model::{Initial, Model};
+use crate::record::Recording;
+use crate::units::Unit;
 
 /// How a state is seen: as so many derivatives of an output's signal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,6 +97,48 @@ pub fn guess(model: &Model, tracks: &[Track], start: f64) -> Vec<f64> {
         }
     }
     values.into_iter().map(|v| v.filter(|v| v.is_finite()).unwrap_or(0.0)).collect()
+}
+
+/// How many times as far as what is seen a hidden state may start from it.
+const FAR: f64 = 10.0;
+
+/// Between what the start of each free state may lie. What an output shows needs no bounds. A hidden state
+/// of little effect would run away: it stays within so many times the extent of all signals of its dimension
+/// and of its own first guess, or, where there are none, of its course from there.
+pub fn reach(
+    model: &Model,
+    recording: &Recording,
+    rig: &dyn Rig,
+    (starts, free): (&[f64], &[usize]),
+) -> Vec<Range> {
+    let seen = seen_states(model);
+    let parameters: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+    let mut course = None;
+    let mut one = |k: &usize| {
+        if seen[*k].or_else(|| nearly_seen(model, *k)).is_some() {
+            return Range::FREE;
+        }
+        let around = |extent: (f64, f64)| {
+            let (low, high) = (extent.0.min(starts[*k]), extent.1.max(starts[*k]));
+            let far = FAR * (high - low);
+            (far > 0.0 && far.is_finite()).then_some(Range { min: low - far, max: high + far })
+        };
+        let mut own = || {
+            let swings = course.get_or_insert_with(|| rig.swings(&parameters, starts));
+            swings.as_ref().and_then(|s| s.get(*k).copied())
+        };
+        let alike = signals(model, recording, &model.states[*k].unit);
+        alike.and_then(around).or_else(|| own().and_then(around)).unwrap_or(Range::FREE)
+    };
+    free.iter().map(&mut one).collect()
+}
+
+/// The lowest and the highest value of all inputs and outputs of a dimension.
+fn signals(model: &Model, recording: &Recording, unit: &Unit) -> Option<(f64, f64)> {
+    let names = model.inputs.iter().map(|i| &i.name).chain(model.outputs.iter().map(|o| &o.name));
+    let alike = names.filter_map(|n| recording.find(n)).filter(|c| c.unit.dimension() == unit.dimension());
+    let values = alike.flat_map(|c| c.samples().map(|s| s.1));
+    values.map(|v| (v, v)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
 /// The initial states that a record starts from, and which of them are free.

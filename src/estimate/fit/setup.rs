@@ -2,11 +2,11 @@
 
 use super::options::FitOptions;
 use super::rig::Record;
-use super::seen::initials;
+use super::seen::{initials, reach};
 use super::simulated::{Ready, ready};
 use crate::estimate::coordinates::Range;
 use crate::model::Model;
-use crate::record::{Recording, Span, Spans};
+use crate::record::{self, Recording, Span, Spans};
 use crate::{Error, Result};
 
 /// What of a recording is fitted and held out.
@@ -14,6 +14,16 @@ pub fn spans(model: &Model, recording: &Recording, options: &FitOptions<'_>) -> 
     let inputs = model.inputs.iter().map(|i| i.name.as_str());
     let names: Vec<&str> = inputs.chain(model.outputs.iter().map(|o| o.name.as_str())).collect();
     recording.spans_for(&names, options.separate_holdout)
+}
+
+/// Refuses recordings that share data which a model compares, fitted or held out.
+///
+/// # Errors
+/// `BadInput` that says which rows or times are the same.
+pub fn keep_apart(model: &Model, recordings: &[Recording], separate: &[Recording]) -> Result<()> {
+    let inputs: Vec<&str> = model.inputs.iter().map(|i| i.name.as_str()).collect();
+    let outputs: Vec<&str> = model.outputs.iter().map(|o| o.name.as_str()).collect();
+    record::keep_apart(&inputs, &outputs, recordings, separate)
 }
 
 /// A record over given spans of a recording, simulated from the first of them to the last.
@@ -53,6 +63,10 @@ pub fn record(
             values[*k] = given[*k];
         }
     }
+    let reach = reach(model, recording, rig.as_ref(), (&values, &free));
+    for (k, range) in free.iter().zip(&reach) {
+        values[*k] = range.clamp(values[*k]);
+    }
     Ok(Record {
         name: recording.name.clone(),
         recording: number,
@@ -63,6 +77,7 @@ pub fn record(
         initials: values,
         lost,
         free_initials: free,
+        reach,
     })
 }
 
@@ -73,15 +88,14 @@ pub fn free_parameters(model: &Model, records: &[Record]) -> Vec<usize> {
         .collect()
 }
 
-/// The ranges of all unknowns: those of the free parameters, then the initial states without bounds.
+/// The ranges of all unknowns: those of the free parameters, then those of the initial states.
 pub fn ranges(model: &Model, free: &[usize], records: &[Record]) -> Vec<Range> {
-    let initial_states: usize = records.iter().map(|r| r.free_initials.len()).sum();
     free.iter()
         .map(|k| {
             let p = &model.parameters[*k];
             Range { min: p.min.unwrap_or(f64::NEG_INFINITY), max: p.max.unwrap_or(f64::INFINITY) }
         })
-        .chain(std::iter::repeat_n(Range::FREE, initial_states))
+        .chain(records.iter().flat_map(|r| r.reach.iter().copied()))
         .collect()
 }
 

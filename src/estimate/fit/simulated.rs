@@ -42,6 +42,8 @@ pub fn ready(
     let how = Options {
         window: Some((window.from, window.to)),
         tolerance: options.tolerance,
+        waits: options.waits,
+        budget: options.budget.clone(),
         ..Options::default()
     };
     let simulator = Simulator::new(model, recording, &how)?;
@@ -94,6 +96,10 @@ impl Rig for Simulated {
             whole
         });
         whole.map_or_else(|| self.run_some(parameters, initials, wanted), Ok)
+    }
+
+    fn swings(&self, parameters: &[f64], initials: &[f64]) -> Option<Vec<(f64, f64)>> {
+        self.simulator.swings(parameters, initials).ok().flatten()
     }
 
     fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {

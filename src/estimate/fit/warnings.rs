@@ -9,6 +9,7 @@ use crate::estimate::least_squares::End;
 /// All warnings about a minimum that was fitted to so many samples.
 pub fn all(fit: &Assembly<'_>, samples: usize) -> Vec<Warning> {
     let mut found = at_bounds(fit);
+    found.extend(astray(fit));
     let unknowns = fit.minimum.x.len();
     if samples <= unknowns && unknowns > 0 {
         found.push(Warning {
@@ -25,7 +26,9 @@ pub fn all(fit: &Assembly<'_>, samples: usize) -> Vec<Warning> {
             r.lost, r.name
         ),
     }));
-    if fit.minimum.end != End::Converged {
+    if let Some(early) = fit.ended_early {
+        found.push(Warning { says: format!("the fit ended early, with the best so far: {}", early.words()) });
+    } else if fit.minimum.end != End::Converged {
         found.push(Warning {
             says: "the fit ended before it came to rest: take its values with care, or start nearer".into(),
         });
@@ -40,25 +43,51 @@ fn worth_telling(r: &Record) -> bool {
 }
 
 fn at_bounds(fit: &Assembly<'_>) -> Vec<Warning> {
-    let free = fit.problem.free.iter().zip(&fit.minimum.at_bound);
-    free.filter_map(|(k, side)| {
+    let free = fit.problem.free.iter().zip(&fit.minimum.at_bound).zip(&fit.minimum.is_level);
+    free.filter_map(|((k, side), is_level)| {
         let p = &fit.model.parameters[*k];
         let (which, bound) = match (*side)? {
             Side::Lower => ("lower", p.min?),
             Side::Upper => ("upper", p.max?),
         };
-        Some(Warning {
-            says: format!(
-                "{} is pressed against its {which} bound {} {}: widen the bound, or ask whether the model \
-                 needs {} at all",
-                p.name,
-                p.unit.decimal_from_si(bound),
-                p.unit,
-                p.name
-            ),
-        })
+        let (name, unit, bound) = (&p.name, &p.unit, p.unit.decimal_from_si(bound));
+        let says = if *is_level {
+            format!(
+                "{name} rests at its {which} bound {bound} {unit}, where its effect has no slope: these data ask for \
+                 no other value, and a wider bound changes nothing"
+            )
+        } else {
+            format!(
+                "{name} is pressed against its {which} bound {bound} {unit}: widen the bound, or ask whether the \
+                 model needs {name} at all"
+            )
+        };
+        Some(Warning { says })
     })
     .collect()
+}
+
+/// Initial states that ended at the bound of what is allowed them.
+fn astray(fit: &Assembly<'_>) -> Vec<Warning> {
+    let records = fit.problem.records;
+    let states = records.iter().flat_map(|r| r.free_initials.iter().map(move |s| (r, *s)));
+    let places = fit.problem.free.len()..fit.minimum.x.len();
+    let pressed = states.zip(places).filter(|(_, at)| fit.minimum.at_bound[*at].is_some());
+    pressed
+        .map(|((record, state), at)| {
+            let state = &fit.model.states[state];
+            Warning {
+                says: format!(
+                    "{} starts at {} {} in '{}', as far off as it may: the recording hardly shows it; start it steady \
+                     or from a number",
+                    state.name,
+                    state.unit.decimal_from_si(fit.minimum.x[at]),
+                    state.unit,
+                    record.name
+                ),
+            }
+        })
+        .collect()
 }
 
 /// A recording shorter than the longest time constant of the model.

@@ -1,19 +1,22 @@
 //! # Purpose
-//! Free play in the suspension, replaced by the spring that serves this motion best.
+//! Free play in the suspension: in time as it is, and the spring that serves a motion best.
 //!
 //! # Method
-//! m ẍ + r ẋ + C₀ d(x) = m W₁ with d(x) = 0 for |x| < δ and x ∓ δ beyond. Stochastic
-//! linearisation: d(x) ≈ P(|x| > δ) x = erfc(δ/(√2 σ)) x, with σ the standard deviation of x
-//! that the linear system itself has: a fixed point, found by bisection on σ.
+//! m ẍ + r ẋ + C₀ d(x) = m W₁ with d(x) = 0 for |x| < δ and x ∓ δ beyond. In time it is
+//! followed from stop to stop ([`InTime`]). The linear stand-in is the stochastic linearisation
+//! d(x) ≈ P(|x| > δ) x = erfc(δ/(√2 σ)) x, with σ the standard deviation of x that the linear
+//! system itself has: a fixed point, found by bisection on σ.
 //!
 //! # References
 //! As for dry friction; the factor is E[d′(x)] of a Gaussian x.
 //!
 //! # Numerical aspects
-//! Not exact: within 10 % of simulation where the play is below one standard deviation of x.
+//! The linear stand-in gives too much: 14 % at a play of 0.8 σ, 60 % at 2 σ. So errors are told by
+//! simulation, and the stand-in's only beside them.
 
+use super::in_time::{EVENTS, InTime, Piece, Place, Ramp, parts};
 use super::inertia::{oscillator, single};
-use super::{Elastic, deviations};
+use super::{Elastic, deviations, positive};
 use crate::gyro::Gyrosphere;
 use crate::lti::StateSpace;
 use crate::{Error, Result};
@@ -32,13 +35,11 @@ pub struct Backlash {
 
 impl Elastic for Backlash {
     fn name(&self) -> &'static str {
-        "free play (linearised)"
+        "free play"
     }
 
     fn system(&self, s: &Gyrosphere, acceleration: &StateSpace) -> Result<StateSpace> {
-        if !(self.gap.is_finite() && self.gap >= 0.0) {
-            return Err(Error::bad_input("the free play must not be negative"));
-        }
+        self.check()?;
         let (m, r, c) = (s.weight / s.gravity, s.lag * s.stiffness, s.stiffness);
         let tight = deviations(&single(m, r, c)?, acceleration)?.0;
         if self.gap == 0.0 || tight == 0.0 {
@@ -59,5 +60,104 @@ impl Elastic for Backlash {
             }
         }
         oscillator(m, r, equivalent((low * high).sqrt()))
+    }
+
+    fn in_time(&self, s: &Gyrosphere, step: f64) -> Result<Option<Box<dyn InTime>>> {
+        self.check()?;
+        let (m, r, c) = (s.weight / s.gravity, s.lag * s.stiffness, s.stiffness);
+        positive(&[("m", m), ("r", r), ("C0", c)])?;
+        let parts = parts((m, r, c), step);
+        let part = step / parts as f64;
+        Ok(Some(Box::new(Loose {
+            held: Piece::new((m, r, c), part),
+            free: Piece::new((m, r, 0.0), part),
+            stiffness: c,
+            gap: self.gap,
+            parts,
+            part,
+            at: Place { x: 0.0, v: 0.0 },
+            side: 0.0,
+        })))
+    }
+}
+
+impl Backlash {
+    fn check(self) -> Result<()> {
+        if self.gap.is_finite() && self.gap >= 0.0 {
+            return Ok(());
+        }
+        Err(Error::bad_input("the free play must not be negative"))
+    }
+}
+
+/// Free in the gap, held by the spring beyond it.
+#[derive(Debug)]
+struct Loose {
+    held: Piece,
+    free: Piece,
+    /// C₀, N/m.
+    stiffness: f64,
+    /// δ, m.
+    gap: f64,
+    /// Parts of a step, and how long each is, s.
+    parts: usize,
+    part: f64,
+    at: Place,
+    /// The sign of the stop that holds it; zero in the gap.
+    side: f64,
+}
+
+impl InTime for Loose {
+    fn advance(&mut self, from: f64, to: f64) {
+        let slope = (to - from) / (self.parts as f64 * self.part);
+        for k in 0..self.parts {
+            self.part_of(Ramp { f: from + slope * self.part * k as f64, g: slope });
+        }
+    }
+
+    fn shift(&self) -> f64 {
+        self.at.x
+    }
+}
+
+impl Loose {
+    fn part_of(&mut self, force: Ramp) {
+        let mut t = 0.0;
+        for _ in 0..EVENTS {
+            t += if self.side == 0.0 { self.drift(force, t) } else { self.lean(force, t) };
+            if t >= self.part {
+                return;
+            }
+        }
+    }
+
+    /// How long it is free; then a stop holds it or the part of the step is over.
+    fn drift(&mut self, force: Ramp, t: f64) -> f64 {
+        let (left, force) = (self.part - t, force.from(t, 0.0));
+        let to = |side: f64| {
+            self.free.reaches(self.at, force, left, (side * self.gap, side)).map(|until| (until, side))
+        };
+        let first = [to(1.0), to(-1.0)].into_iter().flatten().min_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((until, side)) = first else {
+            self.at = self.free.after(self.at, force, left);
+            return left;
+        };
+        self.at = Place { x: side * self.gap, v: self.free.after(self.at, force, until).v };
+        self.side = side;
+        until
+    }
+
+    /// How long a stop holds it; then it is free or the part of the step is over.
+    fn lean(&mut self, force: Ramp, t: f64) -> f64 {
+        let left = self.part - t;
+        let edge = self.side * self.gap;
+        let force = force.from(t, self.stiffness * edge);
+        if let Some(until) = self.held.reaches(self.at, force, left, (edge, -self.side)) {
+            self.at = Place { x: edge, v: self.held.after(self.at, force, until).v };
+            self.side = 0.0;
+            return until;
+        }
+        self.at = self.held.after(self.at, force, left);
+        left
     }
 }

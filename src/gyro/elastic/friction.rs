@@ -1,22 +1,24 @@
 //! # Purpose
-//! Dry friction in the suspension, replaced by the viscous one that serves this motion best.
+//! Dry friction in the suspension: in time as it is, and the viscous one that serves a motion best.
 //!
 //! # Method
-//! m ẍ + r ẋ + F_c sign ẋ + C₀ x = m W₁. Stochastic linearisation: sign ẋ ≈ √(2/π) ẋ/σ, with σ
-//! the standard deviation of ẋ that the linear system itself has: a fixed point, found by
-//! bisection on σ.
+//! m ẍ + r ẋ + F_c sign ẋ + C₀ x = m W₁; at rest the part stays while |m W₁ − C₀ x| ≤ F_c. In
+//! time it is followed event by event ([`InTime`]). The linear stand-in is the stochastic
+//! linearisation sign ẋ ≈ √(2/π) ẋ/σ, with σ the standard deviation of ẋ that the linear system
+//! itself has: a fixed point, found by bisection on σ.
 //!
 //! # References
 //! R. C. Booton, IRE Trans. Circuit Theory 1 (1954) 9–18; T. K. Caughey, J. Acoust. Soc. Am. 35
 //! (1963) 1706–1711.
 //!
 //! # Numerical aspects
-//! The method is not exact: against simulation the mean error is within 10 % while friction
-//! takes less than half of the inertia force's deviation. Where even σ → 0 gives no motion
-//! the part sticks, and the shift is zero.
+//! The linear stand-in knows nothing of rest: with friction of one deviation of the force it gives half
+//! of the mean error, above 1.6 deviations none where there is one. So errors are told by simulation, and
+//! the stand-in's only beside them.
 
+use super::in_time::{EVENTS, InTime, Piece, Place, Ramp, parts};
 use super::inertia::{oscillator, single};
-use super::{Elastic, deviations};
+use super::{Elastic, deviations, positive};
 use crate::gyro::Gyrosphere;
 use crate::lti::StateSpace;
 use crate::{Error, Result};
@@ -35,13 +37,11 @@ pub struct Friction {
 
 impl Elastic for Friction {
     fn name(&self) -> &'static str {
-        "dry friction (linearised)"
+        "dry friction"
     }
 
     fn system(&self, s: &Gyrosphere, acceleration: &StateSpace) -> Result<StateSpace> {
-        if !(self.force.is_finite() && self.force >= 0.0) {
-            return Err(Error::bad_input("the friction force must not be negative"));
-        }
+        self.check()?;
         let (m, r, c) = (s.weight / s.gravity, s.lag * s.stiffness, s.stiffness);
         if self.force == 0.0 {
             return oscillator(m, r, c);
@@ -52,15 +52,18 @@ impl Elastic for Friction {
         if free == 0.0 {
             return oscillator(m, r, c);
         }
+        // what a stationary swing loses it is given: r_eq σ² = ⟨ẋ m W₁⟩ ≤ σ σ(m W₁), so that it cannot move
+        // where F_c √(2/π) ≥ σ(m W₁)
+        let force = acceleration.output_covariance().map_or(f64::INFINITY, |k| m * k[(0, 0)].max(0.0).sqrt());
+        if self.force * (2.0 / PI).sqrt() >= force {
+            return stuck(m, r, c);
+        }
         let (mut low, mut high) = (free * 1e-9, free);
         let moves = |sigma: f64| -> Result<bool> {
             Ok(deviations(&single(m, equivalent(sigma), c)?, acceleration)?.1 > sigma)
         };
         if !moves(low)? {
-            // it sticks: no shift at all
-            let mut stuck = oscillator(m, r, c)?;
-            stuck.c = faer::Mat::zeros(3, stuck.order());
-            return Ok(stuck);
+            return stuck(m, r, c);
         }
         for _ in 0..60 {
             let middle = (low * high).sqrt();
@@ -71,5 +74,106 @@ impl Elastic for Friction {
             }
         }
         oscillator(m, equivalent((low * high).sqrt()), c)
+    }
+
+    fn in_time(&self, s: &Gyrosphere, step: f64) -> Result<Option<Box<dyn InTime>>> {
+        self.check()?;
+        let (m, r, c) = (s.weight / s.gravity, s.lag * s.stiffness, s.stiffness);
+        positive(&[("m", m), ("r", r), ("C0", c)])?;
+        let parts = parts((m, r, c), step);
+        let part = step / parts as f64;
+        Ok(Some(Box::new(Rubbed {
+            piece: Piece::new((m, r, c), part),
+            stiffness: c,
+            friction: self.force,
+            parts,
+            part,
+            at: Place { x: 0.0, v: 0.0 },
+            slip: 0.0,
+        })))
+    }
+}
+
+impl Friction {
+    fn check(self) -> Result<()> {
+        if self.force.is_finite() && self.force >= 0.0 {
+            return Ok(());
+        }
+        Err(Error::bad_input("the friction force must not be negative"))
+    }
+}
+
+/// A part at rest: no shift at all.
+fn stuck(m: f64, r: f64, c: f64) -> Result<StateSpace> {
+    let mut part = oscillator(m, r, c)?;
+    part.c = faer::Mat::zeros(3, part.order());
+    Ok(part)
+}
+
+/// Rest and slip in turn.
+#[derive(Debug)]
+struct Rubbed {
+    piece: Piece,
+    /// C₀, N/m.
+    stiffness: f64,
+    /// F_c, N.
+    friction: f64,
+    /// Parts of a step, and how long each is, s.
+    parts: usize,
+    part: f64,
+    at: Place,
+    /// The sign of ẋ; zero at rest.
+    slip: f64,
+}
+
+impl InTime for Rubbed {
+    fn advance(&mut self, from: f64, to: f64) {
+        let slope = (to - from) / (self.parts as f64 * self.part);
+        for k in 0..self.parts {
+            self.part_of(Ramp { f: from + slope * self.part * k as f64, g: slope });
+        }
+    }
+
+    fn shift(&self) -> f64 {
+        self.at.x
+    }
+}
+
+impl Rubbed {
+    fn part_of(&mut self, force: Ramp) {
+        let mut t = 0.0;
+        for _ in 0..EVENTS {
+            t += if self.slip == 0.0 { self.rest(force, t) } else { self.slide(force, t) };
+            if t >= self.part {
+                return;
+            }
+        }
+    }
+
+    /// How long it rests; then it slips or the part of the step is over.
+    fn rest(&mut self, force: Ramp, t: f64) -> f64 {
+        let left = self.part - t;
+        let Ramp { f, g } = force.from(t, -self.stiffness * self.at.x);
+        // |f + g τ| = F_c
+        let until = if f.abs() > self.friction { 0.0 } else { (self.friction.copysign(g) - f) / g };
+        if until.is_nan() || until >= left {
+            return left;
+        }
+        self.slip = if f.abs() > self.friction { f.signum() } else { g.signum() };
+        until.max(0.0)
+    }
+
+    /// How long it slips one way; then it rests or the part of the step is over.
+    fn slide(&mut self, force: Ramp, t: f64) -> f64 {
+        let left = self.part - t;
+        let force = force.from(t, -self.friction * self.slip);
+        if let Some(until) = self.piece.stops(self.at, force, left, self.slip) {
+            // ẋ = 0: `rest` tells whether it stays
+            self.at = Place { x: self.piece.after(self.at, force, until).x, v: 0.0 };
+            self.slip = 0.0;
+            return until;
+        }
+        self.at = self.piece.after(self.at, force, left);
+        left
     }
 }

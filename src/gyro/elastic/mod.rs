@@ -3,6 +3,7 @@
 mod backlash;
 mod compliance;
 mod friction;
+mod in_time;
 mod inertia;
 mod lag;
 mod relaxing;
@@ -10,6 +11,7 @@ mod relaxing;
 pub use backlash::Backlash;
 pub use compliance::Compliance;
 pub use friction::Friction;
+pub use in_time::InTime;
 pub use inertia::Inertia;
 pub use lag::Lag;
 pub use relaxing::Relaxing;
@@ -27,11 +29,21 @@ pub trait Elastic: std::fmt::Debug + Send + Sync {
 
     /// The linear system from (W₁, W₂, W₃) to the shift (x, y, z) of the centre of mass, m.
     /// `acceleration` is the motion's system from its white noises to (W₁, W₂, W₃) on the
-    /// heading asked for: parts that are not linear take the best linear one for it.
+    /// heading asked for: a part that is not linear gives its best linear stand-in for it, whose
+    /// error nothing bounds, and has its own law [`in_time`](Elastic::in_time).
     ///
     /// # Errors
     /// `BadInput` for numbers that describe no such part.
     fn system(&self, sphere: &Gyrosphere, acceleration: &StateSpace) -> Result<StateSpace>;
+
+    /// A part that is not linear, in steps of `step` seconds; `None` for a linear one, which
+    /// [`system`](Elastic::system) describes whole.
+    ///
+    /// # Errors
+    /// `BadInput` for numbers that describe no such part.
+    fn in_time(&self, _sphere: &Gyrosphere, _step: f64) -> Result<Option<Box<dyn InTime>>> {
+        Ok(None)
+    }
 }
 
 /// Single-input parts side by side: each from one acceleration to one shift.

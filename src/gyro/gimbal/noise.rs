@@ -2,7 +2,9 @@
 //! The rate that random torques and random base motion feign: noise-equivalent rate.
 //!
 //! # Method
-//! Demodulation shifts frequencies by Ω. The density of the reading's noise is a product of
+//! Demodulation shifts frequencies by Ω. Base motion r = Θ′ + jΨ′ gives α = Re(a∗r e^{jΩt}), so that the reading is
+//! F∗(a∗r)/a(0) + F∗((a∗r)* e^{−2jΩt})/a(0): what passes the low-pass F where it is, the skirt of F included, and
+//! what is folded by 2Ω. Both axes of the base alike and independent, the two add in the mean square. The density of the reading's noise is a product of
 //! squared moduli of polynomials at jω and j(ω ± Ω), j(ω ± 2Ω); over a common denominator of
 //! real coefficients its even part in ω is the G of an integral I_n.
 //!
@@ -14,6 +16,7 @@
 //! and Hurwitz when f is. Frequencies are taken in units of Ω to keep the coefficients of one size.
 
 use super::Gimbal;
+use crate::gyro::validity::Smallness;
 use crate::integral::{Integrand, evaluate};
 use crate::poly::product;
 use crate::{Error, Result};
@@ -34,8 +37,12 @@ pub struct Noise {
 pub struct NoiseEquivalent {
     /// By the torque noise.
     pub torque: f64,
-    /// By base motion near twice the ring's speed, which folds onto slow rates.
+    /// By the base's random motion, in all.
     pub base: f64,
+    /// Its part that passes the low-pass where it is: slow rates, truly read, and what the filter's skirt lets through.
+    pub base_passed: f64,
+    /// Its part near twice the ring's speed, which folds onto slow rates.
+    pub base_folded: f64,
 }
 
 /// ∏ |f(j(ω + σ))|² in a denominator: f descending, σ in units of Ω.
@@ -55,11 +62,38 @@ impl Gimbal {
             return Err(Error::bad_input("the intensity of torque noise must not be negative"));
         }
         let torque = self.by_torque(noise.torque, corner)?;
-        let base = match noise.base {
-            Some([deviation, frequency, damping]) => self.by_base(deviation, frequency, damping, corner)?,
+        let [passed, folded] = match noise.base {
+            Some(base) => {
+                [self.by_base(base, Some((corner, -1.0)))?, self.by_base(base, Some((corner, 1.0)))?]
+            }
+            None => [0.0; 2],
+        };
+        Ok(NoiseEquivalent {
+            torque: torque.sqrt(),
+            base: (passed + folded).sqrt(),
+            base_passed: passed.sqrt(),
+            base_folded: folded.sqrt(),
+        })
+    }
+
+    /// What (1) takes for small: the swing of α by a constant rate (rad/s) and by the base's random motion, in rad, and
+    /// the base's rates against the ring's.
+    ///
+    /// # Errors
+    /// As [`Gimbal::noise_equivalent`].
+    pub fn smallness(&self, noise: &Noise, rate: f64) -> Result<Vec<Smallness>> {
+        let small = |figure, says, value| Smallness { figure, says, value, limit: 0.3, unit: "1" };
+        let scale = self.scale_factor(0.0).norm();
+        let sigma = noise.base.map_or(0.0, |b| b[0]);
+        let random = match noise.base {
+            Some(base) => scale * self.by_base(base, None)?.sqrt(),
             None => 0.0,
         };
-        Ok(NoiseEquivalent { torque: torque.sqrt(), base: base.sqrt() })
+        Ok(vec![
+            small("swing", "swing of α by the manoeuvre, rad", scale * rate),
+            small("random-swing", "swing of α by the base's random motion, rad", random),
+            small("rate", "rates of the base against that of the ring", sigma.max(rate) / self.speed),
+        ])
     }
 
     /// In units of Ω for frequencies: det M, (M⁻¹)₁₁ and (M⁻¹)₁₂ numerators, the low-pass.
@@ -86,13 +120,13 @@ impl Gimbal {
         Ok(2.0 / self.scale_factor(0.0).norm_sqr() * self.speed * shifted_integral(&top, &factors)?)
     }
 
-    /// Var Re r = (1/2)(1/2π)∫ |F(j(ω + Ω))|² |a(ω − Ω)/a(0)|² 2S(ω − Ω) dω, ω = Ω + ν: the part
-    /// of the base's motion near ν = −2Ω; S of each rate is a second-order spectrum.
-    fn by_base(&self, deviation: f64, frequency: f64, damping: f64, corner: f64) -> Result<f64> {
+    /// Var Re r = (1/2)(1/2π)∫ |F(j(ω ∓ Ω))|² |a(ω − Ω)/a(0)|² 2S(ω − Ω) dω, ω = Ω + ν: what passes the low-pass
+    /// at its own ν (`shift` −1), or folds from near ν = −2Ω (`shift` +1), or without F all of it; S of each rate is a second-order spectrum.
+    fn by_base(&self, [deviation, frequency, damping]: [f64; 3], low: Option<(f64, f64)>) -> Result<f64> {
         if !(deviation >= 0.0 && frequency > 0.0 && damping > 0.0) {
             return Err(Error::bad_input("base motion needs positive frequency and damping"));
         }
-        let (determinant, _, low) = self.scaled(corner);
+        let determinant = self.scaled(self.speed).0;
         let (w, w0) = (self.speed, frequency / self.speed);
         // S(ν) = σ² 4ζω₀³/|s² + 2ζω₀ s + ω₀²|², in units of Ω
         let gain = deviation.powi(2) * 4.0 * damping * w0.powi(3) / w;
@@ -101,11 +135,8 @@ impl Gimbal {
             .iter()
             .map(|v| gain * v / self.scale_factor(0.0).norm_sqr())
             .collect();
-        let factors = [
-            Factor { f: determinant, shift: 0.0 },
-            Factor { f: low, shift: 1.0 },
-            Factor { f: spectrum, shift: -1.0 },
-        ];
+        let mut factors = vec![Factor { f: determinant, shift: 0.0 }, Factor { f: spectrum, shift: -1.0 }];
+        factors.extend(low.map(|(corner, shift)| Factor { f: self.scaled(corner).2, shift }));
         Ok(self.speed * shifted_integral(&top, &factors)?)
     }
 

@@ -130,16 +130,25 @@ fn plain(name: &str, unit: Option<Unit>) -> Wanted {
     Wanted { name, column, unit, wraps: false, hold: Hold::Linear }
 }
 
-fn refuse_marks(line: &[u8]) -> Result<()> {
-    let error = |what: &str| {
-        Err(Error::bad_input(format!("the file begins with a byte-order mark ({what})"))
-            .with_column(1)
-            .with_hint("save it as UTF-8 without byte-order mark, for instance with `iconv` or `sed -i '1s/^\\xEF\\xBB\\xBF//' FILE`"))
-    };
-    match line {
-        [0xEF, 0xBB, 0xBF, ..] => error("UTF-8"),
-        [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => error("UTF-16"),
-        _ => Ok(()),
+/// First bytes of what is no table of text, what it is, and what to do.
+const NO_TEXT: [(&[u8], &str, &str); 7] = [
+    (&[0xFF, 0xFE], "the file begins with a byte-order mark of UTF-16", UTF_8),
+    (&[0xFE, 0xFF], "the file begins with a byte-order mark of UTF-16", UTF_8),
+    (b"PK\x03\x04", "this is a zip archive, or a table of a spreadsheet program", "save the table as CSV"),
+    (&[0x1F, 0x8B], "the file is packed by gzip twice", "unpack it once, with `gzip -d`"),
+    (b"BZh", "the file is packed by bzip2", "unpack it, or pack it by gzip"),
+    (&[0xFD, b'7', b'z', b'X', b'Z'], "the file is packed by xz", "unpack it, or pack it by gzip"),
+    (&[0x28, 0xB5, 0x2F, 0xFD], "the file is packed by zstd", "unpack it, or pack it by gzip"),
+];
+const UTF_8: &str = "save it as UTF-8, for instance with `iconv -f UTF-16 -t UTF-8`";
+
+fn refuse_what_is_no_text(line: &[u8]) -> Result<()> {
+    let known = NO_TEXT.iter().find(|(start, ..)| line.starts_with(start));
+    let zero = ("the header holds bytes of zero: this is UTF-16 without its mark, or no text", UTF_8);
+    let found = known.map(|(_, what, remedy)| (*what, *remedy)).or(line.contains(&0).then_some(zero));
+    match found {
+        Some((what, remedy)) => Err(Error::bad_input(what).with_column(1).with_hint(remedy)),
+        None => Ok(()),
     }
 }
 
@@ -174,7 +183,7 @@ pub(super) fn refuse_twins(cells: &[Cell]) -> Result<()> {
 
 /// The cells of a header line, which is text between commas.
 pub(super) fn cells(line: &[u8]) -> Result<Vec<Cell>> {
-    refuse_marks(line)?;
+    refuse_what_is_no_text(line)?;
     refuse_other_separators(line)?;
     let fields = field::split(line)
         .ok_or_else(|| Error::bad_input("a double quote in the header is not closed").with_column(1))?;

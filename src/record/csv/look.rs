@@ -2,7 +2,7 @@
 
 use super::field;
 use super::header;
-use crate::record::input::{self, Sink};
+use crate::record::input::{self, Input, Sink};
 use crate::record::nmea;
 use crate::{Error, Result};
 use std::path::Path;
@@ -41,7 +41,7 @@ pub struct Raw {
 pub fn columns(path: &Path) -> Result<Vec<Raw>> {
     let mut look = Look { line: 0, columns: Vec::new() };
     let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };
-    input::read_lines(path, &mut look).map_err(place)?;
+    input::read_lines(Input::open(path)?, &mut look).map_err(place)?;
     match look.line {
         0 => Err(place(super::empty())),
         _ => Ok(look.columns),

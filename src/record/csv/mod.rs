@@ -5,9 +5,9 @@ mod header;
 mod look;
 mod rows;
 
-use super::input::{self, Sink};
+use super::input::{self, Input, Sink};
 use super::request::{Clock, Request, finished};
-use super::{Channel, Note, Source};
+use super::{Channel, Note, Origin};
 use crate::{Error, Result};
 use header::Header;
 pub use look::{Raw, columns};
@@ -18,7 +18,7 @@ use std::sync::Arc;
 /// What a table gives.
 pub(super) struct Table {
     pub channels: Vec<Channel>,
-    pub source: Source,
+    pub origin: Origin,
     pub notes: Vec<Note>,
 }
 
@@ -26,12 +26,15 @@ pub(super) struct Table {
 ///
 /// # Errors
 /// `BadInput` or `Units` with file, line and column for whatever is no such table.
-pub(super) fn read(path: &Path, request: &Request) -> Result<Table> {
+pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
+    let path = &input.path().to_owned();
     let mut reader = Reader { request, line: 0, header: None, rows: None };
-    let source = input::read_lines(path, &mut reader).map_err(|e| place(e, path))?;
-    let (channels, notes) = reader.finish().map_err(|e| place(e, path))?;
+    let (source, note) = input::read_lines(input, &mut reader).map_err(|e| place(e, path))?;
+    let (channels, mut notes) = reader.finish().map_err(|e| place(e, path))?;
+    notes.extend(note.map(|says| (None, says)));
     let notes = notes.into_iter().map(|(line, says)| Note { file: path.to_owned(), line, says }).collect();
-    Ok(Table { channels, source, notes })
+    let first_row = request.rows.map_or(0, |r| r.0);
+    Ok(Table { channels, origin: Origin { source, first_row, is_table: true }, notes })
 }
 
 fn place(e: Error, path: &Path) -> Error {

@@ -12,8 +12,8 @@ use crate::{Error, Result};
 
 /// Bytes of the last whole lines that are kept to judge a last line without its end.
 const SHAPE_BYTES: usize = 4096;
-/// So many lines with equal decimals make a fixed format.
-const LINES_FOR_SHAPE: usize = 50;
+/// So many numbers above with equal decimals make a fixed format.
+const NUMBERS_FOR_SHAPE: usize = 2;
 
 pub(super) struct Rows {
     names: Vec<String>,
@@ -120,10 +120,17 @@ impl Rows {
 
     /// Why a line could not be taken.
     fn explain(&self, index: usize, line: &[u8], ended: bool) -> Error {
-        let Some(fields) = field::split(line) else {
-            return Error::bad_input("a double quote is not closed").with_column(1);
-        };
         let cut = "the file seems to be cut short: copy it again from where it was made";
+        let Some(fields) = field::split(line) else {
+            let error = Error::bad_input("a double quote is not closed").with_column(1);
+            return if ended { error } else { error.with_hint(cut) };
+        };
+        if let Some(at) = line.iter().position(|b| *b == b'\r') {
+            return Error::bad_input("a carriage return stands inside the line").with_column(at + 1).with_hint(
+                "the file mixes line ends: end every line in the same way, as `tr '\\r' '\\n'` does for lone \
+                 carriage returns",
+            );
+        }
         let error = if fields.len() == self.names.len() {
             self.explain_field(index, &fields[index.min(fields.len() - 1)])
         } else if !ended && fields.len() < self.names.len() {
@@ -181,31 +188,35 @@ impl Rows {
     /// Keeps the last whole lines, by which a last line without its end is judged.
     pub(super) fn remember_shape(&mut self, block: &[u8]) {
         if block.ends_with(b"\n") {
-            self.shape.clear();
             self.shape.extend_from_slice(&block[block.len().saturating_sub(SHAPE_BYTES)..]);
+            self.shape.drain(..self.shape.len().saturating_sub(SHAPE_BYTES));
         }
     }
 
-    /// A last line without its end has all its fields; its last number may be cut still.
+    /// A last line without its end has all its fields; its last number may be cut still. It is where the numbers
+    /// above it all have more decimals, or where it is the only one that is not there.
     fn last_line(&mut self, line: &[u8], number: usize) -> Result<()> {
-        let lines: Vec<&[u8]> = self.shape.split(|b| *b == b'\n').skip(1).filter(|l| !l.is_empty()).collect();
-        let usual = lines.first().map_or(0, |l| decimals(l));
-        let constant = lines.len() >= LINES_FOR_SHAPE && lines.iter().all(|l| decimals(l) == usual);
-        if constant && decimals(line) < usual {
-            return Err(Error::bad_input(
-                "the file ends in mid-line: the last number has fewer decimals than those above it",
-            )
+        // The first line kept is the header, or a part of a line.
+        let lines = self.shape.split(|b| *b == b'\n').skip(1).map(last_field);
+        let above: Vec<&[u8]> = lines.filter(|field| !field.is_empty()).collect();
+        let whole = self.shape.split(|b| *b == b'\n').filter(|l| !l.is_empty()).count() == above.len() + 1;
+        let usual = above.first().map_or(0, |field| decimals(field));
+        let fixed = above.len() >= NUMBERS_FOR_SHAPE && above.iter().all(|field| decimals(field) == usual);
+        let last = last_field(line);
+        let what = if last.is_empty() && whole && above.len() >= NUMBERS_FOR_SHAPE {
+            "the last number is missing, as it is in no line above it"
+        } else if !last.is_empty() && fixed && decimals(last) < usual {
+            "the last number has fewer decimals than those above it"
+        } else {
+            self.notes.push((Some(number), doubt(last, &above)));
+            return Ok(());
+        };
+        Err(Error::bad_input(format!("the file ends in mid-line: {what}"))
             .with_line(number)
             .with_column(line.len() + 1)
             .with_hint(
                 "the file seems to be cut short: copy it again; if it is whole, end its last line with a line end",
-            ));
-        }
-        self.notes.push((
-            Some(number),
-            "the last line has no line end; if the file was cut short, its last number may be too".into(),
-        ));
-        Ok(())
+            ))
     }
 
     /// The columns, time first if it is one, and what was noticed.
@@ -244,9 +255,29 @@ fn explain_text(place: &str, shown: &str) -> Error {
     }
 }
 
-/// The number of decimals of the last field of a line; an empty field has none.
-fn decimals(line: &[u8]) -> usize {
-    let line = line.trim_ascii_end();
-    let last = line.rsplit(|b| *b == b',').next().unwrap_or_default();
-    last.iter().position(|b| *b == b'.').map_or(0, |at| last.len() - at - 1)
+/// What is to be said of a last number that may be whole.
+fn doubt(last: &[u8], above: &[&[u8]]) -> String {
+    let (own, text) = (digits(last), String::from_utf8_lossy(last));
+    if above.len() >= NUMBERS_FOR_SHAPE && above.iter().all(|field| digits(field) > own) {
+        return format!(
+            "the last line has no line end, and its last number, `{text}`, has fewer digits than those above it: \
+             it is wrong if the file was cut short"
+        );
+    }
+    "the last line has no line end; if the file was cut short, its last number may be too".into()
+}
+
+/// The last field of a line, without quotes.
+fn last_field(line: &[u8]) -> &[u8] {
+    let last = line.trim_ascii_end().rsplit(|b| *b == b',').next().unwrap_or_default().trim_ascii();
+    last.strip_prefix(b"\"").map_or(last, |l| l.strip_suffix(b"\"").unwrap_or(l))
+}
+
+fn digits(number: &[u8]) -> usize {
+    number.iter().filter(|b| b.is_ascii_digit()).count()
+}
+
+/// What stands behind the point of a number, a power of ten included.
+fn decimals(number: &[u8]) -> usize {
+    number.iter().position(|b| *b == b'.').map_or(0, |at| number.len() - at - 1)
 }

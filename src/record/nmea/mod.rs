@@ -14,13 +14,13 @@ mod sentence;
 mod stamp;
 
 use super::csv::Table;
+use super::input::{self, Input};
 use super::request::{Wanted, finished};
-use super::{Note, input};
+use super::{Note, Origin};
 use crate::units::Unit;
 use crate::{Error, ErrorKind, Result};
 use collect::{Collector, Group};
 pub(super) use stamp::stamp;
-use std::path::Path;
 use std::sync::Arc;
 
 /// What is wanted of a log.
@@ -60,6 +60,9 @@ impl Selection {
         }
         let known = known::field(&sentence, id, field);
         let own = known.map(|k| Unit::parse(k.unit)).transpose()?;
+        if let (Some(given), Some(own)) = (&wanted.unit, &own) {
+            own.turns_or_radians(given).map_err(|e| e.about(&format!("field {field} of {sentence}")))?;
+        }
         let unit = match (wanted.unit.clone(), own) {
             (Some(unit), Some(own)) if unit.dimension() != own.dimension() => {
                 return Err(Error::new(
@@ -97,17 +100,19 @@ impl Selection {
 /// # Errors
 /// `BadInput` where a wanted sentence is not there, a wanted field holds no numbers, or the
 /// stamps of a wanted sentence do not rise.
-pub(super) fn read(path: &Path, request: &Request) -> Result<Table> {
+pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
+    let path = &input.path().to_owned();
     let mut collector = Collector::new(request);
     let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };
-    let source = input::read_lines(path, &mut collector).map_err(place)?;
-    let (groups, notes) = collector.finish().map_err(place)?;
+    let (source, note) = input::read_lines(input, &mut collector).map_err(place)?;
+    let (groups, mut notes) = collector.finish().map_err(place)?;
+    notes.extend(note.map(|says| (None, says)));
     let mut channels: Vec<_> = groups.into_iter().flat_map(|g| finish_group(g, request.table)).collect();
     // In the order of the request, which names each channel once.
     let order = |name: &str| request.wanted.iter().position(|s| s.wanted.name == name);
     channels.sort_by_key(|c| order(&c.name));
     let notes = notes.into_iter().map(|(line, says)| Note { file: path.to_owned(), line, says }).collect();
-    Ok(Table { channels, source, notes })
+    Ok(Table { channels, origin: Origin { source, first_row: 0, is_table: false }, notes })
 }
 
 fn finish_group(group: Group, table: usize) -> Vec<super::Channel> {

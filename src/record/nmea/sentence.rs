@@ -26,7 +26,7 @@ impl Fault {
     pub(super) fn says(self) -> &'static str {
         match self {
             Self::NoSentence => "hold no sentence",
-            Self::NoStamp => "have no time stamp before the sentence",
+            Self::NoStamp => "have no time stamp before the sentence, or none of a time that there was",
             Self::NoChecksum => "have no checksum, or are cut short",
             Self::WrongChecksum => "have a wrong checksum",
         }

@@ -1,16 +1,67 @@
 //! Time stamps of a log.
 
-/// A time stamp in nanoseconds since 1970: ISO 8601 with its zone (`2018-12-06T00:00:00.0117Z`),
-/// without one (taken as UTC), or seconds since 1970.
+/// The seconds since 1970, by a clock that counts none of them, at which the 27 leap seconds up to now were over
+/// (IERS Bulletin C; none is announced).
+const LEAPS: [i64; 27] = [
+    78_796_800,
+    94_694_400,
+    126_230_400,
+    157_766_400,
+    189_302_400,
+    220_924_800,
+    252_460_800,
+    283_996_800,
+    315_532_800,
+    362_793_600,
+    394_329_600,
+    425_865_600,
+    489_024_000,
+    567_993_600,
+    631_152_000,
+    662_688_000,
+    709_948_800,
+    741_484_800,
+    773_020_800,
+    820_454_400,
+    867_715_200,
+    915_148_800,
+    1_136_073_600,
+    1_230_768_000,
+    1_341_100_800,
+    1_435_708_800,
+    1_483_228_800,
+];
+const NANO: i128 = 1_000_000_000;
+
+/// A time stamp in nanoseconds that went by since 1970, leap seconds included: ISO 8601 with its zone
+/// (`2018-12-06T00:00:00.0117Z`), without one (taken as UTC), or seconds since 1970. The sixtieth second of a
+/// minute is one only where there was a leap second.
 pub(in super::super) fn stamp(text: &str) -> Option<i128> {
     let text = text.trim();
+    let (before, sixtieth) = match text.match_indices(":60").find(|(at, _)| text[..*at].contains(':')) {
+        Some((at, _)) => (format!("{}:59{}", &text[..at], &text[at + 3..]), true),
+        None => (text.to_owned(), false),
+    };
+    let nano = civil(&before).or_else(|| seconds(&before))?;
+    if !sixtieth {
+        return Some(nano + NANO * leaps_until(nano));
+    }
+    let over = (nano.div_euclid(NANO) + 1) * NANO;
+    let leap = LEAPS.iter().any(|at| i128::from(*at) * NANO == over);
+    leap.then(|| nano + NANO * (1 + leaps_until(nano)))
+}
+
+/// How many leap seconds were over at a time that counts none of them.
+fn leaps_until(nano: i128) -> i128 {
+    LEAPS.partition_point(|at| i128::from(*at) * NANO <= nano) as i128
+}
+
+fn civil(text: &str) -> Option<i128> {
     if let Ok(time) = text.parse::<jiff::Timestamp>() {
         return Some(time.as_nanosecond());
     }
-    if let Ok(time) = text.parse::<jiff::civil::DateTime>() {
-        return Some(time.to_zoned(jiff::tz::TimeZone::UTC).ok()?.timestamp().as_nanosecond());
-    }
-    seconds(text)
+    let time = text.parse::<jiff::civil::DateTime>().ok()?;
+    Some(time.to_zoned(jiff::tz::TimeZone::UTC).ok()?.timestamp().as_nanosecond())
 }
 
 fn seconds(text: &str) -> Option<i128> {
@@ -20,12 +71,43 @@ fn seconds(text: &str) -> Option<i128> {
         return None;
     }
     let nano = format!("{fraction:0<9}");
-    Some(whole.parse::<i128>().ok()? * 1_000_000_000 + nano[..9].parse::<i128>().ok()?)
+    Some(whole.parse::<i128>().ok()? * NANO + nano[..9].parse::<i128>().ok()?)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::stamp;
+    use super::{LEAPS, stamp};
+
+    #[test]
+    fn leap_seconds_go_by() {
+        let at = |text: &str| stamp(text).unwrap();
+        let before = at("2016-12-31T23:59:59Z");
+        for (text, seconds) in [
+            ("2016-12-31T23:59:59.5Z", 0.5),
+            ("2016-12-31T23:59:60Z", 1.0),
+            ("2016-12-31T23:59:60.25Z", 1.25),
+            ("2017-01-01T08:59:60+09:00", 1.0),
+            ("2016-12-31 23:59:60", 1.0),
+            ("2017-01-01T00:00:00Z", 2.0),
+            ("1483228800.5", 2.5),
+        ] {
+            assert_eq!((at(text) - before) as f64 / 1e9, seconds, "{text}");
+        }
+        for never in ["2018-06-30T23:59:60Z", "2016-12-31T22:59:60Z", "2016-12-31T23:60:00Z", "1:60", ":60"] {
+            assert_eq!(stamp(never), None, "{never}");
+        }
+    }
+
+    #[test]
+    fn leap_seconds_end_with_june_or_december() {
+        for at in LEAPS {
+            let day = jiff::Timestamp::from_second(at).unwrap().to_string();
+            assert!(day.ends_with("-07-01T00:00:00Z") || day.ends_with("-01-01T00:00:00Z"), "{day}");
+        }
+        // GPS began in 1980 at 19 s behind TAI, which was 10 s before UTC in 1972: 9 leap seconds (ICD-GPS-200)
+        let until = |text: &str| super::leaps_until(super::civil(text).unwrap());
+        assert_eq!((until("1980-01-07T00:00:00Z"), until("2018-01-01T00:00:00Z")), (9, 27));
+    }
 
     #[test]
     fn stamps_of_three_forms_agree() {

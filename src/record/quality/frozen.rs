@@ -17,6 +17,8 @@
 use super::{Fault, FaultKind, Samples, ends, quantile, quantum};
 use crate::record::{Channel, Span};
 
+/// Samples that must be alike for a channel to be still.
+const FEWEST: usize = 3;
 const SHORTEST: usize = 12;
 /// Runs below a third of that are no match for a candidate.
 const SHORTEST_KEPT: usize = 4;
@@ -65,6 +67,19 @@ pub fn frozen(channel: &Channel) -> Option<Fault> {
     spans.sort_by(|a, b| a.from.total_cmp(&b.from));
     let samples = kept.iter().map(|r| r.length()).sum();
     Some(Fault { samples, size, sure, ..Fault::of(FaultKind::Frozen, channel, spans) })
+}
+
+/// A channel of three samples and more that never changes, gaps or not; `size` is its value, SI.
+///
+/// Sure for a measured one alone: an input may be held throughout.
+pub fn still(channel: &Channel) -> Option<Fault> {
+    let Samples { time, values } = Samples::of(channel);
+    let (low, high) = ends(&values);
+    if values.len() < FEWEST || low != high {
+        return None;
+    }
+    let spans = vec![Span::new(time[0], time[time.len() - 1])];
+    Some(Fault { samples: values.len(), size: low, ..Fault::of(FaultKind::Frozen, channel, spans) })
 }
 
 /// The few runs that are set apart from all others by their length, longest first.

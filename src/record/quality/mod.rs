@@ -11,7 +11,7 @@ mod quantum;
 mod sampling;
 mod wrapped;
 
-pub use frozen::frozen;
+pub use frozen::{frozen, still};
 pub use gaps::gaps;
 pub use outliers::outliers;
 pub use quantum::{coarse_steps, quantum};

@@ -2,7 +2,7 @@
 
 use super::html::title;
 use super::tables::chance;
-use crate::diagnose::answer::{Answer, Stretch};
+use crate::diagnose::answer::{Answer, Spell, Stretch};
 use crate::diagnose::pictures::{Course, Law, Pictures, Point};
 use crate::report::page::with_unit;
 use crate::report::svg::{Layer, Picture, escaped};
@@ -62,7 +62,8 @@ pub fn residuals(p: &Pictures, a: &Answer) -> String {
     let picture = |c: &Course| {
         let after: &[[f64; 2]] = if changed(c) { &c.residual_after } else { &[] };
         let fitted = c.held.len() != 1 || c.measured.first().is_some_and(|m| m[0] < c.held[0].from);
-        let located = if fitted { pairs(&a.located.time) } else { Vec::new() };
+        let here = |s: &&Spell| fitted && s.recording.as_ref().is_none_or(|r| *r == c.recording);
+        let located: Vec<[f64; 2]> = a.located.time.iter().filter(here).map(|s| [s.from, s.to]).collect();
         Picture::new(
             &format!("{}: measured less model", heading(c)),
             clock(p),

@@ -16,17 +16,22 @@ use std::path::Path;
 
 /// The page of a diagnosis.
 pub fn html(d: &Diagnosis) -> String {
-    page(&d.before.model.name, &d.answer, &d.pictures, &d.after.unseen)
+    let unseen = fit::unseen(&d.after.unseen, &d.after.determined);
+    whole(&d.before.model.name, &d.answer, &d.pictures, unseen)
 }
 
 /// The page of an answer about a model, with its pictures and what the data do not tell of its unknowns.
 pub fn page(model: &str, a: &Answer, pictures: &Pictures, unseen: &[Direction]) -> String {
+    whole(model, a, pictures, fit::unseen(unseen, &[]))
+}
+
+fn whole(model: &str, a: &Answer, pictures: &Pictures, unseen: String) -> String {
     let page = Page {
         kind: format!("Diagnosis of the model “{model}”"),
         title: format!("{model}: {}", headline(a.verdict).to_lowercase()),
         verdict: sentence(a),
         lead: without_needless_zeros(&a.says),
-        sections: sections(a, pictures, fit::unseen(unseen)),
+        sections: sections(a, pictures, unseen),
     };
     page.html()
 }
@@ -40,7 +45,7 @@ fn sections(a: &Answer, pictures: &Pictures, unseen: String) -> Vec<Section> {
             if sure { "What was found" } else { "What it resembles" },
             tables::findings(a),
         ),
-        Section::new("faults", "Where the data are at fault", figures::faults(pictures)),
+        Section::new("faults", "Where the data are at fault", tables::faults(a) + &figures::faults(pictures)),
         Section::new("laws", "The law, seen in the recording", figures::laws(pictures, a)),
         Section::new("courses", "Recording and model", figures::courses(pictures)),
         Section::new("residuals", "What the model leaves over time", figures::residuals(pictures, a)),
@@ -52,42 +57,69 @@ fn sections(a: &Answer, pictures: &Pictures, unseen: String) -> Vec<Section> {
         Section::new("unseen", "What these data do not tell", unseen),
         Section::new("visible", "What would have been seen", tables::visible(a)),
         Section::new("next", "What would tell next", next(a)),
+        Section::new("notes", "What to know beside", notes(a)),
         page::made(&a.made.program, a.made.seed, inputs),
     ]
 }
 
-/// The verdict in one sentence.
+/// What was not compared, not offered or left unfinished, a paragraph each.
+fn notes(a: &Answer) -> String {
+    a.notes.iter().map(|n| format!("<p>{}</p>", escaped(&without_needless_zeros(n)))).collect()
+}
+
+/// The verdict in one sentence, and the faults of the data in another.
 fn sentence(a: &Answer) -> String {
-    let (faults, others) = told(&a.findings);
-    let titles =
-        |all: &[&Finding]| -> Vec<String> { all.iter().map(|f| title(&f.code).to_owned()).collect() };
-    let place = |all: &[&Finding]| match all {
-        [f] => format!(" ({} {})", f.site.kind, f.site.name),
-        _ => String::new(),
-    };
-    let (names, at) = (titles(&others), place(&others[..others.len().min(1)]));
+    let (_, found) = told(&a.findings);
+    let faults: Vec<&Finding> = a.faults.iter().map(|f| &f.finding).collect();
+    let said = format!("{}{}", listed(&titles(&faults)), place(&faults));
     match a.verdict {
-        Verdict::Named => format!("The model leaves out {}{}.", listed(&names), place(&others)),
+        Verdict::DataFault if found.is_empty() => format!("The data are at fault: {said}."),
+        Verdict::DataFault => format!(
+            "The data are at fault: {said}. The model also leaves out {}{}.",
+            listed(&titles(&found)),
+            place(&found)
+        ),
+        _ if faults.is_empty() => physics(a, &found),
+        _ => format!("{} The data have faults too: {said}.", physics(a, &found)),
+    }
+}
+
+/// The verdict on the physics.
+fn physics(a: &Answer, found: &[&Finding]) -> String {
+    let names = titles(found);
+    match a.verdict {
+        Verdict::Named => format!("The model leaves out {}{}.", listed(&names), place(found)),
         Verdict::Tie => {
             let ties: Vec<String> =
                 a.findings.iter().flat_map(|f| &f.ties).map(|c| title(c).to_owned()).collect();
             format!(
-                "The model leaves out {}{at}; {} would fit as well.",
+                "The model leaves out {}{}; {} would fit as well.",
                 names.first().map_or("something", String::as_str),
+                place(&found[..found.len().min(1)]),
                 listed(&ties)
             )
         }
         Verdict::Unknown => "Something is missing that no name of the catalogue fits.".into(),
-        Verdict::NothingMissing => "Nothing is missing.".into(),
-        Verdict::DataFault => {
-            let beside = if others.is_empty() {
-                String::new()
-            } else {
-                format!(" The model also leaves out {}{}.", listed(&names), place(&others))
-            };
-            format!("The data are at fault: {}{}.{beside}", listed(&titles(&faults)), place(&faults))
-        }
+        Verdict::NothingMissing | Verdict::DataFault => "Nothing is missing.".into(),
         Verdict::NotIdentifiable => "This recording cannot tell what is missing.".into(),
+    }
+}
+
+fn titles(all: &[&Finding]) -> Vec<String> {
+    let mut different: Vec<String> = Vec::new();
+    for f in all {
+        if !different.iter().any(|t| t == title(&f.code)) {
+            different.push(title(&f.code).to_owned());
+        }
+    }
+    different
+}
+
+/// Where it is, of one alone.
+fn place(all: &[&Finding]) -> String {
+    match all {
+        [f] => format!(" ({} {})", f.site.kind, f.site.name),
+        _ => String::new(),
     }
 }
 
@@ -115,8 +147,8 @@ fn next(a: &Answer) -> String {
 
 /// What would confirm an answer that asks for no experiment.
 fn confirmation(a: &Answer) -> String {
-    let (faults, others) = told(&a.findings);
-    let mut channels: Vec<String> = faults.iter().map(|f| f.site.name.clone()).collect();
+    let (_, others) = told(&a.findings);
+    let mut channels: Vec<String> = a.faults.iter().map(|f| f.finding.site.name.clone()).collect();
     channels.dedup();
     match a.verdict {
         Verdict::DataFault if others.is_empty() => format!(

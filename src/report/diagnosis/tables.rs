@@ -1,7 +1,7 @@
 //! The tables of the page.
 
 use super::text;
-use crate::diagnose::answer::{Answer, Verdict};
+use crate::diagnose::answer::{Answer, DataFault, Verdict};
 use crate::diagnose::pictures::{Pictures, Standing};
 use crate::report::page::{estimates, head, quantity, table};
 use crate::report::svg::escaped;
@@ -26,6 +26,7 @@ pub fn findings(a: &Answer) -> String {
     let rows: Vec<Vec<String>> = a
         .findings
         .iter()
+        .filter(|f| !f.is_fault())
         .map(|f| {
             let values: Vec<String> = text::values(f).iter().map(|v| escaped(v)).collect();
             let ties = if f.ties.is_empty() {
@@ -53,11 +54,28 @@ pub fn findings(a: &Answer) -> String {
             Verdict::NothingMissing => {
                 "No mechanism of the catalogue: what the model leaves over looks like noise."
             }
+            Verdict::DataFault => "No mechanism of the catalogue beside the faults of the data.",
             _ => "No mechanism of the catalogue fits.",
         };
         return format!("<p>{says} The chance that all of it is noise: {}.</p>", chance(a.detection.p_value));
     }
     table(&["mechanism", "where", "values with 95 % intervals", "#share", "#chance of noise"], &rows)
+}
+
+/// What is wrong with the data, and whether it was kept from the fit.
+pub fn faults(a: &Answer) -> String {
+    let row = |DataFault { finding: f, masked }: &DataFault| {
+        let values: Vec<String> = text::values(f).iter().map(|v| escaped(v)).collect();
+        let says = escaped(&without_needless_zeros(&f.says));
+        vec![
+            format!("<b>{}</b><br>{says}", escaped(&f.code)),
+            escaped(&format!("{} {}", f.site.kind, f.site.name)),
+            values.join("<br>"),
+            if *masked { "yes" } else { "no" }.into(),
+        ]
+    };
+    let rows: Vec<Vec<String>> = a.faults.iter().map(row).collect();
+    table(&["fault", "where", "values", "kept from the fit"], &rows)
 }
 
 /// Before and after, on what was fitted and on what was held out.

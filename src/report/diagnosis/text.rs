@@ -2,7 +2,7 @@
 
 use super::tables::chance;
 use crate::diagnose::Diagnosis;
-use crate::diagnose::answer::{Answer, Finding, Proof, Value, Verdict};
+use crate::diagnose::answer::{Answer, DataFault, Finding, Proof, Value, Verdict};
 use crate::report::fit::untold;
 use crate::report::page::{estimate, estimates, interval};
 use crate::units::{figure, without_needless_zeros};
@@ -25,9 +25,10 @@ pub fn text(d: &Diagnosis) -> String {
     let a = &d.answer;
     let mut out = format!("{}\n\n{}\n", headline(a.verdict), wrapped(&without_needless_zeros(&a.says)));
     findings(&mut out, a);
+    faults(&mut out, a);
     proof(&mut out, a);
     parameters(&mut out, a);
-    out += &untold(&d.after.unseen);
+    out += &untold(&d.after.unseen, &d.after.determined);
     located(&mut out, a);
     let hints = hints(a);
     if !hints.is_empty() {
@@ -36,17 +37,27 @@ pub fn text(d: &Diagnosis) -> String {
     if a.verdict == Verdict::NothingMissing {
         visible(&mut out, a);
     }
+    notes(&mut out, a);
     out
 }
 
+fn notes(out: &mut String, a: &Answer) {
+    if !a.notes.is_empty() {
+        out.push_str("\nTo know beside:\n");
+    }
+    for note in &a.notes {
+        let _ = writeln!(out, "{}", wrapped(&without_needless_zeros(note)));
+    }
+}
+
 fn findings(out: &mut String, a: &Answer) {
-    if a.findings.is_empty() {
+    if a.findings.iter().all(Finding::is_fault) {
         return;
     }
     let sure = !matches!(a.verdict, Verdict::Unknown | Verdict::NotIdentifiable);
     let head = if sure { "finding" } else { "it resembles" };
     let _ = writeln!(out, "\n  {:<22} {:<22} {:>6}   values with 95 % intervals", head, "where", "share");
-    for f in &a.findings {
+    for f in a.findings.iter().filter(|f| !f.is_fault()) {
         let site = format!("{} {}", f.site.kind, f.site.name);
         let share = if f.share > 0.0 { format!("{:.0} %", 100.0 * f.share) } else { "–".into() };
         let _ = writeln!(out, "  {:<22} {site:<22} {share:>6}   {}", f.code, values(f).join(", "));
@@ -56,6 +67,20 @@ fn findings(out: &mut String, a: &Answer) {
         }
     }
     out.push_str("  `gyrospec explain CODE` says more of each.\n");
+}
+
+/// What is wrong with the data, and whether it was kept from the fit.
+fn faults(out: &mut String, a: &Answer) {
+    if a.faults.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "\n  {:<22} {:<22} {:>6}   values", "fault of the data", "where", "masked");
+    for DataFault { finding: f, masked } in &a.faults {
+        let site = format!("{} {}", f.site.kind, f.site.name);
+        let masked = if *masked { "yes" } else { "no" };
+        let _ = writeln!(out, "  {:<22} {site:<22} {masked:>6}   {}", f.code, values(f).join(", "));
+        let _ = writeln!(out, "      {}", f.says);
+    }
 }
 
 /// A unit behind a number; pure numbers have none.

@@ -57,7 +57,7 @@ pub fn interval(low: f64, high: f64) -> String {
 /// ```
 /// use gyrospec::report::page::estimate;
 /// assert_eq!(estimate(40.017, 39.5, 40.5), ("40.02".into(), "39.50 to 40.50".into()));
-/// assert_eq!(estimate(4.0, f64::NAN, 5.0).1, "–");
+/// assert_eq!(estimate(4.0, f64::NAN, 5.0).1, "up to 5");
 /// ```
 pub fn estimate(value: f64, low: f64, high: f64) -> (String, String) {
     let ([value], interval) = estimates([value], low, high);
@@ -68,7 +68,12 @@ pub fn estimate(value: f64, low: f64, high: f64) -> (String, String) {
 pub fn estimates<const N: usize>(values: [f64; N], low: f64, high: f64) -> ([String; N], String) {
     let last = values.last().copied().unwrap_or(f64::NAN);
     if !(high - low).is_finite() || !last.is_finite() {
-        return (values.map(figure), "–".into());
+        let interval = match (low.is_finite(), high.is_finite()) {
+            (true, false) => format!("from {}", figure(low)),
+            (false, true) => format!("up to {}", figure(high)),
+            _ => "–".into(),
+        };
+        return (values.map(figure), interval);
     }
     let digits = digits_within(last, high - low);
     let shown = |x: f64| if x.is_finite() { significant(x, digits) } else { figure(x) };

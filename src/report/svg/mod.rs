@@ -12,6 +12,7 @@ mod thin;
 
 pub use axis::{Scale, tick_text, ticks};
 
+use crate::text::shown as visible;
 use axis::Axis;
 use std::fmt::Write;
 
@@ -308,7 +309,7 @@ fn layer(svg: &mut String, layer: &Layer, x: &Axis, y: &Axis) {
 
 /// Text with the signs of HTML made harmless.
 pub fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    visible(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

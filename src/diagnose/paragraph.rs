@@ -1,0 +1,130 @@
+//! The paragraph that says it all.
+
+use super::answer::{DataFault, Finding, Proof, Verdict, told};
+use super::rest::Law;
+use super::search::Found;
+use super::words;
+use crate::model::Model;
+
+/// What it is made of.
+pub struct Paragraph<'a> {
+    /// The model.
+    pub model: &'a Model,
+    /// The outcome of the search.
+    pub found: &'a Found,
+    /// The verdict on the physics, and that on physics and data.
+    pub verdicts: (Verdict, Verdict),
+    /// The physics, largest share first.
+    pub findings: &'a [Finding],
+    /// What is wrong with the data.
+    pub faults: &'a [DataFault],
+    /// Before and after.
+    pub proof: &'a [Proof],
+    /// Why the recording cannot tell, if so.
+    pub blind: Option<&'a str>,
+    /// The law that is left, if one is.
+    pub law: Option<&'a Law>,
+}
+
+impl Paragraph<'_> {
+    /// The text.
+    pub fn text(&self) -> String {
+        let (physics, verdict) = self.verdicts;
+        if verdict == Verdict::DataFault {
+            let all = joined(self.faults.iter().map(|f| &f.finding));
+            return format!("The data are at fault: {all}. {}", self.beside(physics));
+        }
+        format!("{}{}", self.physics(), self.mended())
+    }
+
+    /// What stands beside faults that have taken the verdict.
+    fn beside(&self, physics: Verdict) -> String {
+        match physics {
+            Verdict::NothingMissing => {
+                "Beside that nothing is missing: what the model leaves over looks like noise in every test."
+                    .into()
+            }
+            Verdict::NotIdentifiable => {
+                format!("What they leave cannot tell whether anything is missing: {}.", self.reason())
+            }
+            _ => format!("Beside that, as far as such data can tell: {}", self.physics()),
+        }
+    }
+
+    /// Faults that leave the verdict to the physics.
+    fn mended(&self) -> String {
+        let all =
+            |masked: bool| joined(self.faults.iter().filter(|f| f.masked == masked).map(|f| &f.finding));
+        let said =
+            |list: String, words: &str| if list.is_empty() { list } else { format!(" {words}: {list}.") };
+        said(all(true), "Faults of the data were left out or mended first")
+            + &said(all(false), "The data have a fault that nothing can mend")
+    }
+
+    fn reason(&self) -> &str {
+        self.blind.unwrap_or("it moves too little")
+    }
+
+    fn physics(&self) -> String {
+        let (_, others) = told(self.findings);
+        let list = joined(others.iter().copied());
+        let opening = match self.verdicts.0 {
+            Verdict::NothingMissing | Verdict::DataFault => {
+                return "Nothing is missing: what the model leaves over looks like noise in every test."
+                    .into();
+            }
+            Verdict::NotIdentifiable => {
+                return format!("This recording cannot tell what is missing: {}.", self.reason());
+            }
+            Verdict::Named => format!("The model leaves out: {list}."),
+            Verdict::Tie => {
+                let ties = self.findings.first().map(|f| f.ties.join(", ")).unwrap_or_default();
+                let of = if others.len() > 1 { "In place of the first, " } else { "" };
+                format!("The model leaves out: {list}. {of}{ties} would fit as well.")
+            }
+            Verdict::Unknown => self.unknown(&list),
+        };
+        if self.found.taken.is_empty() { opening } else { format!("{opening} {}", self.gains()) }
+    }
+
+    fn unknown(&self, list: &str) -> String {
+        let named = |s: &String| words::signal(self.model, s);
+        let law = self.law.map(|l| l.signals.iter().map(named).collect::<Vec<_>>().join(" and "));
+        match (list, law) {
+            ("", None) => {
+                let nearest = self.found.first.screened.first().map_or_else(String::new, |s| {
+                    format!(" Nearest in shape: {} at {}.", s.proposal.code, s.proposal.site.name)
+                });
+                format!(
+                    "Something is missing, but nothing in the catalogue lowers the error by 2 %, too little for a name.{nearest}"
+                )
+            }
+            ("", Some(law)) => {
+                format!("Something is missing that the catalogue has no name for; it goes with {law}.")
+            }
+            (list, None) => format!(
+                "Something is missing, but no name for it stands on what was held out. It resembles: {list}."
+            ),
+            (list, Some(law)) => format!(
+                "Something is missing that the catalogue has no name for; it goes with {law}. It resembles: {list}."
+            ),
+        }
+    }
+
+    /// The fall of the held-out errors.
+    fn gains(&self) -> String {
+        let told = self.proof.iter().filter(|p| p.holdout_before.is_finite()).map(|p| {
+            format!(
+                "On what was held out the error of “{}” is {} before and {} after.",
+                p.output,
+                words::quantity(p.holdout_before, &p.unit),
+                words::quantity(p.holdout_after, &p.unit)
+            )
+        });
+        told.collect::<Vec<_>>().join(" ")
+    }
+}
+
+fn joined<'a>(all: impl Iterator<Item = &'a Finding>) -> String {
+    all.map(|f| f.says.as_str()).collect::<Vec<_>>().join("; ")
+}

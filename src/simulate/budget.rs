@@ -1,0 +1,183 @@
+//! What a long computation may spend: steps of the solver, and wall time for who asks.
+//!
+//! # Purpose
+//! A fit that has run to where its model is stiff would take hours. A budget ends it with the best so far.
+//!
+//! # Method
+//! Steps are counted, each once for its values and once for each of its sensitivities, so that the same
+//! inputs end at the same place on every machine. A part of a budget counts for the whole as well, but asks
+//! for its own steps alone: parts run beside each other, and what the others have spent by some moment
+//! depends on the machine. The whole is asked while no part of it runs. Time is asked at any moment, even
+//! inside a run.
+
+use crate::{Error, Result};
+use serde::Serialize;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// What ended a computation before it was through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Early {
+    /// The steps of the solver were spent.
+    Steps,
+    /// The time was up.
+    Time,
+}
+
+impl Early {
+    /// The reason in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Steps => "its simulated steps were spent",
+            Self::Time => "the time given was up",
+        }
+    }
+}
+
+/// A budget, or a part of one, shared by all that spend it.
+#[derive(Debug, Clone)]
+pub struct Budget {
+    whole: Arc<Whole>,
+    own: Arc<Own>,
+}
+
+/// What all parts share.
+#[derive(Debug)]
+struct Whole {
+    until: Option<Instant>,
+    /// 0 for nothing, 1 where a part was ended by its steps, 2 by the time.
+    cut: AtomicU8,
+}
+
+#[derive(Debug)]
+struct Own {
+    most: u64,
+    spent: AtomicU64,
+    /// Whether what is left is finished whatever the time.
+    is_lifted: AtomicBool,
+    /// What this is a part of.
+    of: Option<Arc<Own>>,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Self::new(u64::MAX, None)
+    }
+}
+
+impl Budget {
+    /// So many steps at most, and so much time from now on.
+    pub fn new(most: u64, time: Option<Duration>) -> Self {
+        let until = time.and_then(|t| Instant::now().checked_add(t));
+        let own = Own { most, spent: AtomicU64::new(0), is_lifted: AtomicBool::new(false), of: None };
+        Self { whole: Arc::new(Whole { until, cut: AtomicU8::new(0) }), own: Arc::new(own) }
+    }
+
+    fn with(&self, most: u64) -> Self {
+        let is_lifted = AtomicBool::new(self.own.is_lifted.load(Ordering::Relaxed));
+        let own = Own { most, spent: AtomicU64::new(0), is_lifted, of: Some(Arc::clone(&self.own)) };
+        Self { whole: Arc::clone(&self.whole), own: Arc::new(own) }
+    }
+
+    /// A part that ends after a share of the steps, one in so many.
+    #[must_use]
+    pub fn part(&self, one_in: u64) -> Self {
+        self.with(if self.own.most == u64::MAX { u64::MAX } else { self.own.most / one_in.max(1) })
+    }
+
+    /// A part with all steps that are left; to be asked for while nothing runs beside.
+    #[must_use]
+    pub fn rest(&self) -> Self {
+        self.with(self.own.most.saturating_sub(self.spent()))
+    }
+
+    /// Counts steps.
+    pub(super) fn spend(&self, steps: u64) {
+        let mut own = Some(&self.own);
+        while let Some(o) = own {
+            o.spent.fetch_add(steps, Ordering::Relaxed);
+            own = o.of.as_ref();
+        }
+    }
+
+    /// Steps spent, by all parts together.
+    pub fn spent(&self) -> u64 {
+        self.own.spent.load(Ordering::Relaxed)
+    }
+
+    /// Steps that may be spent.
+    pub fn most(&self) -> u64 {
+        self.own.most
+    }
+
+    /// Whether the time is up.
+    fn is_late(&self) -> bool {
+        let is_up = |until: Instant| Instant::now() >= until;
+        !self.own.is_lifted.load(Ordering::Relaxed) && self.whole.until.is_some_and(is_up)
+    }
+
+    /// Refuses to go on once the time is up, and remembers it: whoever asks would have gone on.
+    pub(super) fn in_time(&self) -> Result<()> {
+        if self.is_late() {
+            self.tell(Some(Early::Time));
+            return Err(Error::not_computed("the time given was up").with_hint("give a longer --time-limit"));
+        }
+        Ok(())
+    }
+
+    /// What ends it now, if anything does; to be asked while no part of it runs.
+    pub fn over(&self) -> Option<Early> {
+        let is_spent = self.spent() >= self.own.most;
+        let early = if is_spent { Some(Early::Steps) } else { self.is_late().then_some(Early::Time) };
+        self.tell(early);
+        early
+    }
+
+    /// Remembers that something ended a computation early.
+    pub fn tell(&self, early: Option<Early>) {
+        let cut = early.map_or(0, |e| if e == Early::Steps { 1 } else { 2 });
+        self.whole.cut.fetch_max(cut, Ordering::Relaxed);
+    }
+
+    /// What ended any part early, if anything did.
+    pub fn cut(&self) -> Option<Early> {
+        [None, Some(Early::Steps), Some(Early::Time)][usize::from(self.whole.cut.load(Ordering::Relaxed))]
+    }
+
+    /// What is left is finished, whatever the time.
+    pub fn lift_time(&self) {
+        self.own.is_lifted.store(true, Ordering::Relaxed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_part_counts_for_the_whole_and_ends_by_its_own_steps() {
+        let whole = Budget::new(100, None);
+        let (a, b) = (whole.part(4), whole.part(2));
+        a.spend(25);
+        assert_eq!((a.over(), b.over(), whole.over()), (Some(Early::Steps), None, None));
+        b.rest().spend(49);
+        assert_eq!((b.over(), whole.over(), b.rest().most()), (None, None, 1));
+        b.spend(26);
+        assert_eq!((b.over(), whole.over()), (Some(Early::Steps), Some(Early::Steps)));
+        assert_eq!((whole.spent(), whole.cut()), (100, Some(Early::Steps)));
+        assert!(Budget::default().cut().is_none());
+    }
+
+    #[test]
+    fn time_that_is_up_ends_everything_until_it_is_lifted() {
+        let whole = Budget::new(u64::MAX, Some(Duration::ZERO));
+        let part = whole.part(2);
+        assert!(whole.cut().is_none());
+        assert!(part.in_time().is_err() && whole.cut() == Some(Early::Time));
+        assert!(part.over() == Some(Early::Time));
+        part.lift_time();
+        assert!(part.in_time().is_ok() && part.over().is_none() && whole.over() == Some(Early::Time));
+    }
+}

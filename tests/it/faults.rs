@@ -1,0 +1,206 @@
+//! Faults of the data beside physics: two questions, two answers.
+
+use crate::diagnose::{diagnosed, moved, noise, recording};
+use gyrospec::diagnose::answer::{Answer, Verdict};
+use gyrospec::diagnose::laboratory::Scenario;
+use gyrospec::diagnose::{Request, diagnose};
+use gyrospec::estimate::fit::Silent;
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Kind, Recording};
+use gyrospec::units::Unit;
+
+const FRICTION: &str = "1.5*sign(v)";
+
+fn codes(a: &Answer) -> Vec<&str> {
+    a.findings.iter().map(|f| f.code.as_str()).collect()
+}
+
+fn faults(a: &Answer) -> Vec<(&str, &str, bool)> {
+    a.faults.iter().map(|f| (f.finding.code.as_str(), f.finding.site.name.as_str(), f.masked)).collect()
+}
+
+fn values<'a>(recording: &'a mut Recording, name: &str) -> &'a mut Vec<f64> {
+    &mut recording.channels.iter_mut().find(|c| c.name == name).unwrap().values
+}
+
+/// Repeats one value of the position for 3 s.
+fn stick(recording: &mut Recording) {
+    let position = values(recording, "position");
+    let held = position[1000];
+    position[1000..1300].fill(held);
+}
+
+fn friction_is_named(a: &Answer) {
+    assert_eq!(a.verdict, Verdict::Named, "{}", a.says);
+    assert_eq!(codes(a), ["dry-friction"], "{}", a.says);
+    assert!((a.findings[0].parameters[0].value - 1.5).abs() < 0.1, "{:?}", a.findings[0]);
+    assert!(a.located.sites.iter().all(|s| s.kind == "state"), "{:?}", a.located.sites);
+}
+
+#[test]
+fn a_masked_fault_hides_no_name() {
+    let (model, mut stuck) = recording(Some(FRICTION));
+    stick(&mut stuck);
+    values(&mut stuck, "position")[2000] += 5.0;
+    let a = diagnosed(&model, stuck).answer;
+    friction_is_named(&a);
+    let expected = [("frozen-channel", "position", true), ("outliers", "position", true)];
+    assert_eq!(faults(&a), expected);
+    assert!(a.says.contains("position is stuck at") && a.says.contains("The model leaves out"), "{}", a.says);
+}
+
+#[test]
+fn a_channel_of_the_wrong_sign_is_mended_and_hides_no_name() {
+    let (model, mut turned) = recording(Some(FRICTION));
+    for f in values(&mut turned, "force") {
+        *f = -*f;
+    }
+    let a = diagnosed(&model, turned).answer;
+    friction_is_named(&a);
+    // Turned over, the force and the position are the same fault.
+    assert_eq!(
+        (a.faults.len(), a.faults[0].finding.code.as_str(), a.faults[0].masked),
+        (1, "wrong-sign", true)
+    );
+}
+
+/// A record that is held out whole is mended as the fitted one is.
+#[test]
+fn a_wrong_unit_is_mended_in_the_separate_record_too() {
+    let (model, mut whole) = recording(Some(FRICTION));
+    for q in values(&mut whole, "position") {
+        *q *= 1e3;
+    }
+    let cut = |from: usize, to: usize| {
+        let part = |c: &Channel| {
+            Channel::new(&*c.name, c.unit.clone(), c.time[from..to].to_vec(), c.values[from..to].to_vec())
+        };
+        Recording::from_channels("part", whole.channels.iter().map(part).collect()).unwrap()
+    };
+    let (recordings, separate) = ([cut(0, 3000)], [cut(3000, 5000)]);
+    let request = Request {
+        model: &model,
+        source: None,
+        recordings: &recordings,
+        separate: &separate,
+        time_limit: None,
+        seed: 1,
+        progress: &Silent,
+    };
+    let a = diagnose(&request).unwrap().answer;
+    friction_is_named(&a);
+    assert_eq!(faults(&a), [("wrong-unit", "position", true)]);
+    assert!(a.proof[0].improvement_low > 0.0, "{:?}", a.proof);
+}
+
+/// What is commanded may rest, step and leap; lost samples of it still count.
+#[test]
+fn a_command_that_is_held_or_leaps_has_no_fault() {
+    let mut scenario = Scenario::axis(5).unwrap();
+    let force = values(&mut scenario.recording, "force");
+    let held = force[1200];
+    force[1200..1900].fill(held);
+    for spike in [2200, 2600, 3300, 4100] {
+        force[spike] += 90.0;
+    }
+    let (model, made) = moved(scenario, None);
+    let a = diagnosed(&model, made.clone()).answer;
+    assert_eq!(a.verdict, Verdict::NothingMissing, "{}", a.says);
+    assert_eq!(faults(&a), []);
+    let mut lost = made;
+    values(&mut lost, "force")[3400..3700].fill(f64::NAN);
+    let a = diagnosed(&model, lost).answer;
+    assert_eq!((a.verdict, faults(&a)), (Verdict::DataFault, vec![("gap", "force", true)]), "{}", a.says);
+}
+
+/// An input that is held throughout is an input; that its sign and unit cannot be seen is no fault.
+#[test]
+fn an_input_held_throughout_is_no_fault() {
+    let mut scenario = Scenario::axis(5).unwrap();
+    values(&mut scenario.recording, "force").fill(12.0);
+    let (model, made) = moved(scenario, None);
+    let a = diagnosed(&model, made).answer;
+    assert_eq!(faults(&a), [], "{}", a.says);
+    assert_ne!(a.verdict, Verdict::DataFault);
+}
+
+#[test]
+fn an_output_that_never_changes_is_frozen() {
+    let (model, mut still) = recording(None);
+    values(&mut still, "position").fill(0.25);
+    let frozen = |r: Recording, model: &Model| {
+        let a = diagnosed(model, r).answer;
+        assert_eq!(a.verdict, Verdict::DataFault, "{}", a.says);
+        assert_eq!(codes(&a), ["frozen-channel"]);
+        assert_eq!(faults(&a), [("frozen-channel", "position", true)]);
+        assert!(a.says.contains("position is stuck at 0.25 m"), "{}", a.says);
+        assert!(a.proof.len() == 1 && a.proof[0].holdout_after.is_nan());
+    };
+    frozen(still.clone(), &model);
+    values(&mut still, "position")[1000..2200].fill(f64::NAN);
+    frozen(still.clone(), &model);
+    // a table of trials
+    let (time, force): (Vec<f64>, Vec<f64>) = (0..40).map(|i| (f64::from(i), f64::from(i % 8))).unzip();
+    let channel =
+        |name: &str, unit: &str, v: Vec<f64>| Channel::new(name, Unit::parse(unit).unwrap(), time.clone(), v);
+    let channels = vec![channel("force", "N", force), channel("position", "m", vec![0.25; 40])];
+    let trials = Recording::from_channels("trials", channels).unwrap().with_kind(Kind::Trials);
+    let text = r#"
+        name = "spring"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        k = { value = 10, unit = "N/m", fit = true }
+        [outputs]
+        position = { equals = "force/k", unit = "m" }
+    "#;
+    frozen(trials, &Model::parse(text).unwrap());
+}
+
+/// A second output, dead from the beginning, neither hides what the first shows nor is it fitted.
+#[test]
+fn a_dead_output_does_not_hide_what_another_shows() {
+    let (model, mut made) = recording(Some(FRICTION));
+    let text = model.to_toml() + "\n[outputs.speed]\nequals = \"v\"\nunit = \"m/s\"\n";
+    let both = Model::parse(&text).unwrap();
+    let time = made.channels[0].time.to_vec();
+    let dead = vec![0.1; time.len()];
+    made.channels.push(Channel::new("speed", Unit::parse("m/s").unwrap(), time, dead));
+    let d = diagnosed(&both, made);
+    friction_is_named(&d.answer);
+    assert_eq!(faults(&d.answer), [("frozen-channel", "speed", true)]);
+    let outputs: Vec<&str> = d.answer.proof.iter().map(|p| p.output.as_str()).collect();
+    assert_eq!(outputs, ["position", "speed"]);
+    assert!(d.answer.proof[0].holdout_after.is_finite() && d.answer.proof[1].holdout_after.is_nan());
+    let kept: Vec<&str> = d.after.model.outputs.iter().map(|o| o.name.as_str()).collect();
+    assert_eq!(kept, ["position", "speed"]);
+}
+
+/// Where most of what was held out is lost and nothing proves the name, the fault leaves the question open.
+#[test]
+fn a_name_without_proof_left_is_open() {
+    let (model, mut stuck) = recording(Some(FRICTION));
+    let position = values(&mut stuck, "position");
+    let held = position[2990];
+    position[2990..].fill(held);
+    let a = diagnosed(&model, stuck).answer;
+    assert_eq!(a.verdict, Verdict::DataFault, "{}", a.says);
+    assert_eq!(codes(&a)[0], "frozen-channel");
+    assert_eq!(faults(&a), [("frozen-channel", "position", true)]);
+}
+
+/// Steps so coarse that the misfit is theirs alone are told, and nothing can mend them.
+#[test]
+fn coarse_steps_are_told_and_not_masked() {
+    let (model, mut coarse) = recording(None);
+    let position = values(&mut coarse, "position");
+    let size = position.iter().fold(0.0_f64, |a, q| a.max(q.abs()));
+    let jitter = noise(position.len(), 3);
+    let step = size / 4.0;
+    for (q, e) in position.iter_mut().zip(jitter) {
+        *q = ((*q + 1e-3 * step * e) / step).round() * step;
+    }
+    let a = diagnosed(&model, coarse).answer;
+    assert_eq!(a.verdict, Verdict::DataFault, "{}", a.says);
+    assert_eq!(faults(&a), [("quantisation", "position", false)]);
+}

@@ -1,0 +1,208 @@
+//! Every option is used or refused: each pair of them is called, from the parser's own list.
+
+use clap::CommandFactory;
+use rayon::prelude::*;
+use std::path::Path;
+use std::process::Command;
+
+/// An argument of a subcommand with words that make a difference; `%` stands for a new file.
+struct Given {
+    id: String,
+    words: Vec<String>,
+    /// The file that it writes.
+    file: Option<String>,
+}
+
+/// All arguments of a subcommand, each with the words of the list; one that the list lacks fails.
+fn arguments(name: &str, list: &[(&str, &str)]) -> Vec<Given> {
+    let program = gyrospec::cli::Cli::command();
+    let command = program.find_subcommand(name).unwrap();
+    let ids = command.get_arguments().map(|a| a.get_id().as_str()).filter(|i| *i != "help");
+    ids.map(|id| {
+        let (_, words) =
+            list.iter().find(|(i, _)| *i == id).unwrap_or_else(|| panic!("{name}: give {id} a value here"));
+        let words: Vec<String> = words.split(' ').map(|w| w.replace('%', &format!("{id}.out"))).collect();
+        let file = words.iter().find(|w| w.contains(".out")).cloned();
+        Given { id: id.to_owned(), words, file }
+    })
+    .collect()
+}
+
+/// Exit code, answer and whether each file that was to be written is there.
+fn called(name: &str, folder: &Path, parts: &[&Given], before: &[&str]) -> (i32, String) {
+    let own = tempfile::tempdir_in(folder).unwrap();
+    for file in ["compass.toml", "gimbal.toml", "roll.csv"] {
+        std::fs::copy(folder.join(file), own.path().join(file)).unwrap();
+    }
+    let words = parts.iter().flat_map(|p| &p.words);
+    let out = Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+        .current_dir(own.path())
+        .arg(name)
+        .args(words)
+        .args(before)
+        .output()
+        .unwrap();
+    let code = out.status.code().unwrap();
+    let missing = parts.iter().filter_map(|p| p.file.as_ref()).find(|f| !own.path().join(f).exists());
+    if let (0, Some(file)) = (code, missing) {
+        panic!("{name} {:?}: wrote no {file}", parts.iter().map(|p| &p.id).collect::<Vec<_>>());
+    }
+    (code, String::from_utf8_lossy(&out.stdout).into_owned())
+}
+
+/// Words beside those of a call; the free motion takes none.
+fn beside<'a>(parts: &[&Given], before: &[&'a str]) -> Vec<&'a str> {
+    if parts.iter().any(|g| g.id == "free") { Vec::new() } else { before.to_vec() }
+}
+
+/// What is wrong with a pair: neither refused nor seen in the answer, as text or JSON, beside each alone.
+fn dropped(
+    name: &str,
+    folder: &Path,
+    pair: [(&Given, &(i32, String)); 2],
+    before: &[&str],
+) -> Option<String> {
+    let parts = pair.map(|p| p.0);
+    let ids = format!("{} {}", parts[0].id, parts[1].id);
+    let both = called(name, folder, &parts, &beside(&parts, before));
+    match both.0 {
+        2 => return None,
+        0 => {}
+        code => return Some(format!("{ids}: ends with {code}")),
+    }
+    let in_json = |parts: &[&Given]| {
+        let words: Vec<&str> = beside(parts, before).into_iter().chain(["--json"]).collect();
+        called(name, folder, parts, &words)
+    };
+    for ((left, _), (stays, alone)) in [(pair[0], pair[1]), (pair[1], pair[0])] {
+        // what wrote its file was used
+        if left.file.is_some() || *alone != both {
+            continue;
+        }
+        if parts.iter().any(|g| g.id == "json") || in_json(&[stays]) == in_json(&parts) {
+            return Some(format!("{ids}: {} is dropped", left.id));
+        }
+    }
+    None
+}
+
+/// Goes through all pairs of a subcommand's arguments beside other words.
+fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {
+    let folder = tempfile::tempdir().unwrap();
+    let put = |file: &str, text: &str| std::fs::write(folder.path().join(file), text).unwrap();
+    put("compass.toml", "[parameters]\nT = { value = 0.6, unit = \"s\" }\n");
+    put("gimbal.toml", "[parameters]\nomega0 = 120.0\n");
+    let roll =
+        std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/roll.csv")).unwrap();
+    // a second channel of roll, so that a name makes a difference
+    let rows = roll.lines().take(1500).enumerate().map(|(k, row)| match row.rsplit_once(',') {
+        Some((_, x)) if k > 0 => format!("{row},{}\n", 0.5 * x.parse::<f64>().unwrap_or(0.0)),
+        _ => format!("{row},starboard [deg]\n"),
+    });
+    put("roll.csv", &rows.collect::<String>());
+    let all = arguments(name, list);
+    let alone: Vec<(i32, String)> =
+        all.par_iter().map(|g| called(name, folder.path(), &[g], &beside(&[g], before))).collect();
+    let pairs: Vec<(usize, usize)> =
+        (0..all.len()).flat_map(|i| (i + 1..all.len()).map(move |j| (i, j))).collect();
+    let check = |&(i, j): &(usize, usize)| {
+        dropped(name, folder.path(), [(&all[i], &alone[i]), (&all[j], &alone[j])], before)
+    };
+    let wrong: Vec<String> = pairs.par_iter().filter_map(check).collect();
+    assert!(wrong.is_empty(), "{name} {before:?}, {} of {}:\n{}", wrong.len(), pairs.len(), wrong.join("\n"));
+}
+
+/// Values that no argument has by default.
+const ROLL_ERROR: [(&str, &str); 29] = [
+    ("model_or_parameters", "compass.toml"),
+    ("recording", "compass.toml roll.csv"),
+    ("roll", "--roll starboard"),
+    ("inertia", "--inertia"),
+    ("flow", "--flow 4s,0.2"),
+    ("meridian", "--meridian 2e5N/m,1s"),
+    ("vertical", "--vertical 1e4N/m,0.5s"),
+    ("friction", "--friction 0.5N"),
+    ("free_play", "--free-play 1um"),
+    ("latitude", "--latitude 55"),
+    ("lever", "--lever 4m"),
+    ("speed", "--speed 12kn"),
+    ("irregular", "--irregular 4deg,0.06,0.65"),
+    ("regular", "--regular 5deg,0.7"),
+    ("sea", "--sea jonswap"),
+    ("height", "--height 2m"),
+    ("period", "--period 7s"),
+    ("gamma", "--gamma 2"),
+    ("sea_from", "--sea-from 60"),
+    ("ship", "--ship 10s,0.1,0.8,12m"),
+    ("also", "--also heave"),
+    ("band", "--band 2.5"),
+    ("against", "--against latitude"),
+    ("headings", "--heading 30"),
+    ("simulate", "--simulate 2"),
+    ("seed", "--seed 7"),
+    ("free", "--free"),
+    ("formula", "--formula"),
+    ("svg", "--svg %"),
+];
+
+fn roll_error() -> Vec<(&'static str, &'static str)> {
+    ROLL_ERROR.iter().copied().chain([("html", "--html %"), ("json", "--json")]).collect()
+}
+
+#[test]
+fn each_pair_of_options_of_the_rolling_error_is_used_or_refused() {
+    each_pair("roll-error", &roll_error(), &["--heading", "45"]);
+}
+
+#[test]
+fn the_same_in_a_sea() {
+    let list: Vec<_> = roll_error()
+        .into_iter()
+        .map(|(id, words)| (id, if id == "simulate" { "--seed 7" } else { words }))
+        .collect();
+    each_pair("roll-error", &list, &["--heading", "45", "--sea", "jonswap"]);
+}
+
+#[test]
+fn each_pair_of_options_of_the_gimbal_is_used_or_refused() {
+    each_pair("gimbal", &[("parameters", "gimbal.toml"), ("corner", "--corner 3"), ("json", "--json")], &[]);
+}
+
+/// Exit code and both outputs of a command of roll-error on a model file.
+fn on_model(text: &str) -> (i32, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("model.toml");
+    std::fs::write(&file, text).unwrap();
+    let out = Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+        .arg("roll-error")
+        .arg(&file)
+        .args(["--heading", "45"])
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&out.stdout) + String::from_utf8_lossy(&out.stderr);
+    (out.status.code().unwrap(), said.into_owned())
+}
+
+#[test]
+fn a_model_with_equations_of_its_own_is_refused_and_one_that_only_looks_so_is_not() {
+    let changed = "extends = \"gyrosphere\"\n[definitions]\nW1 = { equals = \"-2*h*roll_acc*cos(heading)\", unit = \"cm/s^2\" }\n";
+    let (code, said) = on_model(changed);
+    assert!(code == 2 && said.contains("equations of its own") && said.contains("W1"), "{said}");
+    // the same, written another way
+    let same = changed.replace("-2*h*roll_acc*cos(heading)", "-cos(heading)*roll_acc*h");
+    assert_eq!(on_model(&same).0, 0);
+    // whole models: each built-in as it prints, and with one sign turned
+    for name in ["gyrosphere", "gyrosphere-inertia", "gyrosphere-flow", "gyrosphere-under-way"] {
+        let whole = gyrospec::model::Model::builtin(name).unwrap().to_toml();
+        let (code, said) = on_model(&whole);
+        assert_eq!(code, 0, "{name}: {said}");
+        let turned = whole.replacen("-F*beta", "F*beta", 1);
+        assert_ne!(turned, whole);
+        let (code, said) = on_model(&turned);
+        assert!(code == 2 && said.contains("lambda"), "{name}: {said}");
+    }
+    let output =
+        "extends = \"gyrosphere\"\n[outputs]\nalpha = { equals = \"azimuth + 0.01\", unit = \"deg\" }\n";
+    let (code, said) = on_model(output);
+    assert!(code == 2 && said.contains("alpha"), "{said}");
+}
