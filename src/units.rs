@@ -40,7 +40,7 @@ pub struct Unit {
     dimension: Dimension,
     /// The power of an angle, which the dimension leaves out.
     angle: Ratio,
-    /// What it counts, where it counts something.
+    /// The names in it that count something.
     counts: Counts,
 }
 
@@ -61,7 +61,7 @@ impl Unit {
 
     /// The SI unit of a dimension, with a readable name (`N`, `m/s^2`, `V/s`).
     pub fn of(dimension: Dimension) -> Self {
-        let (angle, counts) = (Ratio::ZERO, Counts::Nothing);
+        let (angle, counts) = (Ratio::ZERO, Counts::NOTHING);
         Self { text: dimension.to_string(), mantissa: 1.0, decade: 0, offset: 0.0, dimension, angle, counts }
     }
 

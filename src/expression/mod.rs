@@ -26,6 +26,7 @@
 //! # Ok::<(), gyrospec::Error>(())
 //! ```
 
+mod angle;
 mod dimension;
 mod function;
 mod parse;
@@ -34,6 +35,8 @@ mod tree;
 mod turning;
 mod walk;
 
+pub use angle::Angles;
+pub(crate) use angle::turns;
 pub use dimension::Scope;
 pub use function::Function;
 pub use tree::{BinaryOp, Expr};

@@ -119,8 +119,8 @@ const GIMBAL: [(&str, Range); 12] = [
     ("Omega", range("the ring's speed", "rad/s", [1e-2, 1e5])),
     ("cx", range("a spring's stiffness", "N*m", [-1e6, 1e6])),
     ("cy", range("a spring's stiffness", "N*m", [-1e6, 1e6])),
-    ("dx", range("a damping", "N*m*s", [0.0, 1e6])),
-    ("dy", range("a damping", "N*m*s", [0.0, 1e6])),
+    ("dx", range("a damping", "N*m*s/rad", [0.0, 1e6])),
+    ("dy", range("a damping", "N*m*s/rad", [0.0, 1e6])),
     ("Qx", range("an intensity of torque noise", "N^2*m^2*s", [0.0, 1e3])),
     ("Qy", range("an intensity of torque noise", "N^2*m^2*s", [0.0, 1e3])),
     ("sigma", meant("a standard deviation of base rates", "rad/s", [0.0, 10.0], &["deg/s", "mrad/s"])),
@@ -176,6 +176,11 @@ impl Range {
             return Err(Error::new(ErrorKind::Units, format!("{text} where {} is meant", self.unit)));
         }
         meant.turns_or_radians(&unit).map_err(|e| e.about(self.what))?;
+        if self.unit == "1/s" && unit.counts_events() {
+            let message = format!("{unit} is given where {meant} is meant: are these turns or radians?");
+            let e = Error::new(ErrorKind::Units, message).about(self.what);
+            return Err(e.with_hint("write 1/s: to fall to 1/e in a second is 1/s, whether it swings or not"));
+        }
         let value = unit.to_si(number);
         if self.holds(value) { Ok(value) } else { Err(self.outside(value, Some(&unit))) }
     }
@@ -245,5 +250,12 @@ mod tests {
         let e = ROLL_FREQUENCY.read(0.1, Some("Hz")).unwrap_err().to_string();
         assert!(e.contains("turns or radians?") && e.contains("for radians a second write rad/s"), "{e}");
         assert!(ROLL_FREQUENCY.read(0.8, Some("1/s")).is_ok());
+        let e = ROLL_DECAY.read(0.1, Some("Hz")).unwrap_err().to_string();
+        assert!(e.contains("Hz is given where 1/s is meant: are these turns or radians?"), "{e}");
+        assert_eq!(ROLL_DECAY.read(3.0, Some("1/min")).unwrap(), 0.05);
+        let damping = of_gimbal("dx").unwrap();
+        let e = damping.read(1e-3, Some("N*m*min")).unwrap_err().to_string();
+        assert!(e.contains("turns or radians?") && e.contains("N*m*min/rev"), "{e}");
+        assert_eq!(damping.read(1e-3, Some("N*m*s")).unwrap(), 1e-3);
     }
 }

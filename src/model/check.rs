@@ -55,7 +55,8 @@ impl Model {
         self.definition_order().map(|_| ()).map_err(|(name, e)| {
             let path = format!("definitions.{name}.equals");
             places.put(&path, e)
-        })
+        })?;
+        self.turns_or_radians(places)
     }
 
     fn distinct_names(&self) -> Result<()> {

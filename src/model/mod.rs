@@ -17,6 +17,7 @@
 //! # Ok::<(), gyrospec::Error>(())
 //! ```
 
+mod angular;
 mod builtin;
 mod check;
 mod form;

@@ -82,6 +82,9 @@ impl Reader<'_> {
         let Some(section) = root.table(name)? else { return Ok(()) };
         for (entry, span, fields) in section.tables()? {
             self.name(entry, name, &span)?;
+            if let (Some(field), Some(unit)) = (fields.field("unit"), fields.string("unit")?) {
+                self.places.add(fields.path_of("unit"), self.text, &field.span, unit);
+            }
             match name {
                 "inputs" => self.input(entry, &fields)?,
                 "parameters" => self.parameter(entry, &fields)?,

@@ -30,11 +30,11 @@ pub struct OutputSignal {
 }
 
 /// The channel of an input or output, with the dimension that the model expects.
-pub(super) fn channel<'a>(
+fn channel<'a>(
+    model: &Model,
     recording: &'a Recording,
-    name: &str,
+    (what, name): (&str, &str),
     unit: &Unit,
-    what: &str,
 ) -> Result<&'a Channel> {
     let channel = recording.channel(name).map_err(|e| e.about(&format!("{what} {name}")))?;
     if channel.unit.dimension() != unit.dimension() {
@@ -42,7 +42,8 @@ pub(super) fn channel<'a>(
             format!("{what} {name} has the unit {unit} in the model, but {} in the recording", channel.unit);
         return Err(Error::new(ErrorKind::Units, message));
     }
-    unit.turns_or_radians(&channel.unit).map_err(|e| e.about(&format!("{what} {name}")))?;
+    let taken = model.takes_unit(&format!("{what}s"), name, &channel.unit);
+    taken.map_err(|e| e.about(&format!("{what} {name}")))?;
     Ok(channel)
 }
 
@@ -52,7 +53,7 @@ pub(super) fn inputs(model: &Model, recording: &Recording) -> Result<Vec<Samples
         .inputs
         .iter()
         .map(|input| {
-            let samples = Samples::of(channel(recording, &input.name, &input.unit, "input")?);
+            let samples = Samples::of(channel(model, recording, ("input", &input.name), &input.unit)?);
             if samples.time.is_empty() {
                 let message = format!("the input {} has no samples in `{}`", input.name, recording.name);
                 return Err(Error::bad_input(message).with_hint("its column is empty, or NaN throughout"));
@@ -66,7 +67,7 @@ pub(super) fn inputs(model: &Model, recording: &Recording) -> Result<Vec<Samples
 pub(super) fn outputs(model: &Model, recording: &Recording) -> Result<Vec<OutputSignal>> {
     let mut found = Vec::new();
     for (i, output) in model.outputs.iter().enumerate() {
-        let c = channel(recording, &output.name, &output.unit, "output")?;
+        let c = channel(model, recording, ("output", &output.name), &output.unit)?;
         found.push(OutputSignal {
             name: output.name.clone(),
             output: i,
@@ -178,7 +179,8 @@ pub(super) fn constants(model: &Model, recording: &Recording) -> Result<Vec<(usi
                 );
                 return Err(Error::new(ErrorKind::Units, message));
             }
-            wanted.turns_or_radians(&c.unit).map_err(|e| e.about(&format!("the constant {}", c.name)))?;
+            let taken = model.takes_unit("parameters", &c.name, &c.unit);
+            taken.map_err(|e| e.about(&format!("the constant {}", c.name)))?;
             found.push((k, c.value));
         }
     }

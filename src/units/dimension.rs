@@ -64,19 +64,25 @@ impl Ratio {
         self.denominator
     }
 
-    pub(super) fn plus(self, other: Self) -> Self {
+    /// The sum; 0 where it does not fit.
+    #[must_use]
+    pub(crate) fn plus(self, other: Self) -> Self {
         let (a, b) = (i64::from(self.numerator), i64::from(self.denominator));
         let (c, d) = (i64::from(other.numerator), i64::from(other.denominator));
         Self::reduced(a * d + c * b, b * d).unwrap_or(Self::ZERO)
     }
 
-    pub(super) fn times(self, other: Self) -> Self {
+    /// The product; 0 where it does not fit.
+    #[must_use]
+    pub(crate) fn times(self, other: Self) -> Self {
         let n = i64::from(self.numerator) * i64::from(other.numerator);
         let d = i64::from(self.denominator) * i64::from(other.denominator);
         Self::reduced(n, d).unwrap_or(Self::ZERO)
     }
 
-    pub(super) fn negative(self) -> Self {
+    /// The same with the other sign.
+    #[must_use]
+    pub(crate) fn negative(self) -> Self {
         Self { numerator: -self.numerator, ..self }
     }
 }
@@ -171,6 +177,11 @@ impl Dimension {
         }
         let head = if over.is_empty() { "1".to_string() } else { over.join("*") };
         (length, [vec![head], under].concat().join("/"))
+    }
+
+    /// The powers of m, kg, s, A and K.
+    pub(crate) fn powers(self) -> [f64; 5] {
+        self.0.map(Ratio::to_f64)
     }
 
     /// Whether a power of mass is in it; nobody writes N/kg or W*kg.

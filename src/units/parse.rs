@@ -146,7 +146,7 @@ impl<'a> Reader<'a> {
 fn spelled_out(name: &str) -> Option<&'static str> {
     Some(match name.to_lowercase().as_str() {
         "metre" | "meter" | "metres" | "meters" => "m",
-        "sec" | "second" | "seconds" => "s",
+        "sec" | "secs" | "second" | "seconds" => "s",
         "degree" | "degrees" | "grad" => "deg",
         "radian" | "radians" => "rad",
         "newton" | "newtons" => "N",
@@ -157,7 +157,7 @@ fn spelled_out(name: &str) -> Option<&'static str> {
         "day" | "days" => "d",
         "revs" | "revolution" | "revolutions" | "turn" | "turns" => "rev",
         "percent" => "%",
-        "litre" | "liter" | "litres" | "liters" => "l",
+        "l" | "lt" | "ltr" | "litre" | "liter" | "litres" | "liters" => "l",
         "foot" | "feet" => "ft",
         "minute" | "minutes" => "min",
         "hour" | "hours" | "hr" => "h",
@@ -186,6 +186,6 @@ fn times(a: &Unit, b: &Unit, e: Ratio) -> Unit {
         offset: 0.0,
         dimension: a.dimension.times(Dimension::power(b.dimension, e)),
         angle: a.angle.plus(b.angle.times(e)),
-        counts: a.counts.with(b.counts),
+        counts: a.counts.with(b.counts, e),
     }
 }

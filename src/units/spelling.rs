@@ -15,7 +15,10 @@ pub(super) fn plain(text: &str) -> String {
 /// A name in the spelling of the list.
 fn known(name: &str) -> String {
     // U+2126 is the sign of the unit, U+03A9 the letter; likewise the micro sign and the letter mu
-    let name = name.replace(['Ω', 'Ω'], "ohm").replace("Ohm", "ohm").replace(['µ', 'μ'], "u");
+    let name = name
+        .replace(['\u{2126}', '\u{3a9}'], "ohm")
+        .replace("Ohm", "ohm")
+        .replace(['\u{b5}', '\u{3bc}'], "u");
     if name == "knots" { "kn".into() } else { name }
 }
 

@@ -1,6 +1,7 @@
 //! All integration tests, in one binary: one module a capability.
 #![allow(clippy::print_stdout, clippy::print_stderr)] // what was skipped, and figures for the record
 
+mod angular;
 mod apart;
 mod audit;
 mod chained;
