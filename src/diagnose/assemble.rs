@@ -6,13 +6,14 @@ use super::answer::{
 };
 use super::bench::Bench;
 use super::faults::{self, Spoiled};
+use super::few::Few;
 use super::located::{Mismatch, site_name};
 use super::paragraph::Paragraph;
 use super::propose::View;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::{self, Found, Taken};
-use super::verdict::{Evidence, proved, settle, with_faults};
+use super::verdict::{Evidence, Proven, settle, with_faults};
 use super::{Diagnosis, Request, locate, next, pictures, words};
 use crate::Result;
 use crate::estimate::Fit;
@@ -42,6 +43,8 @@ pub struct Assembly<'a> {
     pub spoiled: Vec<Spoiled>,
     /// Whether they leave anything to compare.
     pub is_left: bool,
+    /// Whether too few samples are left for any test, and why.
+    pub few: Option<Few>,
     /// Whether they leave too little to tell anything.
     pub is_open: bool,
     /// What a reader should know.
@@ -62,8 +65,14 @@ impl Assembly<'_> {
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
         let proof = self.proof(&before, &after);
         let physics = settle(evidence.verdict(), &findings, &self.found);
-        let physics =
-            proved(physics, &proof, self.falls_whitened(&before, &after), left && self.bench.is_trials());
+        let held_out: usize = before.iter().map(Held::samples).sum();
+        let proven = Proven {
+            proof: &proof,
+            samples: held_out,
+            falls_whitened: self.falls_whitened(&before, &after),
+            is_left_in_trials: left && self.bench.is_trials(),
+        };
+        let physics = proven.settle(physics);
         let unfinished = self.ended_early.filter(|_| physics == Verdict::NothingMissing).map(unfinished);
         let physics = if unfinished.is_some() { Verdict::NotIdentifiable } else { physics };
         let reason = unfinished.as_deref().or(blind.as_deref());
@@ -78,6 +87,7 @@ impl Assembly<'_> {
             faults: &self.faults,
             proof: &proof,
             blind: reason,
+            is_held_out: held_out > 0,
             law: rest.laws.first().filter(|_| left),
         };
         let says = paragraph.text();
@@ -88,7 +98,7 @@ impl Assembly<'_> {
             left: Some(&rest).filter(|_| left),
             faults: &self.faults,
             spoiled: &self.spoiled,
-            names: self.given().iter().map(|r| r.name.as_str()).collect(),
+            recordings: self.given(),
         };
         let located = mismatch.located(physics, verdict);
         if verdict == Verdict::DataFault {
@@ -106,7 +116,7 @@ impl Assembly<'_> {
             proof,
             next_experiment,
             parameters: self.parameters(),
-            notes: self.notes(),
+            notes: self.notes(held_out),
             made: self.made(),
         };
         let pictures = pictures::gather(&self);
@@ -129,7 +139,8 @@ impl Assembly<'_> {
     /// because they took much of it.
     fn is_open(&self, physics: Verdict, proof: &[Proof]) -> bool {
         let given = self.given();
-        let heavy = || self.spoiled.iter().any(|s| faults::is_heavy(&given, s));
+        let is_few = self.few.as_ref().is_some_and(|f| f.is_anyway);
+        let heavy = || !is_few && self.spoiled.iter().any(|s| faults::is_heavy(&given, s));
         let unproved = proof.iter().all(|p| !p.holdout_after.is_finite());
         self.is_open || heavy() && (physics == Verdict::NotIdentifiable || unproved)
     }
@@ -139,6 +150,9 @@ impl Assembly<'_> {
         if !self.is_left {
             return Some("no sample is left to compare".into());
         }
+        if let Some(few) = &self.few {
+            return Some(few.says.clone());
+        }
         let (model, base) = (self.request.model, &self.found.base);
         let alone = || {
             let unseen = || locate::unseen(model, base);
@@ -146,7 +160,7 @@ impl Assembly<'_> {
             let reason = locate::mute(model, &self.bench, base).or_else(unseen).or_else(astray);
             reason.filter(|_| self.found.taken.is_empty())
         };
-        locate::poor(model, &self.bench, base)
+        locate::poor(model, &self.bench)
             .or_else(|| locate::starved(model, &self.bench, &self.found.last, &self.separate, after))
             .or_else(alone)
     }
@@ -154,7 +168,8 @@ impl Assembly<'_> {
     /// Flexible laws in what the first model leaves, where something was added to it, and the last; none where
     /// nothing is left to compare, or the time was up before anything was found.
     fn rests(&self) -> Result<(Option<Rest>, Rest)> {
-        if !self.is_left || self.found.taken.is_empty() && self.ended_early == Some(Early::Time) {
+        let is_over = self.ended_early == Some(Early::Time);
+        if !self.is_left || self.few.is_some() || self.found.taken.is_empty() && is_over {
             return Ok((None, Rest { laws: Vec::new(), p_value: 1.0 }));
         }
         let look = |fit: &Fit, when: &str| -> Result<Rest> {
@@ -304,10 +319,13 @@ impl Assembly<'_> {
     }
 
     /// What a reader should know: what was not compared, what ended at a bound, what was left unfinished.
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self, held_out: usize) -> Vec<String> {
         let fits = [&self.found.base, &self.found.last];
         let warnings = fits.into_iter().flat_map(|f| f.warnings.iter().map(|w| w.says.clone()));
         let mut all: Vec<String> = self.ended_early.map(unfinished).into_iter().collect();
+        if self.is_left && held_out == 0 {
+            all.push(NOT_HELD_OUT.into());
+        }
         for note in self.notes.iter().cloned().chain(warnings) {
             if !all.contains(&note) {
                 all.push(note);
@@ -329,6 +347,9 @@ impl Assembly<'_> {
         }
     }
 }
+
+/// That nothing could be held out.
+const NOT_HELD_OUT: &str = "nothing was held out, so that all this is the word of the fitted part alone: give spans to hold out, or another recording by --holdout";
 
 /// That the search was not through, and why.
 fn unfinished(early: Early) -> String {

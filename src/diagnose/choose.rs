@@ -27,7 +27,7 @@ pub const MUCH: f64 = 0.2;
 /// Relative fall of the left-out root mean square below which nothing is added.
 pub const FLOOR: f64 = 0.02;
 /// Difference in log-likelihood up to which two extensions fit as well: odds of 20 to 1.
-const TIE: f64 = 3.0;
+pub const TIE: f64 = 3.0;
 /// Share of the largest free-run gain that a likelier rival must reach.
 const RIVAL: f64 = 0.75;
 /// Share of its gain by which an extension that commutes with another may differ from it.

@@ -78,17 +78,36 @@ fn large(series: &Series) -> Vec<Span> {
     let n = series.residual.len();
     let size = n.div_ceil(WINDOWS).max(1);
     let squares: Vec<f64> = series.residual.chunks(size).map(|e| e.iter().map(|e| e * e).sum()).collect();
-    let mut sorted = squares.clone();
-    sorted.sort_unstable_by(f64::total_cmp);
-    let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(0.0);
+    let usual = median(squares.clone());
+    let steps: Vec<f64> = series.time.windows(2).map(|w| w[1] - w[0]).collect();
+    let step = 2.0 * median(steps);
     let window = |k: usize| {
-        let step = 2.0 * (series.time[(k * size + size).min(n) - 1] - series.time[k * size]) / size as f64;
         let next = series.time.get((k + 1) * size).copied();
         let last = series.time[((k + 1) * size).min(n) - 1];
         // Over a gap nothing is known.
-        Span::new(series.time[k * size], next.filter(|t| t - last <= step).unwrap_or(last))
+        let to = next.filter(|t| t - last <= step).unwrap_or(last);
+        long_enough(Span::new(series.time[k * size], to), &series.time)
     };
-    (0..squares.len()).filter(|k| squares[*k] > LARGE * usual).map(window).collect()
+    (0..squares.len()).filter(|k| squares[*k] > LARGE * usual).filter_map(window).collect()
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_unstable_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
+/// A span of some samples; that of a single one reaches half-way to its neighbours, as far as the next step
+/// on its other side at most, and there is none where it has no neighbour.
+pub fn long_enough(span: Span, time: &[f64]) -> Option<Span> {
+    if span.from < span.to {
+        return Some(span);
+    }
+    let at = time.partition_point(|t| *t < span.from);
+    let before = at.checked_sub(1).map(|k| span.from - time[k]);
+    let after = time.get(at + 1).map(|t| t - span.from);
+    let reach = 0.5 * before.into_iter().chain(after).filter(|d| *d > 0.0).reduce(f64::min)?;
+    let reaches = |side: Option<f64>| if side.is_some() { reach } else { 0.0 };
+    Some(Span::new(span.from - reaches(before), span.from + reaches(after)))
 }
 
 /// Spans in order, those that touch made one.
@@ -159,18 +178,11 @@ pub fn unseen(model: &Model, base: &Fit) -> Option<String> {
     Some(format!("the recording does not show {} apart{instead}", names.join(" and ")))
 }
 
-/// Samples that are too few to tell anything, beside two for each fitted unknown.
-const FEW: usize = 10;
 /// Share of an output's spread that a model must leave for it to say nothing of the output.
 const NOTHING: f64 = 0.99;
 
-/// What makes a recording too poor to tell anything: too few samples, or an output that never moves.
-pub fn poor(model: &Model, bench: &Bench, base: &Fit) -> Option<String> {
-    let samples: usize = base.records.iter().flat_map(|r| &r.series).map(|s| s.residual.len()).sum();
-    let unknowns = base.parameters.len() + base.records.iter().map(|r| r.initials.len()).sum::<usize>();
-    if samples < FEW + 2 * unknowns {
-        return Some(format!("its fitted part has {samples} samples, too few for {unknowns} unknowns"));
-    }
+/// What makes a recording too poor to tell anything: an output that never moves.
+pub fn poor(model: &Model, bench: &Bench) -> Option<String> {
     let still = model.outputs.iter().find(|o| {
         let sizes = bench.recordings.iter().filter_map(|r| r.find(&o.name)).flat_map(|c| c.values.iter());
         let size = sizes.filter(|v| v.is_finite()).fold(0.0, |a: f64, v| a.max(v.abs()));
@@ -247,4 +259,31 @@ fn levels(mut values: Vec<f64>) -> Vec<f64> {
     let few = (values.len() / 100).max(1);
     let alike = |a: &f64, b: &f64| (a - b).abs() <= 1e-6 * b.abs().max(1e-12);
     values.chunk_by(alike).filter(|level| level.len() > few).map(|level| level[0]).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stretch_of_one_sample_has_a_length_where_it_has_a_neighbour() {
+        let time = [0.0, 1.0, 2.0, 5.0];
+        let of = |t: f64| long_enough(Span::new(t, t), &time);
+        assert_eq!(of(1.0), Some(Span::new(0.5, 1.5)));
+        assert_eq!(of(2.0), Some(Span::new(1.5, 2.5)));
+        assert_eq!(of(0.0), Some(Span::new(0.0, 0.5)));
+        assert_eq!(of(5.0), Some(Span::new(3.5, 5.0)));
+        assert_eq!(long_enough(Span::new(0.0, 0.0), &[0.0]), None);
+        assert_eq!(long_enough(Span::new(1.0, 3.0), &time), Some(Span::new(1.0, 3.0)));
+    }
+
+    /// Of ten samples the last is far off: its window is as long as from the middle before it.
+    #[test]
+    fn the_last_window_has_a_length() {
+        let time: Vec<f64> = (0..10).map(f64::from).collect();
+        let mut residual = vec![0.1; 10];
+        residual[9] = 3.0;
+        let series = Series { output: 0, time, residual, sensitivities: Vec::new(), stretches: Vec::new() };
+        assert_eq!(large(&series), [Span::new(8.5, 9.0)]);
+    }
 }

@@ -7,6 +7,7 @@ use super::rest::Rest;
 use super::search::Found;
 use super::{locate, next};
 use crate::model::Model;
+use crate::record::{Recording, Span};
 
 /// Signals that are told.
 const SIGNALS: usize = 6;
@@ -29,8 +30,8 @@ pub struct Mismatch<'a> {
     pub faults: &'a [DataFault],
     /// Where that sits.
     pub spoiled: &'a [Spoiled],
-    /// Names of the recordings, fitted and separate.
-    pub names: Vec<&'a str>,
+    /// The recordings as they were given, fitted and separate.
+    pub recordings: Vec<&'a Recording>,
 }
 
 impl Mismatch<'_> {
@@ -40,7 +41,9 @@ impl Mismatch<'_> {
         if verdict == Verdict::DataFault {
             sites.extend(self.faults.iter().map(|f| f.finding.site.clone()));
         }
-        let nothing = physics == Verdict::NothingMissing;
+        // Where nothing is missing, or nothing could be looked for, it sits nowhere.
+        let nothing = physics == Verdict::NothingMissing
+            || physics == Verdict::NotIdentifiable && self.found.first.screened.is_empty();
         let (base, last) = (&self.found.base, &self.found.last);
         let output = locate::plainest(base, last);
         let separating =
@@ -94,14 +97,19 @@ impl Mismatch<'_> {
         if verdict != Verdict::DataFault {
             return Vec::new();
         }
-        let several = self.names.len() > 1;
-        let of = |(number, name): (usize, &&str)| {
-            let own = self.spoiled.iter().filter(move |s| s.recording == number);
-            let spans = locate::merged(own.flat_map(|s| s.fault.spans.clone()).collect());
-            let recording = several.then(|| (*name).to_string());
+        let several = self.recordings.len() > 1;
+        let of = |(number, given): (usize, &&Recording)| {
+            let time = |channel: &str| given.find(channel).map_or(&[][..], |c| &c.time[..]);
+            let long = |s: &Spoiled| -> Vec<Span> {
+                let spans = s.fault.spans.iter();
+                spans.filter_map(|span| locate::long_enough(*span, time(&s.fault.channel))).collect()
+            };
+            let own = self.spoiled.iter().filter(|s| s.recording == number);
+            let spans = locate::merged(own.flat_map(long).collect());
+            let recording = several.then(|| given.name.clone());
             spans.into_iter().map(move |s| Spell { from: s.from, to: s.to, recording: recording.clone() })
         };
-        self.names.iter().enumerate().flat_map(of).collect()
+        self.recordings.iter().enumerate().flat_map(of).collect()
     }
 
     fn signals(&self) -> Vec<SignalChance> {

@@ -13,11 +13,13 @@
 //! R. D. Cook, S. Weisberg, Residuals and Influence in Regression (1982), ch. 3; D. Cochrane, G. H.
 //! Orcutt, J. Amer. Statist. Assoc. 44 (1949) 32.
 
+use super::screen::log_chance;
 use crate::estimate::Triangle;
 use crate::estimate::fit::{Fit, Series};
 use crate::estimate::noise::{Autoregression, NoiseModel, block_means};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
+use statrs::function::beta::checked_beta_reg;
 
 /// Parts that are left out in turn, each of several blocks.
 const BLOCKS: usize = 6;
@@ -27,6 +29,8 @@ const PIECES: usize = 4;
 const PRIOR: f64 = 2e-3;
 /// Order of the autoregressions whose likelihoods are compared.
 const ORDER: usize = 10;
+/// Degrees of freedom from which on Fisher's distribution is that of chi-squared.
+const MANY: f64 = 2000.0;
 
 /// The scale on which models of one set of recordings are compared.
 #[derive(Debug, Clone)]
@@ -64,6 +68,8 @@ pub struct Measure {
     pub likelihood: f64,
     /// Independent samples behind the likelihood.
     pub samples: f64,
+    /// Unknowns that were free to follow them.
+    pub unknowns: usize,
 }
 
 impl Measure {
@@ -74,8 +80,29 @@ impl Measure {
         let (likelihood, samples) = likelihood(&series, &free, scale);
         // Initial states belong to their block alone: they stay where they are.
         let shared: Vec<usize> = free.iter().copied().filter(|j| !fit.unknowns[*j].contains("(0)")).collect();
-        Self { left_out: left_out(&series, &shared, scale).unwrap_or(f64::INFINITY), likelihood, samples }
+        let left_out = left_out(&series, &shared, scale).unwrap_or(f64::INFINITY);
+        Self { left_out, likelihood, samples, unknowns: free.len() }
     }
+
+    /// Chance that noise alone raises the log-likelihood as far as from a smaller model's to this one's by
+    /// `added` unknowns. With ν degrees of freedom left of n samples 2 Δln L = n ln(1 + kF/ν), and F has
+    /// Fisher's distribution: P = I_x(ν/2, k/2) at x = exp(−2 Δln L/n).
+    pub fn chance_over(&self, smaller: f64, added: usize) -> f64 {
+        let ratio = 2.0 * (self.likelihood - smaller);
+        chance(ratio, added.max(1), self.samples, self.samples - self.unknowns as f64)
+    }
+}
+
+/// Chance that k useless unknowns, which leave some degrees of freedom of n samples, have such a likelihood
+/// ratio. From many samples on it is that of chi-squared.
+pub fn chance(ratio: f64, k: usize, samples: f64, degrees: f64) -> f64 {
+    if degrees < 1.0 || ratio.is_nan() || ratio <= 0.0 {
+        return 1.0;
+    }
+    if degrees > MANY {
+        return log_chance(ratio, k).exp();
+    }
+    checked_beta_reg(0.5 * degrees, 0.5 * k as f64, (-ratio / samples).exp()).unwrap_or(1.0)
 }
 
 /// Unknowns that are inside their bounds.
@@ -192,4 +219,24 @@ fn colour(shorts: &[Short], output: usize, trials: bool) -> NoiseModel {
     let n: usize = own.iter().map(|s| s.len()).sum();
     let order = if trials { 0 } else { ORDER.min(n / 20) };
     NoiseModel { decimation: 1, autoregression: Autoregression::burg(&own, order) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// P(F₁,₅ > 6.608) = 0.05 and P(F₂,₁₀ > 7.559) = 0.01 (tables of Fisher's distribution); with many samples
+    /// P(χ²₁ > 10.828) = 0.001.
+    #[test]
+    fn a_likelihood_ratio_of_few_samples_has_the_chance_of_fishers_distribution() {
+        let of = |f: f64, k: usize, samples: f64, degrees: f64| {
+            chance(samples * (1.0 + k as f64 * f / degrees).ln(), k, samples, degrees)
+        };
+        assert!((of(6.608, 1, 9.0, 5.0) - 0.05).abs() < 1e-4);
+        assert!((of(7.559, 2, 15.0, 10.0) - 0.01).abs() < 1e-4);
+        assert!((chance(10.828, 1, 1e5, 1e5 - 4.0) - 1e-3).abs() < 1e-5);
+        let (near, far) = (chance(40.0, 1, 1990.0, 1986.0), chance(40.0, 1, 2010.0, 2006.0));
+        assert!((near / far).ln().abs() < 0.5, "{near} {far}");
+        assert_eq!(chance(1e3, 1, 4.0, 0.0), 1.0);
+    }
 }

@@ -12,6 +12,7 @@ mod choose;
 mod company;
 mod compared;
 mod faults;
+mod few;
 mod forgotten;
 pub mod laboratory;
 mod locate;
@@ -117,13 +118,15 @@ impl Case<'_> {
         let (model, progress) = (self.request.model, self.request.progress);
         progress.says("fitting the model as it stands", None);
         let base = self.bench.full_fit(model)?;
-        let (mut found, is_cut) = if is_left {
+        let few = is_left.then(|| few::too_few(&self.bench, &base, self.spoiled_samples())).flatten();
+        let is_judged = is_left && few.is_none();
+        let (mut found, is_cut) = if is_judged {
             self.searched(base)?
         } else {
             (Found::nothing(base, self.bench.is_trials()), false)
         };
         let mut open = is_cut || !is_left || self.separate.is_empty() && !self.request.separate.is_empty();
-        if is_left {
+        if is_judged {
             let best: Vec<f64> =
                 found.base.rmse.iter().zip(&found.last.rmse).map(|(b, l)| b.min(*l)).collect();
             self.told.extend(faults::coarse(model, &self.bench.recordings, &best));
@@ -147,11 +150,20 @@ impl Case<'_> {
             faults: told,
             spoiled,
             is_left,
+            few,
             is_open: open,
             notes,
             ended_early,
         }
         .finish()
+    }
+
+    /// Samples of fitted outputs that faults took.
+    fn spoiled_samples(&self) -> usize {
+        let model = self.request.model;
+        let is_output = |s: &&Spoiled| model.outputs.iter().any(|o| o.name == s.fault.channel);
+        let fitted = self.spoiled.iter().filter(|s| s.recording < self.request.recordings.len());
+        fitted.filter(is_output).filter(|s| faults::takes(s)).map(|s| s.fault.samples).sum()
     }
 
     /// The search, in channels of the right sign and unit; with whether gaps of inputs leave too little to tell.

@@ -22,6 +22,8 @@ pub struct Paragraph<'a> {
     pub proof: &'a [Proof],
     /// Why the recording cannot tell, if so.
     pub blind: Option<&'a str>,
+    /// Whether anything was held out.
+    pub is_held_out: bool,
     /// The law that is left, if one is.
     pub law: Option<&'a Law>,
 }
@@ -41,8 +43,10 @@ impl Paragraph<'_> {
     fn beside(&self, physics: Verdict) -> String {
         match physics {
             Verdict::NothingMissing => {
-                "Beside that nothing is missing: what the model leaves over looks like noise in every test."
-                    .into()
+                let untried = self.untried();
+                format!(
+                    "Beside that nothing is missing: what the model leaves over looks like noise in every test.{untried}"
+                )
             }
             Verdict::NotIdentifiable => {
                 format!("What they leave cannot tell whether anything is missing: {}.", self.reason())
@@ -61,6 +65,15 @@ impl Paragraph<'_> {
             + &said(all(false), "The data have a fault that nothing can mend")
     }
 
+    /// That nothing was held out, where it was not.
+    fn untried(&self) -> &'static str {
+        if self.is_held_out {
+            ""
+        } else {
+            " Nothing was held out: this is the word of the fitted part alone."
+        }
+    }
+
     fn reason(&self) -> &str {
         self.blind.unwrap_or("it moves too little")
     }
@@ -70,8 +83,10 @@ impl Paragraph<'_> {
         let list = joined(others.iter().copied());
         let opening = match self.verdicts.0 {
             Verdict::NothingMissing | Verdict::DataFault => {
-                return "Nothing is missing: what the model leaves over looks like noise in every test."
-                    .into();
+                let untried = self.untried();
+                return format!(
+                    "Nothing is missing: what the model leaves over looks like noise in every test.{untried}"
+                );
             }
             Verdict::NotIdentifiable => {
                 return format!("This recording cannot tell what is missing: {}.", self.reason());
@@ -102,8 +117,11 @@ impl Paragraph<'_> {
             ("", Some(law)) => {
                 format!("Something is missing that the catalogue has no name for; it goes with {law}.")
             }
-            (list, None) => format!(
+            (list, None) if self.is_held_out => format!(
                 "Something is missing, but no name for it stands on what was held out. It resembles: {list}."
+            ),
+            (list, None) => format!(
+                "Something is missing, but nothing was held out that could prove a name for it. It resembles: {list}."
             ),
             (list, Some(law)) => format!(
                 "Something is missing that the catalogue has no name for; it goes with {law}. It resembles: {list}."
@@ -114,11 +132,13 @@ impl Paragraph<'_> {
     /// The fall of the held-out errors.
     fn gains(&self) -> String {
         let told = self.proof.iter().filter(|p| p.holdout_before.is_finite()).map(|p| {
+            let rises = p.holdout_after > p.holdout_before;
             format!(
-                "On what was held out the error of “{}” is {} before and {} after.",
+                "On what was held out the error of “{}” is {} before and {} after{}.",
                 p.output,
                 words::quantity(p.holdout_before, &p.unit),
-                words::quantity(p.holdout_after, &p.unit)
+                words::quantity(p.holdout_after, &p.unit),
+                if rises { ", which is worse and proves nothing" } else { "" }
             )
         });
         told.collect::<Vec<_>>().join(" ")

@@ -160,13 +160,19 @@ fn own_tracks(fit: &Fit, plain: &[Track]) -> Result<Vec<Track>> {
         .collect()
 }
 
-/// Scores every proposal of the catalogue that was not taken before.
-pub fn screen(bench: &Bench, scene: &Scene, view: &View, taken: &[Taken]) -> Screening {
+/// Every proposal of the catalogue that was not taken before and that another recording could confirm.
+pub fn proposals(bench: &Bench, scene: &Scene, taken: &[Taken]) -> Vec<Proposal> {
     let mut proposals: Vec<Proposal> = catalogue::ALL.iter().flat_map(|m| (m.propose)(scene)).collect();
     if bench.separate || bench.recordings.len() > 1 {
         proposals.retain(|p| !super::choose::is_anchored(p));
     }
     proposals.retain(|p| !super::choose::is_repeated(p, taken));
+    proposals
+}
+
+/// Scores every proposal of the catalogue that was not taken before.
+pub fn screen(bench: &Bench, scene: &Scene, view: &View, taken: &[Taken]) -> Screening {
+    let proposals = proposals(bench, scene, taken);
     let scored: Vec<Vec<Screened>> =
         proposals.into_par_iter().with_max_len(1).map(|p| score_starts(bench, &p, view)).collect();
     let all: Vec<&Score> = scored.iter().flatten().map(|s| &s.score).collect();

@@ -38,14 +38,18 @@ pub struct Held {
 impl Held {
     /// Root mean square.
     pub fn rmse(&self) -> f64 {
-        let n: usize = self.residual.iter().map(Vec::len).sum();
-        (self.residual.iter().flatten().map(|e| e * e).sum::<f64>() / n as f64).sqrt()
+        (self.residual.iter().flatten().map(|e| e * e).sum::<f64>() / self.samples() as f64).sqrt()
     }
 
     /// Innovations of the same by a noise model.
     #[must_use]
     pub fn whitened(&self, noise: &NoiseModel) -> Self {
         Self { residual: self.residual.iter().map(|r| noise.whiten(r)).collect(), time: Vec::new() }
+    }
+
+    /// How many there are.
+    pub fn samples(&self) -> usize {
+        self.residual.iter().map(Vec::len).sum()
     }
 
     fn views(&self) -> Vec<&[f64]> {

@@ -74,7 +74,9 @@ impl Screen {
             }
         }
         remove(&mut residual, &basis);
-        let scale = (residual.iter().map(|e| e * e).sum::<f64>() / residual.len().max(1) as f64).sqrt();
+        // What is left lies in so many directions less than there are samples.
+        let degrees = residual.len().saturating_sub(basis.len()).max(1);
+        let scale = (residual.iter().map(|e| e * e).sum::<f64>() / degrees as f64).sqrt();
         if scale > 0.0 {
             for e in &mut residual {
                 *e /= scale;

@@ -20,7 +20,6 @@ use super::choose::{self, Choice, FLOOR, choose, floor, gain, mends};
 use super::compared::{patiently, same_samples};
 use super::measure::{Measure, Scale};
 use super::propose::{Screening, View, screen, worth_fitting};
-use super::screen::log_chance;
 use super::{prove, race};
 use crate::Result;
 use crate::estimate::fit::{Effort, Progress};
@@ -153,9 +152,9 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
         .filter(|(_, fit)| same_samples(current, fit))
         .map(|(s, fit)| {
             let measure = Measure::of(&fit, scale);
-            let ratio = 2.0 * (measure.likelihood - now.likelihood);
             let tried = tried * choose::chosen_from(&s.proposal, measure.samples);
-            let p_value = (tried * log_chance(ratio, s.proposal.added.len()).exp()).min(1.0);
+            let alone = measure.chance_over(now.likelihood, s.proposal.added.len());
+            let p_value = (tried * alone).min(1.0);
             let floor = if mends(&s.proposal, taken) { floor(*gains) } else { least };
             Refitted { proposal: s.proposal, fit, measure, p_value, floor }
         })

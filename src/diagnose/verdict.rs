@@ -2,6 +2,7 @@
 
 use super::answer::{DataFault, Finding, Proof, Value, Verdict};
 use super::choose::is_wave;
+use super::few::agree_by_luck;
 use super::rest::Rest;
 use super::search::{Found, is_pressed};
 
@@ -94,15 +95,38 @@ pub fn settle(verdict: Verdict, findings: &[Finding], found: &Found) -> Verdict 
 /// which on the names do not reach beyond the levels that they were fitted to.
 const BEYOND: f64 = 1.5;
 
-/// Names that lower no held-out error for sure, neither as it stands nor by its innovations (slow noise may
-/// hide in the one what the other shows), or that miss held-out levels while a law is left, only resemble
-/// what is missing.
-pub fn proved(verdict: Verdict, proof: &[Proof], falls_whitened: bool, left_in_trials: bool) -> Verdict {
-    let fails = !proof.is_empty() && proof.iter().all(|p| p.improvement_low <= 0.0) && !falls_whitened;
-    let misses = left_in_trials && proof.iter().any(|p| p.holdout_after > BEYOND * p.fit_after);
-    let blows_up = proof.iter().any(|p| p.holdout_before.is_finite() && !p.holdout_after.is_finite());
-    let named = matches!(verdict, Verdict::Named | Verdict::Tie);
-    if named && (fails || misses || blows_up) { Verdict::Unknown } else { verdict }
+/// What was held out says of names.
+pub struct Proven<'a> {
+    /// Held-out errors before and after, an output each.
+    pub proof: &'a [Proof],
+    /// Held-out samples of all outputs.
+    pub samples: usize,
+    /// Whether the held-out innovations fall for sure: slow noise may hide in the error what they show.
+    pub falls_whitened: bool,
+    /// Whether a law is left in a table of trials.
+    pub is_left_in_trials: bool,
+}
+
+impl Proven<'_> {
+    /// The verdict in the light of the proof. Names without one only resemble what is missing: where too little
+    /// is held out to tell; where no held-out error falls for sure, neither as it stands nor by its innovations;
+    /// where the errors rise on the whole; where held-out levels are missed while a law is left.
+    pub fn settle(&self, verdict: Verdict) -> Verdict {
+        let proof = self.proof;
+        let fails =
+            !proof.is_empty() && !proof.iter().any(|p| p.improvement_low > 0.0) && !self.falls_whitened;
+        let misses = self.is_left_in_trials && proof.iter().any(|p| p.holdout_after > BEYOND * p.fit_after);
+        let blows_up = proof.iter().any(|p| p.holdout_before.is_finite() && !p.holdout_after.is_finite());
+        let unproved = agree_by_luck(self.samples) || fails || rise(proof) > 0.0 || misses || blows_up;
+        let named = matches!(verdict, Verdict::Named | Verdict::Tie);
+        if named && unproved { Verdict::Unknown } else { verdict }
+    }
+}
+
+/// By how much the held-out errors rise, all outputs together, as a logarithm.
+fn rise(proof: &[Proof]) -> f64 {
+    let rises = proof.iter().map(|p| (p.holdout_after / p.holdout_before).ln());
+    rises.filter(|r| !r.is_nan()).sum()
 }
 
 /// The verdict on physics and data: the faults take it only where nothing physical stands beside them, or
@@ -110,4 +134,47 @@ pub fn proved(verdict: Verdict, proof: &[Proof], falls_whitened: bool, left_in_t
 pub fn with_faults(physics: Verdict, faults: &[DataFault], open: bool) -> Verdict {
     let alone = open || physics == Verdict::NothingMissing;
     if alone && !faults.is_empty() { Verdict::DataFault } else { physics }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn proof(before: f64, after: f64, low: f64) -> Proof {
+        Proof {
+            output: "y".into(),
+            unit: "1".into(),
+            metric: "rmse",
+            mode: "free-run",
+            fit_before: 1.0,
+            fit_after: 0.5,
+            holdout_before: before,
+            holdout_after: after,
+            improvement_low: low,
+            improvement_high: 1.0,
+            noise_floor: 0.5,
+        }
+    }
+
+    fn settled(proof: &[Proof], samples: usize, falls_whitened: bool) -> Verdict {
+        Proven { proof, samples, falls_whitened, is_left_in_trials: false }.settle(Verdict::Named)
+    }
+
+    #[test]
+    fn a_held_out_error_that_rises_proves_no_name() {
+        assert_eq!(settled(&[proof(1.0, 0.5, 0.4)], 100, false), Verdict::Named);
+        assert_eq!(settled(&[proof(1.0, 0.9, -0.1)], 100, true), Verdict::Named);
+        assert_eq!(settled(&[proof(1.0, 1.2, -0.4)], 100, true), Verdict::Unknown);
+        // one output may lose a little where another gains much more, not the other way round
+        assert_eq!(settled(&[proof(1.0, 1.05, -0.1), proof(1.0, 0.5, 0.4)], 100, false), Verdict::Named);
+        assert_eq!(settled(&[proof(1.0, 2.0, -1.5), proof(1.0, 0.9, 0.05)], 100, false), Verdict::Unknown);
+    }
+
+    #[test]
+    fn nothing_or_next_to_nothing_held_out_proves_no_name() {
+        let none = proof(f64::NAN, f64::NAN, f64::NAN);
+        assert_eq!(settled(&[none], 0, false), Verdict::Unknown);
+        assert_eq!(settled(&[proof(1.0, 0.5, 0.4)], 5, true), Verdict::Unknown);
+        assert_eq!(settled(&[proof(1.0, 0.5, 0.4)], 6, false), Verdict::Named);
+    }
 }

@@ -60,3 +60,18 @@ fn times_of_several_recordings_are_told_apart() {
     assert!(first.iter().any(|s| s.from <= 11.0 && s.to >= 11.0), "{located:?}");
     assert!(located.time.iter().all(|s| s.recording.is_some()));
 }
+
+/// A single sample far off is a stretch of its own, as long as to the middle between it and its neighbours.
+#[test]
+fn no_stretch_of_time_is_without_length() {
+    let (model, mut made) = recording(None);
+    let position = made.channels.iter_mut().find(|c| c.name == "position").unwrap();
+    position.values[1000] += 5.0;
+    let step = position.time[1] - position.time[0];
+    let at = position.time[1000];
+    let a = diagnosed(&model, made).answer;
+    assert_eq!(a.verdict, Verdict::DataFault, "{}", a.says);
+    assert_eq!(a.located.time.len(), 1, "{:?}", a.located.time);
+    let spell = &a.located.time[0];
+    assert!((spell.from - (at - 0.5 * step)).abs() < 1e-9 && (spell.to - (at + 0.5 * step)).abs() < 1e-9);
+}

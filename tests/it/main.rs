@@ -9,6 +9,7 @@ mod diagnose;
 mod diagnose_rough;
 mod endings;
 mod faults;
+mod few_rows;
 mod fit;
 mod formula;
 mod fuzz;

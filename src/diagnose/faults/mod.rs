@@ -147,8 +147,12 @@ pub fn coarse(model: &Model, recordings: &[Recording], misfit: &[f64]) -> Vec<Da
 /// a tenth.
 pub fn is_heavy(recordings: &[&Recording], spoiled: &Spoiled) -> bool {
     let channel = recordings.get(spoiled.recording).and_then(|r| r.find(&spoiled.fault.channel));
-    let takes = matches!(spoiled.fault.kind, FaultKind::Frozen | FaultKind::Gap | FaultKind::Outliers);
-    takes && channel.is_some_and(|c| 10 * spoiled.fault.samples > c.len())
+    takes(spoiled) && channel.is_some_and(|c| 10 * spoiled.fault.samples > c.len())
+}
+
+/// Whether a fault takes samples.
+pub fn takes(spoiled: &Spoiled) -> bool {
+    matches!(spoiled.fault.kind, FaultKind::Frozen | FaultKind::Gap | FaultKind::Outliers)
 }
 
 /// A number of at most seven digits.

@@ -28,7 +28,10 @@ pub fn held_out(
         if !follows.is_empty() {
             let mut together: Vec<Span> = spans.fit.iter().chain(&follows).copied().collect();
             together.sort_by(|a, b| a.from.total_cmp(&b.from));
-            let record = setup::record(&fit.model, recording, number, &together, options)?;
+            let Some(record) = setup::record_if_any(&fit.model, recording, number, &together, options)?
+            else {
+                continue;
+            };
             let initials = fit.records.get(number).map_or(record.initials.clone(), |r| r.initials.clone());
             series.extend(of(number, run(&fit.model, &record, &initials, &|t| spans.holds_out(t))?));
         }
@@ -51,7 +54,7 @@ fn of(recording: usize, series: Vec<Series>) -> impl Iterator<Item = (usize, Ser
     series.into_iter().map(move |s| (recording, s))
 }
 
-/// A record of its own: its free initial states are fitted, nothing else.
+/// A record of its own: its free initial states are fitted, nothing else. No series where no sample is left.
 fn alone(
     model: &Model,
     recording: &Recording,
@@ -63,7 +66,10 @@ fn alone(
     frozen.parameters.iter_mut().for_each(|p| p.fit = false);
     let options =
         FitOptions { initials: Vec::new(), weighting: super::Weighting::FreeRun, ..options.clone() };
-    let records = [setup::record(&frozen, recording, number, spans, &options)?];
+    let Some(record) = setup::record_if_any(&frozen, recording, number, spans, &options)? else {
+        return Ok(Vec::new());
+    };
+    let records = [record];
     let parameters = frozen.parameters.iter().map(|p| p.value).collect();
     let p = problem(&frozen, &records, parameters, &options);
     let start = given(&p);

@@ -37,25 +37,36 @@ pub fn record(
     spans: &[Span],
     options: &FitOptions<'_>,
 ) -> Result<Record> {
-    let inputs = model.inputs.iter().map(|i| ("input", &i.name));
-    for (what, name) in inputs.chain(model.outputs.iter().map(|o| ("output", &o.name))) {
-        recording.channel(name).map_err(|e| e.about(&format!("{what} {name}")))?;
-    }
-    let empty = || {
+    record_if_any(model, recording, number, spans, options)?.ok_or_else(|| {
         Error::bad_input(format!(
             "recording '{}' has no sample to compare in the wanted spans",
             recording.name
         ))
         .with_hint("look at its times and spans with `gyrospec record`")
-    };
-    let window = match (spans.first(), spans.last()) {
-        (Some(first), Some(last)) => Span::new(first.from, last.to),
-        _ => return Err(empty()),
-    };
+    })
+}
+
+/// The same, or none where no sample is left.
+///
+/// # Errors
+/// Where a channel is missing.
+pub fn record_if_any(
+    model: &Model,
+    recording: &Recording,
+    number: usize,
+    spans: &[Span],
+    options: &FitOptions<'_>,
+) -> Result<Option<Record>> {
+    let inputs = model.inputs.iter().map(|i| ("input", &i.name));
+    for (what, name) in inputs.chain(model.outputs.iter().map(|o| ("output", &o.name))) {
+        recording.channel(name).map_err(|e| e.about(&format!("{what} {name}")))?;
+    }
+    let (Some(first), Some(last)) = (spans.first(), spans.last()) else { return Ok(None) };
+    let window = Span::new(first.from, last.to);
     let used = |t: f64| spans.iter().any(|s| s.contains(t));
     let Ready { rig, tracks, start, constants, lost } = ready(model, recording, window, &used, options)?;
     if tracks.iter().all(|t| t.time.is_empty()) {
-        return Err(empty());
+        return Ok(None);
     }
     let (mut values, free) = initials(model, &tracks, start);
     if let Some(given) = options.initials.get(number).filter(|g| g.len() == values.len()) {
@@ -67,7 +78,7 @@ pub fn record(
     for (k, range) in free.iter().zip(&reach) {
         values[*k] = range.clamp(values[*k]);
     }
-    Ok(Record {
+    Ok(Some(Record {
         name: recording.name.clone(),
         recording: number,
         start,
@@ -78,7 +89,7 @@ pub fn record(
         lost,
         free_initials: free,
         reach,
-    })
+    }))
 }
 
 /// Numbers of the parameters that the fit moves: free in the model and not known to every record.
