@@ -1,11 +1,13 @@
 //! `gyrospec gimbal`: the gyroscope in a rotating gimbal as a sensor of slow rates.
 
+use super::quantity::quantity;
 use super::{Outcome, input, output};
 use crate::gyro::gimbal::{Demodulator, Gimbal, Noise, Run, Sample, State};
 use crate::gyro::range;
+use crate::model::{Number, Numbers};
 use crate::report::terminal::{Trace, picture};
+use crate::units::figure;
 use crate::{Error, Result};
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
@@ -16,8 +18,8 @@ pub struct GimbalCall {
     /// Parameters: a TOML file with [parameters], - is standard input; what it leaves out is a made example.
     parameters: Option<PathBuf>,
     /// Corner of the demodulator's low-pass, rad/s.
-    #[arg(long, default_value_t = 2.0)]
-    corner: f64,
+    #[arg(long, default_value = "2", allow_hyphen_values = true)]
+    corner: String,
     /// One JSON object instead of text.
     #[arg(long)]
     json: bool,
@@ -37,42 +39,17 @@ struct Given {
     noise: Noise,
 }
 
-#[derive(serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-struct File {
-    #[serde(rename = "name")]
-    _name: Option<String>,
-    #[serde(default)]
-    parameters: BTreeMap<String, Entry>,
-}
-
-#[derive(serde::Deserialize)]
-#[serde(untagged)]
-enum Entry {
-    Full { value: f64, unit: Option<String> },
-    Bare(f64),
-}
-
 /// Runs the subcommand.
 pub fn run(call: &GimbalCall) -> Result<Outcome> {
     let given = read(call.parameters.as_deref())?;
-    given.gimbal.check()?;
-    if !(call.corner > 0.0 && call.corner < given.gimbal.speed) {
-        return Err(Error::usage(format!(
-            "--corner {}: the demodulator's corner is no slow rate",
-            call.corner
-        ))
-        .with_hint(format!("give one between 0 and the ring's speed, {} rad/s", given.gimbal.speed)));
-    }
+    let corner = quantity("corner", &call.corner, &range::CORNER)?;
+    // a corner that does not suit the gimbal
+    Demodulator::new(&given.gimbal, corner).map_err(|e| e.about("--corner"))?;
     if !given.gimbal.damping.iter().any(|d| *d > 0.0) {
         return Err(Error::bad_input("without damping the gimbal swings on for ever and reads no rates")
             .with_hint("give dx or dy a positive value"));
     }
-    if call.json {
-        output::quoted(&json(&given, call.corner)?)
-    } else {
-        output::words(&text(&given, call.corner)?)
-    }?;
+    if call.json { output::quoted(&json(&given, corner)?) } else { output::words(&text(&given, corner)?) }?;
     Ok(Outcome::Done)
 }
 
@@ -83,50 +60,27 @@ fn read(path: Option<&Path>) -> Result<Given> {
     };
     let Some(path) = path else { return Ok(given) };
     let text = input::text(path)?;
-    let file: File =
-        toml::from_str(&text).map_err(|e| Error::bad_input(e.to_string().trim_end()).with_file(path))?;
-    for (name, entry) in &file.parameters {
-        put(&mut given, name, entry).map_err(|e| e.with_file(path))?;
+    let file = Numbers::alone(&text).map_err(|e| e.with_file(path))?;
+    for number in &file.list {
+        put(&mut given, number).map_err(|e| number.place(e).with_file(path))?;
     }
+    given.gimbal.check().map_err(|e| e.with_file(path))?;
     Ok(given)
 }
 
-fn put(given: &mut Given, name: &str, entry: &Entry) -> Result<()> {
-    const NAMES: [&str; 20] = [
-        "Ix1", "Iy1", "Iz1", "Ix2", "Iy2", "Iz2", "Ix3", "Iy3", "Iz3", "H", "Omega", "cx", "cy", "dx", "dy",
-        "Qx", "Qy", "sigma", "omega0", "zeta",
-    ];
-    let g = &mut given.gimbal;
-    let place = match name {
-        "H" => &mut g.momentum,
-        "Omega" => &mut g.speed,
-        "cx" => &mut g.springs[0],
-        "cy" => &mut g.springs[1],
-        "dx" => &mut g.damping[0],
-        "dy" => &mut g.damping[1],
-        "Qx" => &mut given.noise.torque[0],
-        "Qy" => &mut given.noise.torque[1],
-        "sigma" => &mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[0],
-        "omega0" => &mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[1],
-        "zeta" => &mut given.noise.base.get_or_insert([0.0, 10.0, 0.5])[2],
-        _ => {
-            let Some(k) = NAMES[..9].iter().position(|n| *n == name) else {
-                let near = crate::error::nearest(name, NAMES).map(|n| format!("did you mean {n}? "));
-                return Err(Error::bad_input(format!("a gimbal has no parameter `{name}`"))
-                    .with_hint(format!("{}it has {}", near.unwrap_or_default(), NAMES.join(", "))));
-            };
-            let body = &mut g.bodies[k / 3];
-            match k % 3 {
-                0 => &mut body.x,
-                1 => &mut body.y,
-                _ => &mut body.z,
-            }
-        }
+fn put(given: &mut Given, number: &Number) -> Result<()> {
+    let name = number.name.as_str();
+    let names = || Gimbal::NAMES.into_iter().chain(Noise::NAMES);
+    let place = match given.gimbal.named(name) {
+        Some(place) => place,
+        None => given.noise.named(name).ok_or_else(|| {
+            let near = crate::error::nearest(&name.replace('_', ""), names());
+            let near = near.map(|n| format!("did you mean {n}? ")).unwrap_or_default();
+            Error::bad_input(format!("a gimbal has no parameter `{name}`"))
+                .with_hint(format!("{near}it has {}", names().collect::<Vec<_>>().join(", ")))
+        })?,
     };
-    let (value, unit) = match entry {
-        Entry::Full { value, unit } => (*value, unit.as_deref()),
-        Entry::Bare(value) => (*value, None),
-    };
+    let (value, unit) = (number.value()?, number.unit.as_deref());
     let range = range::of_gimbal(name);
     *place = range.map_or(Ok(value), |r| r.read(value, unit)).map_err(|e| e.about(name))?;
     Ok(())
@@ -156,14 +110,28 @@ struct Shown {
     unit: f64,
 }
 
-fn simulated(given: &Given, corner: f64) -> Result<Shown> {
+/// Steps of a picture: some tenths of a second, and 100 MB.
+const DRAWN: f64 = 4e6;
+
+/// The manoeuvre, or why it is not drawn.
+fn simulated(given: &Given, corner: f64) -> Result<std::result::Result<Shown, String>> {
     let g = &given.gimbal;
     let fastest = g.free_frequencies().map_or(g.speed, |f| f[1].max(g.speed));
     let unit = 2.0 / corner;
     let run = Run { step: 0.1 / fastest, duration: 26.0 * unit, noise: given.noise.torque, seed: 1 };
+    if run.steps() > DRAWN {
+        return Ok(Err(format!(
+            "No manoeuvre is drawn: one that is slow behind a corner of {} rad/s lasts {} s, and the gimbal's fastest \
+             motion, at {} rad/s, would be followed in {} steps.\n",
+            figure(corner),
+            figure(run.duration),
+            figure(fastest),
+            figure(run.steps())
+        )));
+    }
     let samples = g.simulate(State::default(), &run, |t| manoeuvre(t, unit))?;
     let read = Demodulator::new(g, corner)?.rates(&samples);
-    Ok(Shown { samples, read, unit })
+    Ok(Ok(Shown { samples, read, unit }))
 }
 
 fn text(given: &Given, corner: f64) -> Result<String> {
@@ -205,9 +173,11 @@ fn text(given: &Given, corner: f64) -> Result<String> {
             .map(|s| format!("BEYOND THE LINEAR THEORY: {}.\n", s.told()))
             .collect::<String>()
     );
-    let shown = simulated(given, corner)?;
-    for (name, axis) in [("Θ′", 0usize), ("Ψ′", 1)] {
-        out.push_str(&drawn(&shown, name, axis));
+    match simulated(given, corner)? {
+        Ok(shown) => {
+            [("Θ′", 0), ("Ψ′", 1)].iter().for_each(|(name, axis)| out.push_str(&drawn(&shown, name, *axis)));
+        }
+        Err(why) => out.push_str(&why),
     }
     Ok(out)
 }

@@ -16,6 +16,7 @@ pub mod models;
 pub mod new;
 pub mod output;
 pub mod progress;
+pub mod quantity;
 pub mod record;
 pub mod roll_error;
 pub mod signals;

@@ -70,26 +70,47 @@ impl Gyrosphere {
         }
     }
 
+    /// The names of its numbers in the symbol table, in the order of the fields.
+    pub const NAMES: [&str; 11] = ["P", "H", "lP", "C", "F", "C0", "T", "h", "lat", "g", "U"];
+
+    /// The place of a number by its name in the symbol table.
+    ///
+    /// ```
+    /// let mut sphere = gyrospec::gyro::Gyrosphere::seed();
+    /// *sphere.named("T").unwrap() = 0.6;
+    /// assert!(sphere.lag == 0.6 && sphere.named("kappa").is_none());
+    /// ```
+    pub fn named(&mut self, name: &str) -> Option<&mut f64> {
+        Some(match name {
+            "P" => &mut self.weight,
+            "H" => &mut self.momentum,
+            "lP" => &mut self.pendulous,
+            "C" => &mut self.damper,
+            "F" => &mut self.flow,
+            "C0" => &mut self.stiffness,
+            "T" => &mut self.lag,
+            "h" => &mut self.lever,
+            "lat" => &mut self.latitude,
+            "g" => &mut self.gravity,
+            "U" => &mut self.earth_rate,
+            _ => return None,
+        })
+    }
+
+    /// A number by its name in the symbol table.
+    pub fn value(mut self, name: &str) -> Option<f64> {
+        self.named(name).copied()
+    }
+
     /// Checks that the numbers describe a compass.
     ///
     /// # Errors
     /// `BadInput` that names the number and its [range](super::range).
     pub fn check(&self) -> Result<()> {
-        let all = [
-            ("P", self.weight),
-            ("H", self.momentum),
-            ("lP", self.pendulous),
-            ("C", self.damper),
-            ("F", self.flow),
-            ("C0", self.stiffness),
-            ("T", self.lag),
-            ("h", self.lever),
-            ("lat", self.latitude),
-            ("g", self.gravity),
-            ("U", self.earth_rate),
-        ];
-        for (name, value) in all {
-            range::of_compass(name).map_or(Ok(value), |r| r.check(value)).map_err(|e| e.about(name))?;
+        for name in Self::NAMES {
+            if let (Some(value), Some(range)) = (self.value(name), range::of_compass(name)) {
+                range.check(value).map_err(|e| e.about(name))?;
+            }
         }
         if self.damper >= self.pendulous {
             return Err(Error::bad_input("the damper C is as strong as the pendulous moment lP")
@@ -108,5 +129,22 @@ impl Gyrosphere {
     pub(super) fn rectifier(&self) -> f64 {
         let ratio = self.weight * self.lever / self.gravity;
         ratio * ratio / (2.0 * self.momentum * self.earth_rate * self.stiffness * self.latitude.cos())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_name_has_a_place_of_its_own_and_a_range() {
+        let mut sphere = Gyrosphere::seed();
+        for (k, name) in Gyrosphere::NAMES.iter().enumerate() {
+            *sphere.named(name).unwrap() = k as f64;
+            assert!(range::of_compass(name).is_some());
+        }
+        let values: Vec<f64> = Gyrosphere::NAMES.iter().map(|n| sphere.value(n).unwrap()).collect();
+        assert_eq!(values, (0..11).map(f64::from).collect::<Vec<_>>());
+        assert_eq!(sphere.value("alpha"), None);
     }
 }

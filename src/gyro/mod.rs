@@ -4,6 +4,8 @@
 //! W₂ along the meridian (east and north positive), with W₁ = −hθ̈ cos K and W₂ = +hθ̈ sin K for roll θ of a ship on
 //! heading K; x is the shift of the centre of mass along the parallel, west positive.
 
+mod by_spectrum;
+mod effort;
 pub mod elastic;
 mod free;
 pub mod gimbal;
@@ -18,8 +20,11 @@ pub mod range;
 pub mod rectified;
 pub mod seed;
 mod sweep;
+mod tail;
 pub mod validity;
 
+pub use by_spectrum::BySpectrum;
+pub use effort::{BUDGET, Effort, FEWEST};
 pub use free::FreeMotion;
 pub use gyrosphere::Gyrosphere;
 pub use identify::{Estimate, Identified, Trial, identify};
@@ -29,6 +34,7 @@ pub use motion::{Axis, Motion, Signal};
 pub use nonlinear::{Moment, folded};
 pub use path::Drive;
 pub use sweep::sweep;
+pub use tail::Tail;
 
 /// Which way an error of the heading is, for everybody who reads one.
 ///

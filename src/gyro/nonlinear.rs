@@ -13,10 +13,11 @@
 //!
 //! # Numerical aspects
 //! Replicates are added until the interval is within 2 % of the mean, or of a tenth of what the part would
-//! give if it were linear; 768 of them at most. Every replicate is followed with the double step too,
-//! and the whole difference, about three times the error, is added to the margin. All headings see the same
-//! motions. The seed is fixed.
+//! give if it were linear, or until the step's error outweighs their scatter; as many as the [`Effort`] allows at
+//! most. Every replicate is followed with the double step too, and the whole difference, about three times the
+//! error, is added to the margin. All headings see the same motions. The seed is fixed.
 
+use super::effort::Effort;
 use super::elastic::{Elastic, Friction, InTime, Inertia};
 use super::instrument::{HeadingError, Instrument};
 use super::monte_carlo::interval;
@@ -25,15 +26,15 @@ use super::rectified::SlowFast;
 use super::seed::Regular;
 use super::{Axis, Motion};
 use crate::spectrum::Roll;
-use crate::{Error, ErrorKind, Result};
+use crate::{Error, Result};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::f64::consts::{PI, TAU};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Replicates of the first round; each further round doubles them.
 const FIRST: usize = 192;
-const MOST: usize = 768;
 /// Streams of the seed from here on, apart from those of a Monte Carlo check.
 const STREAM: u64 = 1 << 40;
 /// Points of a period of regular roll.
@@ -160,50 +161,63 @@ impl Instrument {
     /// (rad), by simulation.
     ///
     /// # Errors
-    /// `OutOfRange` for a motion of infinite acceleration, or of endless memory; else as the covariance.
+    /// `OutOfRange` for a motion of infinite acceleration, and for one that takes too many steps
+    /// ([`Effort::check`]); else as the covariance.
     pub fn moment(&self, motion: &Motion, heading: f64) -> Result<Moment> {
+        self.moment_with(motion, heading, &|_| ())
+    }
+
+    /// The same, which tells time and again what share of the longest simulation is done.
+    ///
+    /// # Errors
+    /// As [`Instrument::moment`].
+    pub fn moment_with(&self, motion: &Motion, heading: f64, told: &(dyn Fn(f64) + Sync)) -> Result<Moment> {
         self.check(heading)?;
         let (heading, _) = folded(motion, heading);
-        let drive = Drive::irregular(motion);
-        // the mean of samples of W₂ x needs no rule for an integral, and so half as many steps
-        let step = 2.0 * drive.step()?;
-        let path = Path::new(self, &drive, heading, step)?;
+        let effort = self.effort(motion)?;
+        let path = Path::new(self, &Drive::irregular(motion), heading, effort.step)?;
+        effort.check(self.elastic.name())?;
         let linear = parted(&self.tight().system(motion, heading)?).0.rectified_mean()?[0];
         let linear = linear / self.by_moment(heading);
-        let length = drive.memory()?.max(10.0 * self.sphere.lag).max(10.0) * 100.0;
-        if length > 4e6 * step {
-            return Err(endless());
-        }
-        let steps = 2 * (0.5 * length / step).ceil() as usize;
+        let (most, done) = (effort.replicates(), AtomicUsize::new(0));
         let one = |replicate: usize| -> Result<Batch> {
-            let mut rng = ChaCha8Rng::seed_from_u64(1);
-            rng.set_stream(STREAM + replicate as u64);
-            let (mut path, mut pair) = (path.clone(), Pair::new(self, step)?);
-            let mut last = path.begin(&mut rng);
-            pair.go(&mut path, &mut last, steps / 8 * 2, &mut rng);
-            Ok(pair.go(&mut path, &mut last, steps, &mut rng))
+            let batch = self.replicate(path.clone(), &effort, replicate);
+            told((1 + done.fetch_add(1, Ordering::Relaxed)) as f64 / most as f64);
+            batch
         };
         let mut batches: Vec<Batch> = Vec::new();
         loop {
-            let next = (2 * batches.len()).clamp(FIRST, MOST);
+            let next = (2 * batches.len()).max(FIRST).min(most);
             let more: Vec<Batch> = (batches.len()..next).into_par_iter().map(one).collect::<Result<_>>()?;
             batches.extend(more);
-            let m = Moment { heading, ..self.of_batches(&batches, linear, step * steps as f64) };
-            if batches.len() == MOST || m.margin <= 0.02 * m.mean.abs().max(0.1 * linear.abs()) {
-                return Ok(m);
+            let (m, by_step) = self.of_batches(&batches, linear, effort.step * effort.samples() as f64);
+            let near = m.margin <= 0.02 * m.mean.abs().max(0.1 * linear.abs());
+            if near || batches.len() == most || by_step > 0.5 * m.margin {
+                return Ok(Moment { heading, ..m });
             }
         }
     }
 
-    /// `linear` is the true ⟨W₂ x⟩ of the linear part.
-    fn of_batches(&self, batches: &[Batch], linear: f64, length: f64) -> Moment {
+    /// One replicate, from its settling on.
+    fn replicate(&self, mut path: Path, effort: &Effort, number: usize) -> Result<Batch> {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        rng.set_stream(STREAM + number as u64);
+        let (mut pair, samples) = (Pair::new(self, effort.step)?, effort.samples());
+        let mut last = path.begin(&mut rng);
+        pair.go(&mut path, &mut last, samples / 8 * 2, &mut rng);
+        Ok(pair.go(&mut path, &mut last, samples, &mut rng))
+    }
+
+    /// The moment, and what of its margin is the step's; `linear` is the true ⟨W₂ x⟩ of the linear part.
+    fn of_batches(&self, batches: &[Batch], linear: f64, length: f64) -> (Moment, f64) {
         let n = batches.len() as f64;
         let means: Vec<f64> = batches.iter().map(|b| b.fine).collect();
         // what the linear part of each replicate is off tells much of what this one is off
         let slope = slope(batches);
         let (mean, mut margin, _) =
             interval(&batches.iter().map(|b| b.fine - slope * (b.linear - linear)).collect::<Vec<_>>());
-        margin += (batches.iter().map(|b| b.fine - b.coarse).sum::<f64>() / n).abs();
+        let by_step = (batches.iter().map(|b| b.fine - b.coarse).sum::<f64>() / n).abs();
+        margin += by_step;
         if means.iter().all(|m| *m == 0.0) {
             // it never slipped: at 99 % it does so less than 4.6 times in as long, each time by less than
             // σ(mW₁)/C₀ over the largest swing of V₂
@@ -215,16 +229,8 @@ impl Instrument {
         let own = means.iter().sum::<f64>() / n;
         let squares: Vec<f64> = means.iter().map(|m| (m - own).powi(2) * length * n / (n - 1.0)).collect();
         let (density, density_margin, _) = interval(&squares);
-        Moment { mean, margin, density, density_margin, heading: 0.0 }
+        (Moment { mean, margin, density, density_margin, heading: 0.0 }, by_step)
     }
-}
-
-fn endless() -> Error {
-    Error::new(
-        ErrorKind::OutOfRange,
-        "this roll is too regular to be simulated as a random one: its memory is too long",
-    )
-    .with_hint("take it as regular roll, or with more decay")
 }
 
 /// The regression of the means of W₂ x on those of the linear part.

@@ -82,6 +82,8 @@ pub const WAVE_SLOPE: Range = range("an effective part of the wave's slope", "1"
 pub const BEAM: Range = range("a ship's beam", "m", [0.2, 100.0]);
 /// Of the low-passes on a motion.
 pub const BAND: Range = range("a band of motion", "rad/s", [0.01, 1e4]);
+/// ω_c of a gimbal's demodulator.
+pub const CORNER: Range = range("a demodulator's corner", "rad/s", [1e-4, 1e5]);
 /// F_c.
 pub const FRICTION: Range = meant("dry friction", "N", [0.0, 1e5], &["dyn"]);
 /// δ.
@@ -187,6 +189,12 @@ impl Range {
 
     /// What is said of a value outside, in the unit in which it was given.
     fn outside(&self, value: f64, given: Option<&Unit>) -> Error {
+        if !value.is_finite() {
+            return Error::bad_input(format!(
+                "{} must be a finite number, not {value}",
+                self.what.trim_end_matches(',')
+            ));
+        }
         let (shown, si) = (Unit::parse(self.shown).ok(), Unit::parse(self.unit).ok());
         let (Some(shown), Some(si)) = (shown, si) else { return Error::bad_input(self.what) };
         let unit = given.unwrap_or(&si);
@@ -194,7 +202,7 @@ impl Range {
             let name = if u.text() == "1" { String::new() } else { format!(" {}", u.text()) };
             format!("{}{name}", figure(u.from_si(v)))
         };
-        let also = if unit.text() == shown.text() || !value.is_finite() {
+        let also = if unit.text() == shown.text() {
             String::new()
         } else {
             format!(" ({})", in_unit(value, &shown))
@@ -209,7 +217,7 @@ impl Range {
         ));
         let as_meant = |u: &&&str| Unit::parse(u).is_ok_and(|u| self.holds(u.to_si(value)));
         match self.meant.iter().find(as_meant) {
-            Some(u) if given.is_none() && value.is_finite() => told.with_hint(format!(
+            Some(u) if given.is_none() => told.with_hint(format!(
                 "a number without a unit is in {}; did you mean {}{u}?",
                 self.unit,
                 figure(value)

@@ -7,6 +7,11 @@
 //! second order: at 0.3 it is a tenth. A mean error α turns the axes along which W₁ and W₂ are taken, so that sin 2K
 //! becomes sin 2(K + α): at 10° a third of the error between the intercardinal headings.
 //!
+//! A sea is no longer one of linear waves where they break: no wave in deep water is steeper than H/λ = 0.142.
+//!
+//! # References
+//! J. H. Michell, The highest waves in water, Philosophical Magazine (5) 36 (1893) 430–437.
+//!
 //! # Numerical aspects
 //! Where an acceleration has a white tail, its variance is infinite and not judged; on a regular roll, the limit of
 //! ever narrower irregular roll, it is σ(θ̇)²/σ(θ).
@@ -14,6 +19,7 @@
 use super::motion::deviation;
 use super::{Axis, HeadingError, Instrument, Motion};
 use crate::lti::stationary_covariance;
+use crate::spectrum::Sea;
 use crate::units::{figure, significant};
 use crate::{Error, ErrorKind, Result};
 
@@ -23,7 +29,7 @@ pub const LARGEST_MEAN: f64 = std::f64::consts::FRAC_PI_4;
 /// One figure that the linear theory takes for small.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Smallness {
-    /// Its name in a report: `mean`, `spread`, `roll`, `acceleration`, `shift` or `latitude`.
+    /// Its name in a report: `mean`, `spread`, `roll`, `acceleration`, `shift`, `latitude` or `steepness`.
     pub figure: &'static str,
     /// What it is, in words.
     pub says: &'static str,
@@ -60,6 +66,27 @@ const MEAN: f64 = 10.0;
 const RATIO: f64 = 0.3;
 /// Above it the Earth's rate has less than a sixth of its horizontal part, degrees.
 const NORTH: f64 = 80.0;
+
+/// Michell's limit, H/λ of the highest wave in deep water.
+const HIGHEST: f64 = 0.142;
+
+/// Whether the waves of a sea can be as steep as they would have to be, by significant height and length at the peak.
+///
+/// ```
+/// use gyrospec::{gyro::validity::steepness, spectrum::Sea};
+/// assert!(steepness(&Sea::PiersonMoskowitz { height: 9.0 }).holds());
+/// // 8 m of height on 25 m of length
+/// assert!(!steepness(&Sea::Bretschneider { height: 8.0, peak: std::f64::consts::TAU / 4.0 }).holds());
+/// ```
+pub fn steepness(sea: &Sea) -> Smallness {
+    Smallness {
+        figure: "steepness",
+        says: "height of the waves against their length, which break beyond Michell's limit,",
+        value: sea.steepness(),
+        limit: HIGHEST,
+        unit: "1",
+    }
+}
 
 /// Refuses a mean error that no linear theory gives.
 ///

@@ -81,6 +81,11 @@ impl<'a> Form<'a> {
         }
     }
 
+    /// Whether that key holds a table.
+    pub fn is_table(&self, key: &str) -> bool {
+        self.field(key).is_some_and(|f| matches!(f.value, DeValue::Table(_)))
+    }
+
     /// The dotted path of a key.
     pub fn path_of(&self, key: &str) -> String {
         if self.path.is_empty() { key.to_string() } else { format!("{}.{key}", self.path) }

@@ -21,6 +21,7 @@ mod angular;
 mod builtin;
 mod check;
 mod form;
+mod numbers;
 mod parts;
 mod places;
 pub(crate) mod program;
@@ -29,6 +30,7 @@ mod scalar;
 mod write;
 
 pub use builtin::BUILTIN;
+pub use numbers::{Number, Numbers};
 pub use parts::{Definition, Initial, Input, Model, Output, Parameter, State};
 pub use scalar::{Dual, Scalar};
 

@@ -46,32 +46,28 @@ pub fn roll_error_sweep<'py>(
 
 type View<'a> = (&'a str, numpy::ndarray::ArrayView1<'a, f64>);
 
+/// What the mean error by the elastic lag does not depend on.
+const IDLE: [&str; 3] = ["lP", "C", "F"];
+
 fn case(columns: &[View<'_>], row: usize) -> Result<(Gyrosphere, Roll, f64)> {
-    let (mut s, mut roll, mut heading) = crate::gyro::seed::example_3_1();
+    let (mut sphere, mut roll, mut heading) = crate::gyro::seed::example_3_1();
     for (name, values) in columns {
         let place = match *name {
-            "P" => &mut s.weight,
-            "H" => &mut s.momentum,
-            "C0" => &mut s.stiffness,
-            "T" => &mut s.lag,
-            "h" => &mut s.lever,
-            "lat" => &mut s.latitude,
-            "g" => &mut s.gravity,
-            "U" => &mut s.earth_rate,
-            "A" => &mut roll.variance,
-            "mu" => &mut roll.decay,
-            "eps" => &mut roll.frequency,
-            "heading" => &mut heading,
-            _ => return Err(unknown(name)),
+            "heading" => Some(&mut heading),
+            idle if IDLE.contains(&idle) => None,
+            _ => sphere.named(name).or_else(|| roll.named(name)),
         };
-        *place = values[row];
+        *place.ok_or_else(|| unknown(name))? = values[row];
     }
-    Ok((s, roll, heading))
+    Ok((sphere, roll, heading))
 }
 
 fn unknown(name: &str) -> Error {
-    let all = ["P", "H", "C0", "T", "h", "lat", "g", "U", "A", "mu", "eps", "heading"];
-    let meant = crate::error::nearest(name, all).map(|n| format!("did you mean {n}? ")).unwrap_or_default();
+    let all = Gyrosphere::NAMES.into_iter().filter(|n| !IDLE.contains(n));
+    let all: Vec<&str> = all.chain(Roll::NAMES).chain(["heading"]).collect();
+    let meant = crate::error::nearest(name, all.iter().copied())
+        .map(|n| format!("did you mean {n}? "))
+        .unwrap_or_default();
     Error::bad_input(format!("the mean rolling error does not depend on `{name}`"))
         .with_hint(format!("{meant}it depends on {}", all.join(", ")))
 }

@@ -46,6 +46,19 @@ impl Roll {
         Ok(Self { variance, decay, frequency })
     }
 
+    /// The names of its numbers in the symbol table: A, μ and ε.
+    pub const NAMES: [&str; 3] = ["A", "mu", "eps"];
+
+    /// The place of a number by its name in the symbol table.
+    pub fn named(&mut self, name: &str) -> Option<&mut f64> {
+        Some(match name {
+            "A" => &mut self.variance,
+            "mu" => &mut self.decay,
+            "eps" => &mut self.frequency,
+            _ => return None,
+        })
+    }
+
     /// b² = μ² + ε², 1/s².
     pub fn b2(&self) -> f64 {
         self.decay * self.decay + self.frequency * self.frequency

@@ -69,6 +69,18 @@ impl Sea {
         }
     }
 
+    /// H_s/λ with λ = 2πg/ω_p², the length in deep water of the waves at the peak.
+    ///
+    /// ```
+    /// use gyrospec::spectrum::Sea;
+    /// // 8 s: waves of 100 m
+    /// let sea = Sea::Bretschneider { height: 3.0, peak: std::f64::consts::TAU / 8.0 };
+    /// assert!((sea.steepness() - 0.03).abs() < 1e-4);
+    /// ```
+    pub fn steepness(&self) -> f64 {
+        self.height() * self.peak().powi(2) / (2.0 * PI * GRAVITY)
+    }
+
     /// Checks that the numbers describe a sea.
     ///
     /// # Errors

@@ -148,3 +148,99 @@ fn a_quiet_base_and_a_slow_one_are_told_apart() {
     assert_relative_eq!(said.base_passed, 1e-3, max_relative = 5e-3);
     assert!(said.base_folded < 1e-3 * said.base_passed);
 }
+
+/// Exit code and both outputs of `gyrospec gimbal` on a file of the given text.
+fn called(file: &str, options: &[&str]) -> (i32, String) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("gimbal.toml");
+    std::fs::write(&path, file).unwrap();
+    let out = std::process::Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+        .arg("gimbal")
+        .arg(&path)
+        .args(options)
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&out.stdout) + String::from_utf8_lossy(&out.stderr);
+    (out.status.code().unwrap(), said.into_owned())
+}
+
+#[test]
+fn each_wrong_number_is_named_with_what_is_wrong_about_it() {
+    let cases: [(&str, &[&str]); 26] = [
+        ("Ix1 = 0", &["Iz1 of 3.5e-6", "Ix1 and Iy1", "no body"]),
+        ("Ix1 = 2", &["Ix1 of 2 kg*m^2", "g*cm^2"]),
+        ("Ix1 = -1e-6", &["Ix1", "lies outside"]),
+        ("Ix1 = nan", &["parameters.Ix1", "finite number"]),
+        ("Ix1 = \"2\"", &["parameters.Ix1", "finite number", "string"]),
+        ("Ix1 = [1]", &["parameters.Ix1", "finite number", "array"]),
+        ("Ix1 = {}", &["parameters.Ix1 has no value", "value = "]),
+        ("Ix1 = { unit = \"kg*m^2\" }", &["parameters.Ix1 has no value"]),
+        ("Ix1 = { value = 2, units = \"kg*m^2\" }", &["parameters.Ix1", "\"units\"", "unit"]),
+        ("Ix1 = { value = 20, unit = \"N\" }", &["Ix1", "N where kg*m^2 is meant"]),
+        ("Ix1 = 0\nIy1 = 0\nIz1 = 0\nIx3 = 0\nIy3 = 0\nIz3 = 0", &["Ix1 + Ix3 must be positive"]),
+        ("H = -2e-3", &["does not hold", "about α by -0.0", "cx above", "cy above"]),
+        ("cx = -1", &["does not hold", "about α", "cx above"]),
+        ("cy = -1\ndx = 0\ndy = 0", &["does not hold", "about β", "cy above"]),
+        ("cx = { value = 0.02, unit = \"N/m\" }", &["cx", "N/m where N*m is meant"]),
+        ("dx = -1", &["dx", "lies outside"]),
+        ("dx = 0\ndy = 0", &["without damping", "dx or dy"]),
+        ("dx = 1e-300\ndy = 0", &["dx = 1e-300", "too far apart"]),
+        ("Omega = 0", &["Omega", "lies outside"]),
+        ("Omega = 0.01", &["--corner", "2 rad/s", "0.01 rad/s"]),
+        ("Omega = { value = 10, unit = \"Hz\" }", &["Omega", "turns or radians"]),
+        ("zeta = 0", &["zeta", "lies outside"]),
+        ("omega0 = -1", &["omega0", "lies outside"]),
+        ("Qx = -1", &["Qx", "lies outside"]),
+        ("omega = 3", &["`omega`", "did you mean Omega?"]),
+        ("c_x = 1", &["`c_x`", "did you mean cx?"]),
+    ];
+    for (entry, words) in cases {
+        let (code, said) = called(&format!("[parameters]\n{entry}\n"), &[]);
+        assert!(code == 2 || (code == 3 && words.contains(&"too far apart")), "{entry}: {said}");
+        assert!(words.iter().all(|w| said.contains(w)), "{entry}: {said}");
+        assert!(said.contains("gimbal.toml") || words.contains(&"--corner") || !said.contains("parameters."));
+    }
+    for (file, words) in [
+        ("Ix1 = 1e-6", ["`Ix1`", "[parameters]"]),
+        ("[parameter]\nH = 1", ["`parameter`", "parameters"]),
+        ("parameters = 3", ["parameters must be a table", "integer"]),
+        ("a,b\n1,2", ["no TOML", "gimbal.toml"]),
+    ] {
+        let (code, said) = called(file, &[]);
+        assert!(code == 2 && words.iter().all(|w| said.contains(w)), "{file}: {said}");
+    }
+}
+
+#[test]
+fn a_corner_is_a_rate_below_the_rings() {
+    for (corner, words) in [
+        ("0", "lies outside"),
+        ("-1", "lies outside"),
+        ("nan", "no quantity"),
+        ("1e-9", "lies outside"),
+        ("60", "does not lie below the ring's speed, 60 rad/s"),
+        ("5Hz", "turns or radians"),
+        ("2m", "m where rad/s is meant"),
+        ("", "no quantity"),
+    ] {
+        let (code, said) = called("", &["--corner", corner]);
+        assert!(code == 2 && said.contains("--corner") && said.contains(words), "{corner}: {said}");
+    }
+    assert_eq!(called("", &["--corner", "2rad/s"]), called("", &["--corner", "2"]));
+    assert_eq!(called("", &["--corner", "3", "--json"]).0, 0);
+}
+
+#[test]
+fn a_manoeuvre_of_too_many_steps_is_not_drawn_and_the_figures_stand() {
+    for file in ["[parameters]\ncx = 1e5\n", "[parameters]\nH = 2000\n"] {
+        let (code, said) = called(file, &[]);
+        assert!(
+            code == 0 && said.contains("No manoeuvre is drawn") && said.contains("scale factor"),
+            "{said}"
+        );
+    }
+    let (code, said) = called("", &["--corner", "1e-3"]);
+    assert!(code == 0 && said.contains("No manoeuvre is drawn"), "{said}");
+    let run = Run { step: 1e-6, duration: 1e6, noise: [0.0; 2], seed: 0 };
+    assert!(Gimbal::example().simulate(State::default(), &run, |_| ([0.0; 2], [0.0; 2])).is_err());
+}

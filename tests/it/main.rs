@@ -33,6 +33,7 @@ mod quality;
 mod record;
 mod report;
 mod results;
+mod roll_band;
 mod roll_error;
 mod roll_tail;
 mod saddles;

@@ -6,7 +6,7 @@ use gyrospec::spectrum::Roll;
 
 /// The mean error on heading 45° of the paper's compass by a roll's frequencies from `low` to `high` rad/s,
 /// degrees, by quadrature: ∫ S ω⁴ Re G(jω)/(1 + ω²/ω_c²)² dω/π with G from W₁ to x.
-fn mean_by_quadrature(roll: &Roll, [low, high]: [f64; 2], band: f64, part: impl Fn(f64) -> f64) -> f64 {
+pub fn mean_by_quadrature(roll: &Roll, [low, high]: [f64; 2], band: f64, part: impl Fn(f64) -> f64) -> f64 {
     let s = gyrospec::gyro::Gyrosphere::seed();
     let count = 800_000;
     let d = (high / low).ln() / f64::from(count);

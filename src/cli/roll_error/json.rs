@@ -2,9 +2,8 @@
 
 use super::options::Against;
 use super::table::{Plan, Row};
-use super::tail::Tail;
-use crate::gyro::SIGN;
 use crate::gyro::validity::Smallness;
+use crate::gyro::{SIGN, Tail};
 use crate::{Error, Result};
 use serde_json::{Value, json};
 
@@ -49,7 +48,7 @@ pub fn smallness(s: &Smallness) -> Value {
 /// The mean on heading 45° by the frequencies up to each, and the share of it that those above count for.
 fn white_tail(tail: &Tail) -> Value {
     let mean = |omega: Option<f64>, mean: f64, share: f64| json!({ "up_to_rad_per_s": omega, "mean_deg": mean.to_degrees(), "share_above": share });
-    let told = tail.told().into_iter().map(|(omega, m, share)| mean(Some(omega), m, share));
+    let told = tail.table().into_iter().map(|(omega, m, share)| mean(Some(omega), m, share));
     let means: Vec<Value> = told.chain([mean(None, tail.whole, 0.0)]).collect();
     json!({ "infinite": tail.white, "above_rad_per_s": tail.from, "share": tail.share(), "means": means })
 }

@@ -1,10 +1,11 @@
 //! The rolling error on a recorded roll.
 
 use super::Arguments;
-use super::options::{Against, Described, RowOptions};
-use super::parameters::{Compass, Part};
+use super::described::Described;
+use super::options::{Against, RowOptions};
+use super::parameters::Compass;
 use super::table::{Case, Plan};
-use crate::gyro::{Instrument, Motion, seed};
+use crate::gyro::{BySpectrum, Instrument, Motion};
 use crate::record::{Recording, Source};
 use crate::report::terminal::{Trace, picture};
 use crate::spectrum::{
@@ -85,57 +86,14 @@ fn moves(all: &[f64], rolling: &[f64]) -> Result<()> {
         .with_hint("without roll there is no rolling error; a frozen channel looks like this too"))
 }
 
-/// ⟨θ̈·lagged θ̈⟩ three ways, rad²/s⁴: by I₃ of the fit, by the fit on the measured band, and by
-/// quadrature over the measured spectrum.
-struct Moments {
-    integral: f64,
-    banded: f64,
-    measured: f64,
-}
-
-/// Percent of the mean by the fit from which on its form, or its tail, counts.
-const MUCH: f64 = 10.0;
+/// Part of the mean by the fit from which on its form, or its tail, counts.
+const MUCH: f64 = 0.1;
 /// Misfit of the correlation function from which on the fit is no longer good.
 const FAIR: f64 = 0.05;
 
-impl Moments {
-    /// Part of the mean by the fit, in percent.
-    fn part(&self, x: f64) -> f64 {
-        100.0 * x / self.integral
-    }
-
-    /// What of the mean by the fit lies above the measured band, and by how much the fit's form makes it
-    /// too large inside the band; percent.
-    fn gaps(&self) -> (f64, f64) {
-        (self.part(self.integral - self.banded), self.part(self.banded - self.measured))
-    }
-
-    /// Whether the mean by the measured spectrum is the one to trust.
-    fn is_surer(&self, fit: &CorrelationFit) -> bool {
-        let (above, shape) = self.gaps();
-        above >= MUCH || shape.abs() >= MUCH || fit.misfit >= FAIR
-    }
-}
-
-fn moments(a: &Analysis, lag: f64) -> Result<Moments> {
-    // ω⁴/(1 + ω²T²)
-    let weight = |w: f64| w.powi(4) / (1.0 + (w * lag).powi(2));
-    let limit = PI / a.samples.step;
-    let roll = a.fit.roll;
-    let banded = quadrature_over(limit, |w| roll.density(w) * weight(w)) / PI;
-    Ok(Moments {
-        integral: seed::rectified_moment(&roll, lag)?.value,
-        banded,
-        measured: a.spectrum.integral(weight),
-    })
-}
-
-/// Simpson's rule on 0 … limit; the integrand is smooth on the scale of its 4000 panels.
-fn quadrature_over(limit: f64, f: impl Fn(f64) -> f64) -> f64 {
-    let panels = 4000;
-    let h = limit / f64::from(panels);
-    let inner: f64 = (1..panels).map(|k| f(f64::from(k) * h) * if k % 2 == 1 { 4.0 } else { 2.0 }).sum();
-    h / 3.0 * (f(0.0) + inner + f(limit))
+/// Whether the mean by the measured spectrum is the one to trust.
+fn is_surer(m: &BySpectrum, fit: &CorrelationFit) -> bool {
+    m.above().abs() >= MUCH || m.form().abs() >= MUCH || fit.misfit >= FAIR
 }
 
 /// The table for a recorded roll: by I_n on the fit of (3.3), with the mean by quadrature over
@@ -151,30 +109,29 @@ pub fn plan(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowO
         compass.sphere.latitude = latitude;
         compass.sphere.check()?;
     }
-    linear(&compass.instrument(&a.instrument)?)?;
+    let instrument = compass.instrument(&a.instrument)?;
+    linear(&instrument)?;
     let analysis = analyse(recording, &name)?;
-    let m = moments(&analysis, compass.sphere.lag)?;
+    let m = instrument.mean_by_spectrum(&analysis.fit.roll, &analysis.spectrum)?;
     let motion = || -> Described {
         let says = format!(
             "the recorded roll by its fit, and the last column by its measured spectrum to {:.2} rad/s",
             PI / analysis.samples.step
         );
-        Described { motion: Motion::roll(&analysis.fit.roll), says, regular: None }
+        Described::new(Motion::roll(&analysis.fit.roll), says)
     };
     let mut cases = Vec::new();
-    let lag = matches!(compass.part(&a.instrument)?, Part::Lag);
     for heading in rows.headings()? {
-        let instrument = compass.instrument(&a.instrument)?;
-        let measured = lag.then(|| {
-            instrument.sailing_error(heading) + seed::error_of_moment(&compass.sphere, m.measured, heading)
-        });
+        let (instrument, motion) = (compass.instrument(&a.instrument)?, motion());
+        let rectified = instrument.rectified_error(&motion.motion, heading)?;
+        let measured = Some(instrument.sailing_error(heading) + m.ratio() * rectified);
         let value = heading.to_degrees();
-        cases.push(Case { instrument, motion: motion(), heading, value, height: None, measured });
+        cases.push(Case { instrument, motion, heading, value, height: None, measured });
     }
-    let by_spectrum = lag && m.is_surer(&analysis.fit);
+    let by_spectrum = is_surer(&m, &analysis.fit);
     Ok(Plan {
         motion_says: motion().says,
-        after: tail(&m, lag, by_spectrum) + &super::table::asides(compass.speed, a)?,
+        after: tail(&m, by_spectrum) + &super::table::asides(compass.speed, a)?,
         tail: None,
         by_spectrum,
         smallness: Vec::new(),
@@ -269,27 +226,41 @@ fn trusted(intervals: Option<&RollIntervals>) -> String {
     )
 }
 
-/// Why the two means differ, and what of the answer depends on frequencies that nobody measured.
-fn tail(m: &Moments, lag: bool, by_spectrum: bool) -> String {
-    let (above, shape) = m.gaps();
-    let mut text =
-        format!("{above:.0} % of the mean by the fit comes from frequencies above the measured band");
-    text.push_str(if above < MUCH {
-        ".\n"
-    } else {
-        ", where (3.3) gives the\nacceleration a white tail of infinite variance: nothing measured supports it.\n"
-    });
-    if lag {
-        let gap = m.part(m.integral - m.measured);
-        let than = |x: f64| format!("{:.0} % {}", x.abs(), if x < 0.0 { "larger" } else { "smaller" });
-        text.push_str(&format!(
-            "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\
-             {} since inside the band the roll is not quite of the form (3.3), or the recording is short.\n",
-            than(gap),
-            than(above),
-            than(shape)
-        ));
+/// So much larger or smaller, in words.
+fn than(part: f64) -> String {
+    format!("{:.0} % {}", 100.0 * part.abs(), if part < 0.0 { "larger" } else { "smaller" })
+}
+
+/// What of the answer depends on frequencies that nobody measured.
+fn unmeasured(above: f64) -> String {
+    let tail = |end: &str| {
+        let tail = ", where (3.3) gives the\nacceleration a white tail of infinite variance";
+        if above.abs() >= MUCH { format!("{tail}{end}") } else { String::new() }
+    };
+    if above < -0.005 {
+        let tail = tail(" that nothing measured supports,");
+        return format!(
+            "Without the frequencies above the measured band{tail} the mean by the fit would be {}.\n",
+            than(above)
+        );
     }
+    format!(
+        "{:.0} % of the mean by the fit comes from frequencies above the measured band{}.\n",
+        100.0 * above.max(0.0),
+        tail(": nothing measured supports it")
+    )
+}
+
+/// Why the two means differ, and which to trust.
+fn tail(m: &BySpectrum, by_spectrum: bool) -> String {
+    let mut text = unmeasured(m.above());
+    text.push_str(&format!(
+        "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\
+         {} since inside the band the roll is not quite of the form (3.3), or the recording is short.\n",
+        than(1.0 - m.ratio()),
+        than(m.above()),
+        than(m.form())
+    ));
     if by_spectrum {
         text.push_str("The measured spectrum has no form forced upon it: trust the last column more.\n");
     }

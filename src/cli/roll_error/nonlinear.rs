@@ -1,11 +1,11 @@
 //! Parts that are not linear: what they need of the motion, and what is said of their figures.
 
-use super::options::Described;
+use super::described::Described;
 use super::table::{Case, plain};
-use super::tail::Tail;
 use crate::cli::progress::Meter;
 use crate::estimate::fit::Progress;
-use crate::gyro::{HeadingError, Instrument, Moment, folded};
+use crate::gyro::{BUDGET, Effort, FEWEST, HeadingError, Instrument, Moment, Tail, folded};
+use crate::units::{figure, significant};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 
@@ -15,15 +15,21 @@ pub struct Moments(BTreeMap<[u64; 2], Moment>);
 
 impl Moments {
     pub fn of(cases: &[Case], meter: &Meter) -> Result<Self> {
-        let mut all = BTreeMap::new();
-        for (i, case) in cases.iter().enumerate() {
-            let missing = case.motion.regular.is_none() && !all.contains_key(&Self::key(case));
-            if missing && !case.instrument.is_linear()? {
-                meter.says("following the part in time", Some(i as f64 / cases.len() as f64));
-                all.insert(Self::key(case), case.instrument.moment(&case.motion.motion, case.heading)?);
+        let mut distinct: BTreeMap<[u64; 2], &Case> = BTreeMap::new();
+        for case in cases.iter().filter(|c| c.motion.regular.is_none()) {
+            if !case.instrument.is_linear()? {
+                distinct.entry(Self::key(case)).or_insert(case);
             }
         }
-        Ok(Self(all))
+        distinct.values().try_for_each(|case| affordable(case))?;
+        let count = distinct.len() as f64;
+        let moment = |(i, (key, case)): (usize, (&[u64; 2], &&Case))| {
+            let told =
+                |share: f64| meter.says("following the part in time", Some((i as f64 + share) / count));
+            told(0.0);
+            Ok((*key, case.instrument.moment_with(&case.motion.motion, case.heading, &told)?))
+        };
+        distinct.iter().enumerate().map(moment).collect::<Result<_>>().map(Self)
     }
 
     pub fn get(&self, case: &Case) -> Option<&Moment> {
@@ -36,6 +42,52 @@ impl Moments {
     }
 }
 
+/// Refuses a motion on which the part cannot be followed in a reasonable time, with what would help.
+fn affordable(case: &Case) -> Result<()> {
+    let (instrument, motion) = (&case.instrument, &case.motion);
+    let effort = instrument.effort(&motion.motion)?;
+    let Err(e) = effort.check(instrument.elastic.name()) else { return Ok(()) };
+    for band in BANDS {
+        let narrower = instrument.effort(&motion.clone().banded(band)?.motion)?;
+        if narrower.step > 1.1 * effort.step && narrower.replicates() >= 2 * FEWEST {
+            let steps = 2.0 * FEWEST as f64 * narrower.steps();
+            return Err(e.with_hint(format!(
+                "--band sets the length of a step, {} s here; with --band {band}rad/s it takes {} steps or more, some seconds",
+                significant(effort.step, 3),
+                figure(steps)
+            )));
+        }
+    }
+    Err(e.with_hint(lengthy(&effort)))
+}
+
+/// Bands that a ship may have, rad/s.
+const BANDS: [f64; 9] = [1000.0, 500.0, 200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.5];
+
+/// What to change where no band helps.
+fn lengthy(effort: &Effort) -> String {
+    let over = FEWEST as f64 * effort.steps() / BUDGET;
+    if effort.memory > (10.0 * effort.lag).max(10.0) {
+        return format!(
+            "the roll's memory of {} s, 1/mu, makes it long: with {} times the decay it takes some seconds; \
+             a roll as regular as this is --regular",
+            significant(effort.memory, 3),
+            figure(over.ceil())
+        );
+    }
+    if effort.parts > 1 {
+        return format!(
+            "the part rings, so that each step is solved in {} parts: a longer T damps it; without friction or play it is --inertia",
+            effort.parts
+        );
+    }
+    format!(
+        "the lag T of {} s makes it long: with a {}th of it it takes some seconds",
+        figure(effort.lag),
+        figure(over.ceil())
+    )
+}
+
 /// The tail of the motion; a part that is not linear needs one without.
 pub fn moves_finitely(instrument: &Instrument, described: &Described) -> Result<Option<Tail>> {
     let white = described.regular.is_none() && described.motion.has_white_acceleration();
@@ -46,7 +98,7 @@ pub fn moves_finitely(instrument: &Instrument, described: &Described) -> Result<
         ))
         .with_hint("say --band with the frequency above which this ship does not move, such as --band 2.5rad/s"));
     }
-    Tail::of(instrument, described)
+    if described.regular.is_some() { Ok(None) } else { instrument.tail(&described.motion) }
 }
 
 /// How the figures of a part that is not linear come about.

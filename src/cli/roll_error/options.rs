@@ -1,13 +1,13 @@
 //! What the command line says of the instrument, the motion and the rows wanted.
 
+use super::described::{Described, rational_sea, regular};
 use super::parameters::Part;
-use super::{angle, quantities, quantity};
+use crate::cli::quantity::{angle, quantities, quantity};
 use crate::gyro::elastic::{Backlash, Compliance, Elastic, Friction, Inertia, Lag, Relaxing};
 use crate::gyro::range::{self, Range};
-use crate::gyro::seed::Regular;
 use crate::gyro::{Axis, Motion};
 use crate::lti::TransferFunction;
-use crate::spectrum::{Hull, RationalFit, Roll, Sea, fit_rational};
+use crate::spectrum::{Hull, Roll, Sea};
 use crate::{Error, Result};
 use clap::{Args, ValueEnum};
 
@@ -153,14 +153,6 @@ struct SeaOptions {
     also: Vec<Also>,
 }
 
-/// A motion with what is to be said of it.
-pub struct Described {
-    pub motion: Motion,
-    pub says: String,
-    /// Regular roll, behind the low-passes where there are any.
-    pub regular: Option<Regular>,
-}
-
 impl MotionOptions {
     /// Whether the motion is irregular roll of the form (3.3), as A, μ, ε say.
     pub fn irregular_roll(&self, default: &Roll) -> Result<Option<Roll>> {
@@ -205,20 +197,15 @@ impl MotionOptions {
 
     /// The motion asked for; in a sea of significant height `height` if given.
     pub fn motion(&self, default: &Roll, height: Option<f64>) -> Result<Described> {
-        let mut described = match (self.sea, &self.regular) {
+        let described = match (self.sea, &self.regular) {
             (Some(kind), _) => self.in_sea(kind, height)?,
             (None, Some(text)) => regular(text)?,
             (None, None) => self.irregular(default)?,
         };
-        if let Some(text) = &self.band {
-            let corner = quantity("band", text, &range::BAND)?;
-            described.motion = described.motion.band_limited(corner, 2)?;
-            if let Some(roll) = &mut described.regular {
-                roll.amplitude /= 1.0 + (roll.frequency / corner).powi(2);
-            }
-            described.says = format!("{}; behind two low-passes at {corner} rad/s", described.says);
+        match &self.band {
+            Some(text) => described.banded(quantity("band", text, &range::BAND)?),
+            None => Ok(described),
         }
-        Ok(described)
     }
 
     fn irregular(&self, default: &Roll) -> Result<Described> {
@@ -229,23 +216,31 @@ impl MotionOptions {
             roll.decay,
             roll.frequency
         );
-        Ok(Described { motion: Motion::roll(&roll), says, regular: None })
+        Ok(Described::new(Motion::roll(&roll), says))
     }
 
     fn in_sea(&self, kind: SeaKind, height: Option<f64>) -> Result<Described> {
         let sea = self.waves.sea(kind, height)?;
         let fit = rational_sea(&sea)?;
-        let motion = Motion::in_sea(&fit.shaping, &self.waves.responses()?)?;
-        let says = format!(
-            "{} sea from {:03.0}° off the bow, significant height {:.2} m, peak period {:.1} s; rational spectrum within {:.1} % (its slope's power within {:.1} %)",
-            ["Pierson-Moskowitz", "Bretschneider", "JONSWAP"][kind as usize],
-            self.waves.from()?.to_degrees(),
-            sea.height(),
-            std::f64::consts::TAU / sea.peak(),
-            100.0 * fit.error,
-            100.0 * fit.power_error.abs()
-        );
-        Ok(Described { motion, says, regular: None })
+        let (motion, bearing) = (Motion::in_sea(&fit.shaping, &self.waves.responses()?)?, self.waves.from()?);
+        let says = |size: &str| {
+            format!(
+                "{} sea from {:03.0}° off the bow, {size}; rational spectrum within {:.1} % (its slope's power within {:.1} %)",
+                ["Pierson-Moskowitz", "Bretschneider", "JONSWAP"][kind as usize],
+                bearing.to_degrees(),
+                100.0 * fit.error,
+                100.0 * fit.power_error.abs()
+            )
+        };
+        let period = format!("peak period {:.1} s", std::f64::consts::TAU / sea.peak());
+        let own = says(&format!("significant height {:.2} m, {period}", sea.height()));
+        let any = says(&match kind {
+            SeaKind::Pm => {
+                "of each significant height in turn, with the peak period that goes with it".into()
+            }
+            _ => format!("of each significant height in turn, {period}"),
+        });
+        Ok(Described { sea: Some(sea), of_all: Some(any), ..Described::new(motion, own) })
     }
 }
 
@@ -315,23 +310,6 @@ impl SeaOptions {
         }
         Ok(all)
     }
-}
-
-/// The sea's surface by a rational spectrum, weighted with ω⁴ as slopes are.
-fn rational_sea(sea: &Sea) -> Result<RationalFit> {
-    let omega: Vec<f64> = (1..=240).map(|k| f64::from(k) * 0.02 * sea.peak()).collect();
-    let density: Vec<f64> = omega.iter().map(|w| sea.density(*w)).collect();
-    let weight: Vec<f64> = omega.iter().map(|w| w.powi(4)).collect();
-    fit_rational(&omega, &density, &weight, &[0, 1, 3, 5])
-}
-
-/// Regular roll as the limit of ever narrower irregular roll: θ₀² = 2A, p = ε, μ → 0.
-fn regular(text: &str) -> Result<Described> {
-    let v = quantities("regular", text, &[&range::ROLL_AMPLITUDE, &range::ROLL_FREQUENCY])?;
-    let roll = Roll::new(0.5 * v[0] * v[0], 1e-7 * v[1], v[1])?;
-    let says = format!("regular roll, amplitude {:.2}°, frequency {} rad/s", v[0].to_degrees(), v[1]);
-    let regular = Some(Regular { amplitude: v[0], frequency: v[1] });
-    Ok(Described { motion: Motion::roll(&roll), says, regular })
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]

@@ -1,14 +1,16 @@
 //! The compass's numbers from a file: `[parameters]` of a model file, or of a file that holds
 //! nothing else; what it leaves out is the paper's gyrocompass, or the built-in it extends.
 
+use super::equations;
 use super::options::InstrumentOptions;
-use super::{angle, equations, quantity};
 use crate::cli::input;
+use crate::cli::quantity::{angle, quantity};
 use crate::gyro::elastic::{Elastic, Inertia, Relaxing};
 use crate::gyro::range::{self, Range};
 use crate::gyro::{Gyrosphere, Instrument};
-use crate::model::Model;
+use crate::model::{Model, Number, Numbers};
 use crate::spectrum::Roll;
+use crate::units::Unit;
 use crate::{Error, Result};
 use std::path::Path;
 
@@ -77,36 +79,12 @@ fn elastic(of_file: Part, options: &InstrumentOptions) -> Result<Box<dyn Elastic
     }
 }
 
-#[derive(serde::Deserialize)]
-struct File {
-    extends: Option<String>,
-    #[serde(default)]
-    states: toml::Table,
-    #[serde(default)]
-    definitions: toml::Table,
-    #[serde(default)]
-    outputs: toml::Table,
-    #[serde(default)]
-    parameters: std::collections::BTreeMap<String, Entry>,
-}
-
-#[derive(serde::Deserialize)]
-#[serde(untagged)]
-enum Entry {
-    Full { value: f64, unit: Option<String> },
-    Bare(f64),
-}
-
-/// The numbers of an irregular roll.
-const ROLL: [&str; 3] = ["A", "mu", "eps"];
-
 /// The numbers of a second relaxation.
 const FLOW: [&str; 2] = ["T2", "kappa"];
 
 /// All names of the symbol table.
 fn names() -> impl Iterator<Item = &'static str> {
-    let sphere = ["P", "H", "lP", "C", "F", "C0", "T", "h", "lat", "g", "U"];
-    sphere.into_iter().chain(ROLL).chain(FLOW)
+    Gyrosphere::NAMES.into_iter().chain(Roll::NAMES).chain(FLOW)
 }
 
 /// What a file's parameters have filled so far.
@@ -119,8 +97,8 @@ struct Filling {
     unused: Vec<String>,
     /// The states of the model, where the file is one or extends one.
     states: Vec<String>,
-    /// The parameters of the model that the file extends.
-    inherited: Vec<String>,
+    /// The parameters of the model that the file extends, with their units.
+    inherited: Vec<(String, Unit)>,
     /// Whether the file has states or definitions of its own, which may need other parameters.
     own: bool,
 }
@@ -227,18 +205,16 @@ impl Filling {
 
     /// Takes a file's parameters from its text.
     fn read_text(&mut self, text: &str) -> Result<Option<String>> {
-        let file: File = toml::from_str(text).map_err(|e| Error::bad_input(e.to_string().trim_end()))?;
+        let file = Numbers::of_model(text)?;
         if let Some(name) = &file.extends {
             self.builtin(name)?;
         }
-        self.states.extend(file.states.keys().cloned());
-        self.own = !(file.states.is_empty() && file.definitions.is_empty());
-        if self.own || !file.outputs.is_empty() {
+        self.states.extend(file.states);
+        self.own = file.own;
+        if file.own || file.outputs {
             equations::known(&Model::parse(text)?)?;
         }
-        for (name, entry) in &file.parameters {
-            self.take(name, entry)?;
-        }
+        file.list.iter().try_for_each(|number| self.take(number).map_err(|e| number.place(e)))?;
         Ok(file.extends.map(|name| format!("the built-in model {name}")))
     }
 
@@ -246,8 +222,8 @@ impl Filling {
         let model = Model::builtin(name)?;
         self.states.extend(model.states.iter().map(|s| s.name.clone()));
         for p in &model.parameters {
-            self.inherited.push(p.name.clone());
-            if let Some(place) = self.slot(&p.name) {
+            self.inherited.push((p.name.clone(), p.unit.clone()));
+            if let Some(place) = self.sphere.named(&p.name) {
                 *place = p.value;
             } else if let Some(k) = FLOW.iter().position(|n| *n == p.name) {
                 self.flow[k] = Some(p.value);
@@ -256,50 +232,37 @@ impl Filling {
         Ok(())
     }
 
-    fn take(&mut self, name: &str, entry: &Entry) -> Result<()> {
-        let (value, unit) = match entry {
-            Entry::Full { value, unit } => (*value, unit.as_deref()),
-            Entry::Bare(value) => (*value, None),
-        };
-        let read =
-            || range::of_compass(name).map(|r| r.read(value, unit).map_err(|e| e.about(name))).transpose();
-        if let Some(k) = ROLL.iter().position(|n| *n == name) {
-            self.roll[k] = read()?;
-        } else if let Some(k) = FLOW.iter().position(|n| *n == name) {
-            self.flow[k] = read()?;
-        } else if let Some(place) = self.slot(name) {
-            *place = read()?.unwrap_or(value);
-        } else if !self.own && !self.inherited.iter().any(|n| n == name) {
+    fn take(&mut self, number: &Number) -> Result<()> {
+        let name = number.name.as_str();
+        let inherited = self.inherited.iter().find(|i| i.0 == name).map(|i| i.1.text().to_owned());
+        if !names().any(|n| n == name) {
+            if self.own || inherited.is_some() {
+                self.unused.push(name.to_owned());
+                return Ok(());
+            }
             let near = crate::error::nearest(&name.replace('_', ""), names())
                 .map(|n| format!("did you mean {n}? "))
                 .unwrap_or_default();
             return Err(Error::bad_input(format!("a gyrosphere has no parameter `{name}`"))
                 .with_hint(format!("{near}it has {}", names().collect::<Vec<_>>().join(", "))));
-        } else {
-            self.unused.push(name.to_owned());
+        }
+        if number.value.is_none() && inherited.is_some() {
             return Ok(());
+        }
+        // in a model's entry without a unit stays that of the model it extends
+        let unit = number.unit.clone().or(inherited.filter(|_| number.full));
+        let value = number.value()?;
+        let range = range::of_compass(name);
+        let value = range.map_or(Ok(value), |r| r.read(value, unit.as_deref())).map_err(|e| e.about(name))?;
+        if let Some(k) = Roll::NAMES.iter().position(|n| *n == name) {
+            self.roll[k] = Some(value);
+        } else if let Some(k) = FLOW.iter().position(|n| *n == name) {
+            self.flow[k] = Some(value);
+        } else if let Some(place) = self.sphere.named(name) {
+            *place = value;
         }
         self.given.push(name.to_owned());
         Ok(())
-    }
-
-    /// Where a name of the symbol table goes.
-    fn slot(&mut self, name: &str) -> Option<&mut f64> {
-        let s = &mut self.sphere;
-        Some(match name {
-            "P" => &mut s.weight,
-            "H" => &mut s.momentum,
-            "lP" => &mut s.pendulous,
-            "C" => &mut s.damper,
-            "F" => &mut s.flow,
-            "C0" => &mut s.stiffness,
-            "T" => &mut s.lag,
-            "h" => &mut s.lever,
-            "lat" => &mut s.latitude,
-            "g" => &mut s.gravity,
-            "U" => &mut s.earth_rate,
-            _ => return None,
-        })
     }
 
     fn says(&self, base: &str) -> String {

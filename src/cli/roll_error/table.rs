@@ -1,15 +1,16 @@
 //! The table of errors: mean ± spread against heading, latitude or sea state.
 
 use super::Arguments;
+use super::described::Described;
 use super::measured::{self, Analysis};
 use super::nonlinear::{Moments, moves_finitely, not_linear, within};
-use super::options::{Against, Described, RowOptions};
+use super::options::{Against, RowOptions};
 use super::parameters::Compass;
-use super::tail::Tail;
+use super::tail;
 use crate::cli::progress::Meter;
 use crate::estimate::fit::Progress;
-use crate::gyro::validity::{LARGEST_MEAN, Smallness, bounded};
-use crate::gyro::{Drive, HeadingError, IDLE, Instrument, MonteCarlo, SIGN, Simulated, seed};
+use crate::gyro::validity::{LARGEST_MEAN, Smallness, bounded, steepness};
+use crate::gyro::{Drive, HeadingError, IDLE, Instrument, MonteCarlo, SIGN, Simulated, Tail, seed};
 use crate::report::polar::{Point, Polar};
 use crate::spectrum::Roll;
 use crate::{Error, Result};
@@ -74,7 +75,8 @@ impl Plan {
             None => seed::example_3_1().1,
         };
         let described = a.motion.motion(&roll, None)?;
-        let motion_says = described.says.clone();
+        let of_all = described.of_all.as_ref().filter(|_| rows.against == Against::Height);
+        let motion_says = of_all.unwrap_or(&described.says).clone();
         let cases = cases(&compass, &roll, a, rows)?;
         let instrument = compass.instrument(&a.instrument)?;
         let tail = moves_finitely(&instrument, &described)?;
@@ -84,7 +86,8 @@ impl Plan {
                     "limit the motion: say --band with the frequency above which this ship does not move",
                 ));
         }
-        let after = tail.as_ref().map_or_else(|| not_linear(&instrument, &described), |t| Ok(t.text()))?;
+        let after =
+            tail.as_ref().map_or_else(|| not_linear(&instrument, &described), |t| Ok(tail::text(t)))?;
         let after = after + &asides(compass.speed, a)?;
         let roll = a.motion.irregular_roll(&roll)?;
         Ok(Self {
@@ -135,10 +138,11 @@ impl Plan {
             return judged.into_iter().map(|(_, row, reached)| reached.map(|()| row)).collect();
         };
         let (motion, instrument) = (&case.motion.motion, &case.instrument);
-        let smallness = match case.motion.regular {
+        let mut smallness = match case.motion.regular {
             Some(_) => instrument.regular_smallness(motion, case.heading, &row.error)?,
             None => instrument.smallness(motion, case.heading, &row.error)?,
         };
+        smallness.extend(case.motion.sea.as_ref().map(steepness));
         let rows = judged.into_iter().filter(|j| j.2.is_ok()).map(|j| j.1).collect();
         self.after.push_str(unjudged(&smallness));
         self.smallness = smallness;

@@ -16,7 +16,8 @@
 //! of the mean error, above 1.6 deviations none where there is one. So errors are told by simulation, and
 //! the stand-in's only beside them.
 
-use super::in_time::{EVENTS, InTime, Piece, Place, Ramp, parts};
+use super::follower::{Follower, Law};
+use super::in_time::{InTime, Piece, Place, Ramp};
 use super::inertia::{oscillator, single};
 use super::{Elastic, deviations, positive};
 use crate::gyro::Gyrosphere;
@@ -80,17 +81,13 @@ impl Elastic for Friction {
         self.check()?;
         let (m, r, c) = (s.weight / s.gravity, s.lag * s.stiffness, s.stiffness);
         positive(&[("m", m), ("r", r), ("C0", c)])?;
-        let parts = parts((m, r, c), step);
-        let part = step / parts as f64;
-        Ok(Some(Box::new(Rubbed {
+        let law = |part| Rubbed {
             piece: Piece::new((m, r, c), part),
             stiffness: c,
             friction: self.force,
-            parts,
-            part,
-            at: Place { x: 0.0, v: 0.0 },
             slip: 0.0,
-        })))
+        };
+        Ok(Some(Box::new(Follower::new((m, r, c), step, law))))
     }
 }
 
@@ -118,42 +115,20 @@ struct Rubbed {
     stiffness: f64,
     /// F_c, N.
     friction: f64,
-    /// Parts of a step, and how long each is, s.
-    parts: usize,
-    part: f64,
-    at: Place,
     /// The sign of ẋ; zero at rest.
     slip: f64,
 }
 
-impl InTime for Rubbed {
-    fn advance(&mut self, from: f64, to: f64) {
-        let slope = (to - from) / (self.parts as f64 * self.part);
-        for k in 0..self.parts {
-            self.part_of(Ramp { f: from + slope * self.part * k as f64, g: slope });
-        }
-    }
-
-    fn shift(&self) -> f64 {
-        self.at.x
+impl Law for Rubbed {
+    fn go(&mut self, at: &mut Place, force: Ramp, left: f64) -> f64 {
+        if self.slip == 0.0 { self.rest(at.x, force, left) } else { self.slide(at, force, left) }
     }
 }
 
 impl Rubbed {
-    fn part_of(&mut self, force: Ramp) {
-        let mut t = 0.0;
-        for _ in 0..EVENTS {
-            t += if self.slip == 0.0 { self.rest(force, t) } else { self.slide(force, t) };
-            if t >= self.part {
-                return;
-            }
-        }
-    }
-
-    /// How long it rests; then it slips or the part of the step is over.
-    fn rest(&mut self, force: Ramp, t: f64) -> f64 {
-        let left = self.part - t;
-        let Ramp { f, g } = force.from(t, -self.stiffness * self.at.x);
+    /// How long it rests; then it slips or the time is over.
+    fn rest(&mut self, x: f64, force: Ramp, left: f64) -> f64 {
+        let Ramp { f, g } = force.from(0.0, -self.stiffness * x);
         // |f + g τ| = F_c
         let until = if f.abs() > self.friction { 0.0 } else { (self.friction.copysign(g) - f) / g };
         if until.is_nan() || until >= left {
@@ -163,17 +138,16 @@ impl Rubbed {
         until.max(0.0)
     }
 
-    /// How long it slips one way; then it rests or the part of the step is over.
-    fn slide(&mut self, force: Ramp, t: f64) -> f64 {
-        let left = self.part - t;
-        let force = force.from(t, -self.friction * self.slip);
-        if let Some(until) = self.piece.stops(self.at, force, left, self.slip) {
+    /// How long it slips one way; then it rests or the time is over.
+    fn slide(&mut self, at: &mut Place, force: Ramp, left: f64) -> f64 {
+        let force = force.from(0.0, -self.friction * self.slip);
+        if let Some(until) = self.piece.stops(*at, force, left, self.slip) {
             // ẋ = 0: `rest` tells whether it stays
-            self.at = Place { x: self.piece.after(self.at, force, until).x, v: 0.0 };
+            *at = Place { x: self.piece.after(*at, force, until).x, v: 0.0 };
             self.slip = 0.0;
             return until;
         }
-        self.at = self.piece.after(self.at, force, left);
+        *at = self.piece.after(*at, force, left);
         left
     }
 }

@@ -28,10 +28,12 @@ pub trait InTime: Debug + Send {
 
     /// x, m.
     fn shift(&self) -> f64;
-}
 
-/// Most events that one step may hold: more come only of rounding.
-pub(super) const EVENTS: usize = 64;
+    /// In how many parts each step is solved.
+    fn parts(&self) -> usize {
+        1
+    }
+}
 
 /// x and ẋ.
 #[derive(Debug, Clone, Copy)]

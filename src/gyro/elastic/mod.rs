@@ -2,6 +2,7 @@
 
 mod backlash;
 mod compliance;
+mod follower;
 mod friction;
 mod in_time;
 mod inertia;

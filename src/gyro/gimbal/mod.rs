@@ -4,6 +4,7 @@
 //! equation (1). Errata of the print: the dots on β′, α′, Θ″, Ψ″ are lost, and −I_x is missing in
 //! the first gyroscopic coefficient (the two must be equal and opposite: such forces do no work).
 
+mod check;
 mod noise;
 mod sensor;
 mod simulate;
@@ -12,7 +13,6 @@ pub use noise::{Noise, NoiseEquivalent};
 pub use sensor::{Band, Demodulator};
 pub use simulate::{Run, Sample, State};
 
-use crate::{Error, Result};
 use num_complex::Complex64;
 
 /// Moments of inertia of one body about its axes, kg·m².
@@ -75,30 +75,29 @@ impl Gimbal {
         }
     }
 
-    /// Checks the numbers.
+    /// The names of its numbers in the symbol table.
+    pub const NAMES: [&str; 15] =
+        ["Ix1", "Iy1", "Iz1", "Ix2", "Iy2", "Iz2", "Ix3", "Iy3", "Iz3", "H", "Omega", "cx", "cy", "dx", "dy"];
+
+    /// The place of a number by its name in the symbol table.
     ///
-    /// # Errors
-    /// `BadInput` for numbers that are not finite, inertia or speed that is not positive,
-    /// negative damping, or a suspension that does not hold the gyroscope.
-    pub fn check(&self) -> Result<()> {
-        let all = self.bodies.iter().flat_map(|b| [b.x, b.y, b.z]);
-        if !all.chain(self.springs).chain(self.damping).chain([self.momentum, self.speed]).all(f64::is_finite)
-        {
-            return Err(Error::bad_input("a number of the gimbal is not finite"));
-        }
-        let c = self.coefficients();
-        if c.inertia.iter().any(|i| *i <= 0.0) || self.speed <= 0.0 {
-            return Err(Error::bad_input("the gimbal's inertia and speed must be positive"));
-        }
-        if self.damping.iter().any(|d| *d < 0.0) {
-            return Err(Error::bad_input("the gimbal's damping must not be negative"));
-        }
-        if self.free_frequencies().is_none() {
-            return Err(Error::bad_input(
-                "the suspension does not hold the gyroscope: its free motion grows",
-            ));
-        }
-        Ok(())
+    /// ```
+    /// let mut gimbal = gyrospec::gyro::gimbal::Gimbal::example();
+    /// *gimbal.named("Iz3").unwrap() = 2e-6;
+    /// assert!(gimbal.bodies[2].z == 2e-6 && gimbal.named("Iz4").is_none());
+    /// ```
+    pub fn named(&mut self, name: &str) -> Option<&mut f64> {
+        let at = Self::NAMES.iter().position(|n| *n == name)?;
+        Some(match at {
+            0..9 => {
+                let body = &mut self.bodies[at % 9 / 3];
+                [&mut body.x, &mut body.y, &mut body.z].into_iter().nth(at % 3)?
+            }
+            9 => &mut self.momentum,
+            10 => &mut self.speed,
+            11 | 12 => &mut self.springs[at - 11],
+            _ => &mut self.damping[at - 13],
+        })
     }
 
     /// The coefficients of (1).

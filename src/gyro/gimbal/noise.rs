@@ -16,10 +16,12 @@
 //! and Hurwitz when f is. Frequencies are taken in units of Ω to keep the coefficients of one size.
 
 use super::Gimbal;
+use crate::gyro::range;
 use crate::gyro::validity::Smallness;
 use crate::integral::{Integrand, evaluate};
 use crate::poly::product;
-use crate::{Error, Result};
+use crate::units::figure;
+use crate::{Error, ErrorKind, Result};
 use num_complex::Complex64;
 
 /// What disturbs the sensor.
@@ -30,6 +32,36 @@ pub struct Noise {
     /// Random base rates about each axis: standard deviation rad/s, prevailing frequency rad/s,
     /// and damping ratio of their second-order spectrum; `None`: a quiet base.
     pub base: Option<[f64; 3]>,
+}
+
+impl Noise {
+    /// The names of its numbers in the symbol table.
+    pub const NAMES: [&str; 5] = ["Qx", "Qy", "sigma", "omega0", "zeta"];
+
+    /// The place of a number by its name in the symbol table; a quiet base begins to move by it.
+    pub fn named(&mut self, name: &str) -> Option<&mut f64> {
+        let base = || [0.0, 10.0, 0.5];
+        Some(match name {
+            "Qx" => &mut self.torque[0],
+            "Qy" => &mut self.torque[1],
+            "sigma" => &mut self.base.get_or_insert_with(base)[0],
+            "omega0" => &mut self.base.get_or_insert_with(base)[1],
+            "zeta" => &mut self.base.get_or_insert_with(base)[2],
+            _ => return None,
+        })
+    }
+
+    /// Checks the numbers.
+    ///
+    /// # Errors
+    /// `BadInput` that names a number outside its [range].
+    pub fn check(&self) -> Result<()> {
+        let values = self.torque.into_iter().chain(self.base.into_iter().flatten());
+        Self::NAMES.iter().zip(values).try_for_each(|(name, value)| {
+            let range = range::of_gimbal(name);
+            range.map_or(Ok(value), |r| r.check(value)).map(|_| ()).map_err(|e| e.about(name))
+        })
+    }
 }
 
 /// The standard deviation of each rate that the sensor reads wrongly, rad/s.
@@ -55,12 +87,16 @@ impl Gimbal {
     /// Noise-equivalent rate behind a demodulator with corner ω_c, rad/s.
     ///
     /// # Errors
-    /// As the integrals; `BadInput` for noise that is negative or not finite.
+    /// `BadInput` that names a number outside its [range]; `NotComputed` where damping and corner lie too far
+    /// from the ring's speed for doubles.
     pub fn noise_equivalent(&self, noise: &Noise, corner: f64) -> Result<NoiseEquivalent> {
         self.check()?;
-        if noise.torque.iter().any(|q| !(q.is_finite() && *q >= 0.0)) {
-            return Err(Error::bad_input("the intensity of torque noise must not be negative"));
-        }
+        noise.check()?;
+        range::CORNER.check(corner)?;
+        self.behind(noise, corner).map_err(|e| self.too_far_apart(e, corner))
+    }
+
+    fn behind(&self, noise: &Noise, corner: f64) -> Result<NoiseEquivalent> {
         let torque = self.by_torque(noise.torque, corner)?;
         let [passed, folded] = match noise.base {
             Some(base) => {
@@ -82,11 +118,15 @@ impl Gimbal {
     /// # Errors
     /// As [`Gimbal::noise_equivalent`].
     pub fn smallness(&self, noise: &Noise, rate: f64) -> Result<Vec<Smallness>> {
+        noise.check()?;
         let small = |figure, says, value| Smallness { figure, says, value, limit: 0.3, unit: "1" };
         let scale = self.scale_factor(0.0).norm();
         let sigma = noise.base.map_or(0.0, |b| b[0]);
         let random = match noise.base {
-            Some(base) => scale * self.by_base(base, None)?.sqrt(),
+            Some(base) => {
+                let moved = self.by_base(base, None).map_err(|e| self.too_far_apart(e, self.speed))?;
+                scale * moved.sqrt()
+            }
             None => 0.0,
         };
         Ok(vec![
@@ -94,6 +134,20 @@ impl Gimbal {
             small("random-swing", "swing of α by the base's random motion, rad", random),
             small("rate", "rates of the base against that of the ring", sigma.max(rate) / self.speed),
         ])
+    }
+
+    /// A denominator that is stable, but not in doubles: in words of the gimbal.
+    fn too_far_apart(&self, e: Error, corner: f64) -> Error {
+        if !matches!(e.kind(), ErrorKind::Unstable | ErrorKind::ImaginaryAxis | ErrorKind::OutOfRange) {
+            return e;
+        }
+        let [dx, dy] = self.damping.map(figure);
+        Error::not_computed(format!(
+            "no double tells the noise of the reading: the ring's speed of {} rad/s, damping (dx = {dx}, dy = {dy} N*m*s) \
+             and the demodulator's corner of {} rad/s lie too far apart",
+            figure(self.speed),
+            figure(corner)
+        ))
     }
 
     /// In units of Ω for frequencies: det M, (M⁻¹)₁₁ and (M⁻¹)₁₂ numerators, the low-pass.
@@ -123,9 +177,6 @@ impl Gimbal {
     /// Var Re r = (1/2)(1/2π)∫ |F(j(ω ∓ Ω))|² |a(ω − Ω)/a(0)|² 2S(ω − Ω) dω, ω = Ω + ν: what passes the low-pass
     /// at its own ν (`shift` −1), or folds from near ν = −2Ω (`shift` +1), or without F all of it; S of each rate is a second-order spectrum.
     fn by_base(&self, [deviation, frequency, damping]: [f64; 3], low: Option<(f64, f64)>) -> Result<f64> {
-        if !(deviation >= 0.0 && frequency > 0.0 && damping > 0.0) {
-            return Err(Error::bad_input("base motion needs positive frequency and damping"));
-        }
         let determinant = self.scaled(self.speed).0;
         let (w, w0) = (self.speed, frequency / self.speed);
         // S(ν) = σ² 4ζω₀³/|s² + 2ζω₀ s + ω₀²|², in units of Ω

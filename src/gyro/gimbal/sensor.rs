@@ -1,6 +1,8 @@
 //! The gimbal as a sensor: scale factor, band, demodulation.
 
 use super::{Gimbal, Sample};
+use crate::gyro::range;
+use crate::units::figure;
 use crate::{Error, Result};
 use num_complex::Complex64;
 
@@ -64,11 +66,17 @@ impl Demodulator {
     /// A demodulator for a gimbal with corner ω_c, rad/s.
     ///
     /// # Errors
-    /// `BadInput` for a corner that is not positive and below the ring's speed.
+    /// `BadInput` for a corner outside its [range], or not below the ring's speed.
     pub fn new(gimbal: &Gimbal, corner: f64) -> Result<Self> {
         gimbal.check()?;
-        if !(corner > 0.0 && corner < gimbal.speed) {
-            return Err(Error::bad_input("the demodulator's corner must lie between 0 and the ring's speed"));
+        range::CORNER.check(corner)?;
+        if corner >= gimbal.speed {
+            return Err(Error::bad_input(format!(
+                "a demodulator's corner of {} rad/s does not lie below the ring's speed, {} rad/s",
+                figure(corner),
+                figure(gimbal.speed)
+            ))
+            .with_hint("it reads rates that are slow beside the ring's"));
         }
         Ok(Self { speed: gimbal.speed, scale: gimbal.scale_factor(0.0), corner })
     }

@@ -1,7 +1,7 @@
 //! The gimbal's equations in time.
 
 use super::Gimbal;
-use crate::{Error, Result};
+use crate::{Error, ErrorKind, Result};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -43,13 +43,24 @@ pub struct Run {
     pub seed: u64,
 }
 
+/// Most steps of a run, whose samples then take 2.4 GB.
+const MOST: f64 = 1e8;
+
+impl Run {
+    /// The number of its steps.
+    pub fn steps(&self) -> f64 {
+        (self.duration / self.step).round()
+    }
+}
+
 impl Gimbal {
     /// Simulates (1) from `start` while the base turns with rates (Θ′, Ψ′) rad/s and
     /// accelerations (Θ″, Ψ″) rad/s² given at each time: classical Runge–Kutta, with the noise
     /// torque constant over each step.
     ///
     /// # Errors
-    /// `BadInput` for a step that does not resolve the fastest motion (a twentieth of its period).
+    /// `BadInput` for a step that does not resolve the fastest motion (a twentieth of its period); `OutOfRange` for
+    /// more than 10⁸ steps.
     pub fn simulate(
         &self,
         start: State,
@@ -64,9 +75,13 @@ impl Gimbal {
                 run.step
             )));
         }
+        if run.steps() > MOST {
+            let text = format!("a run of {} s in steps of {} s is too long", run.duration, run.step);
+            return Err(Error::new(ErrorKind::OutOfRange, text));
+        }
         let mut rng = ChaCha8Rng::seed_from_u64(run.seed);
         let mut s = start;
-        let count = (run.duration / run.step).round() as usize;
+        let count = run.steps() as usize;
         let mut out = Vec::with_capacity(count + 1);
         out.push(Sample { time: 0.0, alpha: s.alpha, beta: s.beta });
         for k in 0..count {
