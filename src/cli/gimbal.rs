@@ -175,7 +175,9 @@ fn text(given: &Given, corner: f64) -> Result<String> {
     );
     match simulated(given, corner)? {
         Ok(shown) => {
-            [("Θ′", 0), ("Ψ′", 1)].iter().for_each(|(name, axis)| out.push_str(&drawn(&shown, name, *axis)));
+            for (name, axis) in [("Θ′", 0), ("Ψ′", 1)] {
+                out.push_str(&drawn(&shown, name, axis));
+            }
         }
         Err(why) => out.push_str(&why),
     }

@@ -83,7 +83,10 @@ pub const BEAM: Range = range("a ship's beam", "m", [0.2, 100.0]);
 /// Of the low-passes on a motion.
 pub const BAND: Range = range("a band of motion", "rad/s", [0.01, 1e4]);
 /// ω_c of a gimbal's demodulator.
-pub const CORNER: Range = range("a demodulator's corner", "rad/s", [1e-4, 1e5]);
+pub const CORNER: Range = Range {
+    why: "at 0 no slow rate would pass, above the ring's speed more than slow rates would",
+    ..range("a demodulator's corner", "rad/s", [1e-4, 1e5])
+};
 /// F_c.
 pub const FRICTION: Range = meant("dry friction", "N", [0.0, 1e5], &["dyn"]);
 /// δ.

@@ -100,9 +100,9 @@ fn what_lies_above_a_measured_band_is_weighed_with_the_integrand_of_the_part() {
     let lag = |w: f64| m / c / (1.0 + (w * s.lag).powi(2));
     let inertia = |w: f64| m * (c - m * w * w) / ((c - m * w * w).powi(2) + (r * w).powi(2));
     let flow = |w: f64| lag(w) + 0.5 * m / c / (1.0 + (4.0 * w).powi(2));
-    let parts: [(&[&str], &dyn Fn(f64) -> f64); 3] =
-        [(&[], &lag), (&["--inertia"], &inertia), (&["--flow", "4s,0.5"], &flow)];
-    for (words, part) in parts {
+    let integrands: [&dyn Fn(f64) -> f64; 3] = [&lag, &inertia, &flow];
+    let options: [&[&str]; 3] = [&[], &["--inertia"], &["--flow", "4s,0.5"]];
+    for (words, part) in options.into_iter().zip(integrands) {
         for every in [1, 2, 4] {
             let (file, values, step) = recorded(every);
             let (code, text, message) =
