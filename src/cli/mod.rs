@@ -30,6 +30,8 @@ use crate::{Error, ErrorKind, Result};
 use clap::{Parser, Subcommand};
 use colour::paint;
 use std::ffi::OsString;
+use std::io::Write;
+use std::path::Path;
 use std::process::ExitCode;
 
 /// How a subcommand that did its work ended.
@@ -149,16 +151,22 @@ pub fn main() -> ExitCode {
     signals::handle();
     let cli = match parsed() {
         Ok(cli) => cli,
-        Err(e) => {
-            let _ = e.print();
-            return ExitCode::from(if e.use_stderr() { 2 } else { 0 });
-        }
+        Err(e) => return told(&e),
     };
     let _watch = progress::watch(cli.command.doing());
     match threads::start().and_then(|()| run(cli)) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Found) => ExitCode::from(1),
         Err(e) => fail(&e.with_line_of_file()),
+    }
+}
+
+/// Prints help, the version, or a refusal. What a reader who went away does not want is no failure; what a full disk
+/// does not take is one.
+fn told(e: &clap::Error) -> ExitCode {
+    match e.print().and_then(|()| std::io::stdout().flush()) {
+        Err(lost) if !e.use_stderr() => fail(&Error::io(Path::new("standard output"), &lost)),
+        _ => ExitCode::from(if e.use_stderr() { 2 } else { 0 }),
     }
 }
 

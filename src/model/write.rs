@@ -1,13 +1,14 @@
 //! Writes a model as a file that reads back to the same model.
 
 use super::{Initial, Model, Parameter};
+use crate::text::toml_string;
 use crate::units::Unit;
 use std::fmt::Write;
 
 impl Model {
     /// The text of the model's file; reading it gives the same model.
     pub fn to_toml(&self) -> String {
-        let mut out = format!("name = {}\n", quoted(&self.name));
+        let mut out = format!("name = {}\n", toml_string(&self.name));
         section(&mut out, "inputs", &self.inputs, |x| {
             line(&x.name, vec![], &x.unit, vec![], x.meaning.as_ref())
         });
@@ -15,7 +16,7 @@ impl Model {
         section(&mut out, "definitions", &self.definitions, |x| {
             line(
                 &x.name,
-                vec![("equals", quoted(&x.equals.to_string()))],
+                vec![("equals", toml_string(&x.equals.to_string()))],
                 &x.unit,
                 vec![],
                 x.meaning.as_ref(),
@@ -27,13 +28,13 @@ impl Model {
                 Initial::Fit => "\"fit\"".into(),
                 Initial::Steady => "\"steady\"".into(),
             };
-            let rate = vec![("rate", quoted(&x.rate.to_string()))];
+            let rate = vec![("rate", toml_string(&x.rate.to_string()))];
             line(&x.name, rate, &x.unit, vec![("initial", initial)], x.meaning.as_ref())
         });
         section(&mut out, "outputs", &self.outputs, |x| {
             line(
                 &x.name,
-                vec![("equals", quoted(&x.equals.to_string()))],
+                vec![("equals", toml_string(&x.equals.to_string()))],
                 &x.unit,
                 vec![],
                 x.meaning.as_ref(),
@@ -55,11 +56,11 @@ fn section<T>(out: &mut String, name: &str, list: &[T], spell: impl Fn(&T) -> St
 }
 
 fn line(name: &str, before: Fields, unit: &Unit, after: Fields, meaning: Option<&String>) -> String {
-    let unit = [("unit", quoted(unit.text()))];
-    let meaning = meaning.map(|m| ("meaning", quoted(m)));
+    let unit = [("unit", toml_string(unit.text()))];
+    let meaning = meaning.map(|m| ("meaning", toml_string(m)));
     let all = before.into_iter().chain(unit).chain(after).chain(meaning);
     let fields: Vec<String> = all.map(|(key, value)| format!("{key} = {value}")).collect();
-    let key = if name.is_ascii() { name.to_string() } else { quoted(name) };
+    let key = if name.is_ascii() { name.to_string() } else { toml_string(name) };
     format!("{key} = {{ {} }}\n", fields.join(", "))
 }
 
@@ -79,13 +80,4 @@ fn number(unit: &Unit, si: f64) -> String {
     let value = unit.decimal_from_si(si);
     let plain = value == 0.0 || (1e-4..1e7).contains(&value.abs());
     if plain { format!("{value:?}") } else { format!("{value:e}") }
-}
-
-/// A TOML string; one that may steer a terminal in double quotes, in which it is shown by escapes.
-fn quoted(text: &str) -> String {
-    if text.contains(crate::text::steers) {
-        // of what JSON writes in a string, TOML reads everything
-        return crate::text::in_quotes(&serde_json::Value::from(text).to_string()).into_owned();
-    }
-    toml::Value::String(text.to_string()).to_string()
 }

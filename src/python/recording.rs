@@ -151,7 +151,7 @@ fn made(name: String, kind: Kind, channels: Vec<Channel>, known: Known) -> Resul
     let mut recording = record::Recording::from_channels(name, channels)?.with_kind(kind);
     recording.sources.push(source);
     if !(known.fit.is_empty() && known.holdout.is_empty()) {
-        recording = recording.with_spans(spans(known.fit)?, spans(known.holdout)?);
+        recording = recording.with_spans(spans(known.fit, "fitted")?, spans(known.holdout, "held out")?);
         apart(&recording)?;
     }
     for (name, value, unit) in known.constants {
@@ -161,13 +161,17 @@ fn made(name: String, kind: Kind, channels: Vec<Channel>, known: Known) -> Resul
     Ok(recording)
 }
 
-fn spans(given: Vec<(f64, f64)>) -> Result<Vec<Span>> {
-    let mut spans = Vec::new();
+fn spans(given: Vec<(f64, f64)>, used: &str) -> Result<Vec<Span>> {
+    let mut spans: Vec<Span> = Vec::new();
     for (from, to) in given {
         if !(from.is_finite() && to.is_finite() && from <= to) {
             return Err(Error::bad_input(format!("[{from}, {to}] is no span")).with_hint("from < to"));
         }
-        spans.push(Span::new(from, to));
+        let own = Span::new(from, to);
+        if let Some(both) = spans.iter().find_map(|s| s.overlap(&own)) {
+            return Err(both.twice(used));
+        }
+        spans.push(own);
     }
     spans.sort_by(|a, b| a.from.total_cmp(&b.from));
     Ok(spans)

@@ -135,7 +135,8 @@ impl File<'_> {
                     StartForm::Number(seconds) => seconds.to_string(),
                 };
                 nmea::stamp(&text).ok_or_else(|| {
-                    let error = Error::bad_input(format!("`{text}` is no date and time"));
+                    let why = nmea::why_no_stamp(&text).map_or_else(String::new, |why| format!(": {why}"));
+                    let error = Error::bad_input(format!("`{text}` is no date and time{why}"));
                     self.at(error, at.span().start).with_hint("write start = \"2018-12-06T00:00:00Z\"")
                 })?
             }
@@ -273,8 +274,8 @@ impl File<'_> {
     }
 
     fn spans(&self, form: &SpansForm) -> Result<Spans> {
-        let list = |spans: &[Spanned<[f64; 2]>]| -> Result<Vec<Span>> {
-            let mut list = Vec::new();
+        let list = |spans: &[Spanned<[f64; 2]>], used: &str| -> Result<Vec<Span>> {
+            let mut list: Vec<Span> = Vec::new();
             for span in spans {
                 let [from, to] = *span.get_ref();
                 if !(from.is_finite() && to.is_finite() && from <= to) {
@@ -283,12 +284,17 @@ impl File<'_> {
                         .at(error, span.span().start)
                         .with_hint("write [from, to] with from < to"));
                 }
-                list.push(Span::new(from, to));
+                let own = Span::new(from, to);
+                if let Some(both) = list.iter().find_map(|s| s.overlap(&own)) {
+                    return Err(self.at(both.twice(used), span.span().start));
+                }
+                list.push(own);
             }
             list.sort_by(|a, b| a.from.total_cmp(&b.from));
             Ok(list)
         };
-        let spans = Spans { fit: list(&form.fit)?, holdout: list(&form.holdout)?, given: true };
+        let spans =
+            Spans { fit: list(&form.fit, "fitted")?, holdout: list(&form.holdout, "held out")?, given: true };
         for held in &form.holdout {
             let [from, to] = *held.get_ref();
             if let Some(both) = spans.fit.iter().find_map(|f| f.overlap(&Span::new(from, to))) {

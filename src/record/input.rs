@@ -78,6 +78,7 @@ impl Input {
         let text = String::from_utf8(bytes).map_err(|e| {
             let at = e.utf8_error().valid_up_to();
             let what = match e.as_bytes() {
+                [0xFF, 0xFE, 0, 0, ..] | [0, 0, 0xFE, 0xFF, ..] => "the file is UTF-32".to_owned(),
                 [0xFF, 0xFE, ..] | [0xFE, 0xFF, ..] => "the file is UTF-16".to_owned(),
                 _ => format!("byte {at} is no UTF-8 text"),
             };

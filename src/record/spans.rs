@@ -1,5 +1,7 @@
 //! Which part of a recording is fitted and which is held out.
 
+use crate::Error;
+
 /// The share of a recording's time that is fitted where nothing else is said; the rest, at its
 /// end, is held out.
 pub const DEFAULT_FIT_SHARE: f64 = 0.6;
@@ -34,6 +36,12 @@ impl Span {
     /// Its length; s, or rows less one.
     pub fn length(&self) -> f64 {
         self.to - self.from
+    }
+
+    /// The error of a span that would be `used` twice: "fitted", "held out".
+    pub(crate) fn twice(&self, used: &str) -> Error {
+        Error::bad_input(format!("{} to {} would be {used} twice", self.from, self.to))
+            .with_hint("it tells nothing new the second time: give it once")
     }
 
     /// What two spans share with a positive length.

@@ -132,8 +132,14 @@ fn parts_of_one_file_are_refused_where_they_overlap() {
     f.toml("across.toml", "", "[spans]\nholdout = [[4, 9]]\n");
     f.taken(&["early.toml", "--holdout", "late.toml"]);
     f.refused(&["early.toml", "--holdout", "across.toml"], &["rows 400 to 500 of"]);
+    f.toml("twice.toml", "", "[spans]\nfit = [[0, 5], [4, 9]]\n");
+    f.toml("inside.toml", "", "[spans]\nfit = [[0, 3]]\nholdout = [[6, 7], [4, 9]]\n");
+    f.toml("touching.toml", "", "[spans]\nfit = [[2, 4], [0, 2]]\nholdout = [[4, 6], [6, 9]]\n");
     f.toml("itself.toml", "", "[spans]\nfit = [[0, 5]]\nholdout = [[4, 9]]\n");
     f.refused(&["itself.toml"], &["4 to 5 is both fitted and held out"]);
+    f.refused(&["twice.toml"], &["twice.toml:6:16", "4 to 5 would be fitted twice"]);
+    f.refused(&["inside.toml"], &["6 to 7 would be held out twice"]);
+    f.taken(&["touching.toml"]);
     // a table cut in two files that overlap
     f.put("first.csv", &table("t [s],u [1],y [m]", 1, 0..600, plain));
     f.put("second.csv", &table("t [s],u [1],y [m]", 1, 540..1000, plain));

@@ -134,7 +134,12 @@ fn other_ends_and_codings_name_the_cause() {
         format!("{mark}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect()
     };
     let text = "t [s],x [m]\n0,1\n1,2\n";
-    let cases: [(Vec<u8>, &str); 9] = [
+    let utf_32 = |of: fn(u32) -> [u8; 4]| -> Vec<u8> {
+        format!("\u{feff}{text}").chars().flat_map(|c| of(u32::from(c))).collect()
+    };
+    let cases: [(Vec<u8>, &str); 11] = [
+        (utf_32(u32::to_le_bytes), "UTF-32"),
+        (utf_32(u32::to_be_bytes), "UTF-32"),
         (b"t [s],x [m]\n0,1\r1,2\r2,3\r".to_vec(), "carriage return"),
         (b"t [s],x [m]\n0,1\n1,\"2\r3\"\n".to_vec(), "carriage return"),
         (utf_16(true, text), "UTF-16"),
@@ -148,6 +153,10 @@ fn other_ends_and_codings_name_the_cause() {
     for (bytes, says) in cases {
         let e = read("a.csv", &bytes).expect_err(says);
         assert!(e.to_string().contains(says) && e.hint().is_some() && e.file().is_some(), "{says}: {e}");
+    }
+    for coded in [utf_32(u32::to_le_bytes), utf_32(u32::to_be_bytes)] {
+        let e = read("a.toml", coded).unwrap_err();
+        assert!(e.to_string().contains("UTF-32"), "{e}");
     }
 }
 
@@ -201,6 +210,14 @@ fn a_leap_second_is_a_second() {
             .unwrap();
     assert_eq!(r.channels[0].len(), 1);
     assert!(r.notes[0].says.contains("1 of 2 lines have no time stamp"), "{}", r.notes[0]);
+    assert!(r.notes[0].says.contains("there was no leap second then"), "{}", r.notes[0]);
+    let lost = "2017-02-29T00:00:00Z $HEHDT,092.34,T*13\n2017-03-01T00:00:00Z $HEHDT,092.34,T*13\n";
+    let r = read("a.nmea", lost).unwrap();
+    assert!(r.notes[0].says.contains("month 2 of 2017 has 28 days"), "{}", r.notes[0]);
+    let zero =
+        "[[tables]]\nfile = \"a.nmea\"\nformat = \"nmea0183\"\ntime = { start = \"2017-02-29T00:00:00Z\" }\n";
+    let e = read("a.toml", zero).unwrap_err();
+    assert!(e.to_string().contains("month 2 of 2017 has 28 days"), "{e}");
 }
 
 #[test]

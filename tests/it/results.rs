@@ -4,7 +4,7 @@
 use std::fs::{self, Permissions};
 use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink};
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 const MODEL: &str = r#"
 name = "m"
@@ -234,6 +234,24 @@ fn a_pipe_by_its_path_takes_the_result() {
         assert_eq!(piped.stdout, wanted, "{line}");
         assert_eq!(contents(folder.path()), before, "{line}");
     }
+}
+
+/// Two results in one pipe would be mingled; a device that keeps nothing takes both.
+#[test]
+fn two_results_never_go_to_one_pipe() {
+    let folder = folder();
+    let root = folder.path();
+    assert!(Command::new("mkfifo").arg(root.join("pipe")).status().unwrap().success());
+    symlink("pipe", root.join("to-pipe")).unwrap();
+    for other in ["pipe", "./pipe", "to-pipe"] {
+        let mut reader = Command::new("cat").arg(root.join("pipe")).stdout(Stdio::null()).spawn().unwrap();
+        let said = call(root, &format!("fit m.toml r.toml --json pipe --html {other}"));
+        let says = String::from_utf8_lossy(&said.stderr).into_owned();
+        assert!(said.status.code() == Some(2) && says.contains("two results"), "{other}: {says}");
+        reader.wait().unwrap();
+    }
+    let devices = call(root, "fit m.toml r.toml --json /dev/null --html /dev/null");
+    assert!(devices.status.success(), "{}", String::from_utf8_lossy(&devices.stderr));
 }
 
 #[test]

@@ -3,14 +3,16 @@
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
-/// Colour, clearing the screen in eight bits, turning the order of writing, a bell, a deletion.
-const EVIL: &str = "\u{1b}[31m\u{9b}2J\u{202e}\u{7}\u{7f}";
+/// Colour, clearing the screen in eight bits, turning the order of writing, a bell, a deletion, and what nobody sees:
+/// a space without width, a byte-order mark, a soft hyphen, a letter of a tag.
+const EVIL: &str = "\u{1b}[31m\u{9b}2J\u{202e}\u{7}\u{7f}\u{200b}\u{feff}\u{ad}\u{e0041}";
 /// The same in a TOML string.
-const IN_TOML: &str = r"\u001b[31m\u009b2J\u202e\u0007\u007f";
+const IN_TOML: &str = r"\u001b[31m\u009b2J\u202e\u0007\u007f\u200b\ufeff\u00ad\U000e0041";
 
 fn steers(c: char) -> bool {
     let turns = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
-    turns || (c.is_control() && c != '\n' && c != '\t')
+    let unseen = matches!(c, '\u{200b}' | '\u{feff}' | '\u{ad}' | '\u{e0041}');
+    turns || unseen || (c.is_control() && c != '\n' && c != '\t')
 }
 
 fn folder() -> tempfile::TempDir {
@@ -147,6 +149,7 @@ fn the_name_of_a_file_stays_in_its_line() {
     for words in [
         vec!["record", name],
         vec!["record", name, "--json"],
+        vec!["new", "recording", name],
         vec!["simulate", "m.toml", name],
         vec!["fit", "m.toml", name],
         vec!["fit", "m.toml", name, "--json", "-"],
@@ -160,4 +163,27 @@ fn the_name_of_a_file_stays_in_its_line() {
             assert!(!text.lines().any(|line| line.starts_with("NOTHING IS MISSING")), "{words:?}: {text}");
         }
     }
+    let guessed = String::from_utf8(call(folder.path(), &["new", "recording", name]).stdout).unwrap();
+    let recording = gyrospec::record::Recording::parse(&guessed, folder.path().join("guessed.toml")).unwrap();
+    assert!(recording.sources.iter().any(|s| s.file == folder.path().join(name)), "{guessed}");
+}
+
+/// Help that does not arrive is a failure; a reader who went away is none.
+#[test]
+#[cfg(target_os = "linux")]
+fn help_that_is_lost_is_told() {
+    let shell = |line: &str| {
+        let line = line.replace("GYROSPEC", env!("CARGO_BIN_EXE_gyrospec"));
+        Command::new("bash").args(["-c", &format!("set -o pipefail; {line}")]).output().unwrap()
+    };
+    for words in ["--help", "--version", "help fit", "roll-error --help"] {
+        let lost = shell(&format!("GYROSPEC {words} > /dev/full"));
+        assert_eq!(lost.status.code(), Some(2), "{words}");
+        let says = String::from_utf8_lossy(&lost.stderr).into_owned();
+        assert!(says.contains("standard output"), "{words}: {says}");
+        assert!(shell(&format!("GYROSPEC {words} > /dev/null")).status.success(), "{words}");
+    }
+    assert!(
+        shell("GYROSPEC roll-error --help | head -c 0").status.code().is_some_and(|c| c == 0 || c == 141)
+    );
 }

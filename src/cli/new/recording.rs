@@ -6,6 +6,7 @@
 use crate::cli::input::Held;
 use crate::cli::record::tell_notes;
 use crate::record::{self, Raw, Recording};
+use crate::text::{in_line, toml_string};
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
 use std::collections::BTreeSet;
@@ -69,8 +70,8 @@ fn head(csv: &Path, comment: &str) -> String {
     let stem = csv.file_name().unwrap_or_default().to_string_lossy();
     format!(
         "# Guessed from the header and the rows: look at every line marked GUESS.\nname = {}\n\n[[tables]]\nfile = {}{comment}\n",
-        quoted(stem.split('.').next().unwrap_or_default()),
-        quoted(&csv.display().to_string())
+        toml_string(stem.split('.').next().unwrap_or_default()),
+        toml_string(&csv.display().to_string())
     )
 }
 
@@ -92,8 +93,9 @@ fn clock(time: Option<(usize, &Raw)>, csv: &Path) -> Result<String> {
             .with_hint("write the time as seconds since the first row: 0, 0.5, 1.2 …")
         })?;
         return Ok(format!(
-            "time = {{ start = 0.0, step = {step:?}, unit = \"s\" }}  # GUESS: {} counts from {text} in even steps\n",
-            c.name
+            "time = {{ start = 0.0, step = {step:?}, unit = \"s\" }}  # GUESS: {} counts from {} in even steps\n",
+            in_line(&c.name),
+            in_line(text)
         ));
     }
     let g = guess(index, c, &mut BTreeSet::new());
@@ -101,7 +103,7 @@ fn clock(time: Option<(usize, &Raw)>, csv: &Path) -> Result<String> {
         Ok(u) if u.dimension() == Dimension::TIME => (g.unit, g.because),
         _ => ("s".into(), "GUESS: seconds, as the header names no unit of time".into()),
     };
-    Ok(format!("time = {{ column = {}, unit = \"{unit}\" }}  # {because}\n", quoted(&c.name)))
+    Ok(format!("time = {{ column = {}, unit = \"{unit}\" }}  # {because}\n", toml_string(&c.name)))
 }
 
 /// The line of the file that makes a column a channel; a comment where it holds no numbers.
@@ -111,21 +113,17 @@ fn channel(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> String {
             .text
             .as_ref()
             .map_or_else(|| "nothing".to_owned(), |(_, text)| format!("text, such as {text:?}"));
-        return format!("# {}: left out, as it holds {holds}\n", quoted(&c.name));
+        return format!("# {}: left out, as it holds {holds}\n", toml_string(&c.name));
     }
     let g = guess(index, c, taken);
     let wraps = if g.wraps { ", wraps = true" } else { "" };
     format!(
         "{} = {{ column = {}, unit = \"{}\"{wraps} }}  # {}\n",
         g.name,
-        quoted(&c.name),
+        toml_string(&c.name),
         g.unit,
         g.because
     )
-}
-
-fn quoted(text: &str) -> String {
-    toml::Value::String(text.to_string()).to_string()
 }
 
 /// The column of time: named like it or in a unit of time, and rising if there is such a one; else the first

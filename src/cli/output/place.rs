@@ -103,7 +103,7 @@ impl Place {
             }
             Err(_) => Way::File(resolved(path)?),
         };
-        let mut identity = None;
+        let mut identity = if let Way::AsItStands(file) = &way { of_pipe(file) } else { None };
         if let Way::File(real) = &way {
             let folder = real.parent().unwrap_or(Path::new("."));
             // tried and taken away again: nothing is left by a program that is killed while it computes
@@ -214,6 +214,20 @@ fn of_file(path: &Path) -> Option<Identity> {
 
 #[cfg(not(unix))]
 fn of_metadata(_: &Metadata) -> Option<Identity> {
+    None
+}
+
+/// The identity of a pipe, in which two results would be mingled; a terminal or `/dev/null` takes as many as come.
+#[cfg(unix)]
+fn of_pipe(file: &File) -> Option<Identity> {
+    use std::os::unix::fs::{FileTypeExt, MetadataExt};
+    let there = file.metadata().ok()?;
+    let mingles = there.file_type().is_fifo() || there.file_type().is_socket();
+    mingles.then(|| Identity::Node(there.dev(), there.ino()))
+}
+
+#[cfg(not(unix))]
+fn of_pipe(_: &File) -> Option<Identity> {
     None
 }
 

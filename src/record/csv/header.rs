@@ -131,7 +131,9 @@ fn plain(name: &str, unit: Option<Unit>) -> Wanted {
 }
 
 /// First bytes of what is no table of text, what it is, and what to do.
-const NO_TEXT: [(&[u8], &str, &str); 7] = [
+const NO_TEXT: [(&[u8], &str, &str); 9] = [
+    (&[0xFF, 0xFE, 0, 0], "the file begins with a byte-order mark of UTF-32", FROM_UTF_32),
+    (&[0, 0, 0xFE, 0xFF], "the file begins with a byte-order mark of UTF-32", FROM_UTF_32),
     (&[0xFF, 0xFE], "the file begins with a byte-order mark of UTF-16", UTF_8),
     (&[0xFE, 0xFF], "the file begins with a byte-order mark of UTF-16", UTF_8),
     (b"PK\x03\x04", "this is a zip archive, or a table of a spreadsheet program", "save the table as CSV"),
@@ -141,6 +143,7 @@ const NO_TEXT: [(&[u8], &str, &str); 7] = [
     (&[0x28, 0xB5, 0x2F, 0xFD], "the file is packed by zstd", "unpack it, or pack it by gzip"),
 ];
 const UTF_8: &str = "save it as UTF-8, for instance with `iconv -f UTF-16 -t UTF-8`";
+const FROM_UTF_32: &str = "save it as UTF-8, for instance with `iconv -f UTF-32 -t UTF-8`";
 
 fn refuse_what_is_no_text(line: &[u8]) -> Result<()> {
     let known = NO_TEXT.iter().find(|(start, ..)| line.starts_with(start));

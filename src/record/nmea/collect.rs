@@ -3,7 +3,7 @@
 use super::super::input::Sink;
 use super::known::{self, Known};
 use super::sentence::{self, Fault, Sentence};
-use super::{Request, Selection, Wanted};
+use super::{Request, Selection, Wanted, why_no_stamp};
 use crate::error::nearest;
 use crate::record::Hold;
 use crate::units::Unit;
@@ -132,7 +132,10 @@ impl Collector {
     pub(super) fn finish(self) -> Result<(Vec<Group>, Notes)> {
         let mut notes = Vec::new();
         for (fault, count) in Fault::ALL.iter().zip(&self.faults).filter(|(_, c)| c.number > 0) {
-            let says = format!("{} of {} lines {}; they are left out", count.number, self.line, fault.says());
+            let why = if *fault == Fault::NoStamp { why_no_stamp(&count.text) } else { None };
+            let why = why.map_or_else(String::new, |why| format!(" ({why})"));
+            let says =
+                format!("{} of {} lines {}{why}; they are left out", count.number, self.line, fault.says());
             notes.push((Some(count.first), says));
         }
         if self.sentences == 0 {

@@ -20,7 +20,7 @@ use super::{Note, Origin};
 use crate::units::Unit;
 use crate::{Error, ErrorKind, Result};
 use collect::{Collector, Group};
-pub(super) use stamp::stamp;
+pub(super) use stamp::{stamp, why_no_stamp};
 use std::sync::Arc;
 
 /// What is wanted of a log.

@@ -51,6 +51,28 @@ pub(in super::super) fn stamp(text: &str) -> Option<i128> {
     leap.then(|| nano + NANO * (1 + leaps_until(nano)))
 }
 
+/// Why a text in the form of a date and a time is none: a day or an hour that there is not.
+pub(in super::super) fn why_no_stamp(text: &str) -> Option<String> {
+    const LAST: [u8; 12] = [31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31];
+    let numbers: Vec<u32> = text
+        .split(['-', 'T', 't', ' ', ':', '.', ',', 'Z', 'z', '+'])
+        .map_while(|n| n.parse().ok())
+        .collect();
+    let [year, month, day, rest @ ..] = numbers.as_slice() else { return None };
+    let Some(last) = LAST.get((*month as usize).wrapping_sub(1)) else {
+        return Some(format!("a year has no month {month}"));
+    };
+    let is_leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let last = if *month == 2 && !is_leap { 28 } else { u32::from(*last) };
+    if !(1..=last).contains(day) {
+        return Some(format!("month {month} of {year} has {last} days"));
+    }
+    let second = rest.get(2).is_some_and(|s| *s == 60).then(|| "there was no leap second then".to_owned());
+    let units = [("a day", "hour", 23), ("an hour", "minute", 59), ("a minute", "second", 60)];
+    let over = rest.iter().zip(units).find(|(n, (.., most))| *n > most);
+    over.map(|(n, (whole, part, _))| format!("there is no {part} {n} in {whole}")).or(second)
+}
+
 /// How many leap seconds were over at a time that counts none of them.
 fn leaps_until(nano: i128) -> i128 {
     LEAPS.partition_point(|at| i128::from(*at) * NANO <= nano) as i128
@@ -76,7 +98,7 @@ fn seconds(text: &str) -> Option<i128> {
 
 #[cfg(test)]
 mod tests {
-    use super::{LEAPS, stamp};
+    use super::{LEAPS, stamp, why_no_stamp};
 
     #[test]
     fn leap_seconds_go_by() {
@@ -95,6 +117,26 @@ mod tests {
         }
         for never in ["2018-06-30T23:59:60Z", "2016-12-31T22:59:60Z", "2016-12-31T23:60:00Z", "1:60", ":60"] {
             assert_eq!(stamp(never), None, "{never}");
+        }
+    }
+
+    #[test]
+    fn a_day_that_there_was_not_is_named() {
+        for (text, why) in [
+            ("2017-02-29T00:00:00Z", "month 2 of 2017 has 28 days"),
+            ("1900-02-29 00:00:00", "month 2 of 1900 has 28 days"),
+            ("2016-04-31T00:00:00Z", "month 4 of 2016 has 30 days"),
+            ("2016-13-01T00:00:00Z", "a year has no month 13"),
+            ("2016-00-01T00:00:00Z", "a year has no month 0"),
+            ("2016-01-01T24:00:00Z", "there is no hour 24 in a day"),
+            ("2016-01-01T23:60:00.5Z", "there is no minute 60 in an hour"),
+            ("2018-06-30T23:59:60Z", "there was no leap second then"),
+        ] {
+            assert_eq!(stamp(text), None, "{text}");
+            assert_eq!(why_no_stamp(text).as_deref(), Some(why), "{text}");
+        }
+        for other in ["", "yesterday", "12:00", "2016-01", "1.5.3"] {
+            assert_eq!(why_no_stamp(other), None, "{other}");
         }
     }
 
