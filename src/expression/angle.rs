@@ -21,6 +21,9 @@ pub struct Angles {
     /// Names of moments of inertia: what is divided by one is a torque, which holds no angle, and the quotient an
     /// angular acceleration.
     pub inertias: BTreeSet<String>,
+    /// Names of what moves by itself: the sine of a small angle is the angle, so that in `-k*sin(q)` k may be a rate
+    /// constant.
+    pub moving: BTreeSet<String>,
     /// Names of numbers that may turn turns into radians, as one that is 2π does.
     pub turners: BTreeSet<String>,
 }
@@ -114,9 +117,25 @@ impl Angles {
                 let sum = matches!(op, BinaryOp::Add | BinaryOp::Sub) && parts.iter().all(inertia);
                 (binary(*op, &parts, b), sum)
             }
+            Expr::Call(function, _) if self.may_be_small(*function, e) => (Power::Open, false),
             Expr::Call(function, _) => (of_call(*function, &parts), false),
         };
         Node { e, power, is_inertia, parts }
+    }
+
+    /// Whether a function may hand on a small angle as it is.
+    fn may_be_small(&self, function: Function, e: &Expr) -> bool {
+        if !matches!(function, Function::Sin | Function::Tan | Function::Sinh | Function::Tanh) {
+            return false;
+        }
+        let (mut is_timed, mut moves) = (false, false);
+        e.visit(&mut |part| {
+            if let Expr::Name(name) = part {
+                is_timed |= name == "t";
+                moves |= self.moving.contains(name);
+            }
+        });
+        moves && !is_timed
     }
 
     fn of_name(&self, name: &str) -> Power {

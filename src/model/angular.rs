@@ -87,6 +87,8 @@ impl Model {
         }
         let numbers = self.parameters.iter().filter(|p| p.unit.dimension().is_none() && turns(p.value));
         angles.turners = numbers.map(|p| p.name.clone()).collect();
+        let states = self.states.iter().map(|s| s.name.clone());
+        angles.moving = states.chain(self.definitions.iter().map(|d| d.name.clone())).collect();
         self.settle(&mut angles, &mut outputs);
         self.suppose(&mut angles, |angles, name, unit| {
             let d = unit.dimension();

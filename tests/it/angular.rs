@@ -160,6 +160,12 @@ fn what_a_sine_or_a_law_of_speed_takes_is_asked_about() {
         for e in ["sin(2*pi*r*t)", "cos(6.2832*r*t)", "exp(-r*t)", "exp(-r*t)*sin(t*pi*r)"] {
             takes(e, &run(&wave(unit, e), &channels, None));
         }
+        let turned = |e: &str| {
+            model("u: 1", &format!("r: 2: {unit}; lat: 0.8: rad"), "", &format!("q: {e}: rad"), "y: q: deg")
+        };
+        for e in ["r*cos(lat)", "r*sin(lat)", "r*sin(pi*r*t)"] {
+            asks(e, &run(&turned(e), &[("u", "1"), ("y", "deg")], None));
+        }
         asks(unit, &run(&stribeck(unit), &[("M", "N*m"), ("y", "rpm")], None));
     }
     takes("rpm", &run(&stribeck("rpm"), &[("M", "N*m"), ("y", "rpm")], None));
@@ -180,6 +186,7 @@ fn rate_constants_and_counts_go_on_without_a_question() {
             ),
             ("u: 1", "g: 9.81: m/s^2; L: 1: m", "q: v: 1; v: -k*v - g/L*sin(q): 1/s", "v", "1/s"),
             ("u: N", "m: 1: kg", "x: v: m; v: u/m - k*v - k^2*x: m/s", "x", "m"),
+            ("u: rad", "", "q: k*sin(u - q): rad", "q", "deg"),
             ("u: K", "E: 1000: K", "c: -k*exp(-E/u)*c: 1", "c", "1"),
             ("u: 1/s", "", "n: u - k*n: 1", "k*n", "1/s"),
             ("u: 1", "", "f: k*u/t: Hz; d: 2*pi*(f - k): rad", "f", "Hz"),
