@@ -281,6 +281,7 @@ fn excerpt(text: &str, start: usize, length: usize) -> (String, usize, usize) {
 /// assert_eq!(gyrospec::error::nearest("Roll", ["roll", "roll2"]), Some("roll"));
 /// assert_eq!(gyrospec::error::nearest("xyzzy", ["roll", "pitch"]), None);
 /// ```
+#[cfg(any(feature = "symbolic", feature = "instruments"))]
 pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     known
         .into_iter()
@@ -292,6 +293,7 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
 
 /// 0 to 1, and 1 more where they are the same but for capitals, or differ by one slip of the keyboard, which is
 /// nearest even in a short name.
+#[cfg(any(feature = "symbolic", feature = "instruments"))]
 fn likeness(name: &str, known: &str) -> f64 {
     let slip = name.len().min(known.len()) > 1 && strsim::damerau_levenshtein(name, known) <= 1;
     strsim::jaro_winkler(name, known) + if slip { 1.0 } else { 0.0 }

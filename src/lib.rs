@@ -23,31 +23,42 @@
 //! | [`diagnose`] | what is missing |
 //! | [`report`] | text, JSON, HTML |
 
+#[cfg(feature = "diagnose")]
 pub mod diagnose;
 pub mod error;
+#[cfg(feature = "diagnose")]
 pub mod estimate;
 pub mod exact;
+#[cfg(any(feature = "symbolic", feature = "instruments"))]
 pub mod expression;
+#[cfg(feature = "instruments")]
 pub mod gyro;
 pub mod integral;
+#[cfg(feature = "instruments")]
 pub mod lti;
+#[cfg(feature = "diagnose")]
 pub mod model;
 pub mod poly;
+#[cfg(feature = "instruments")]
 pub mod record;
+#[cfg(feature = "diagnose")]
 pub mod report;
+#[cfg(feature = "diagnose")]
 pub mod simulate;
+#[cfg(feature = "instruments")]
 pub mod spectrum;
+#[cfg(feature = "symbolic")]
 pub mod symbolic;
 pub mod text;
+#[cfg(any(feature = "symbolic", feature = "instruments"))]
 pub mod units;
 
+#[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
-#[cfg(feature = "python")]
-pub mod python;
 
 /// What the README shows of the library runs as a test.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "cli"))]
 #[doc = include_str!("../README.md")]
 pub struct Readme;
 

@@ -2,10 +2,12 @@
 
 use super::{Integrand, determinant, evaluate_fast, exact, quadrature};
 use crate::Result;
+#[cfg(feature = "serde")]
 use serde::Serialize;
 
 /// What each method says; a refusal stands as its text.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize))]
 pub struct Crosscheck {
     /// The recursion in plain doubles.
     pub recursion: Outcome,
@@ -18,8 +20,9 @@ pub struct Crosscheck {
 }
 
 /// The result of one method.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize))]
+#[cfg_attr(feature = "serde", serde(untagged))]
 pub enum Outcome {
     /// A value with a guaranteed bound.
     Bounded {

@@ -39,6 +39,7 @@ mod scale;
 pub use evaluate::{Estimate, evaluate, evaluate_fast};
 
 use crate::{Error, Result};
+#[cfg(feature = "serde")]
 use serde::{Deserialize, Serialize};
 
 /// The numerator of the integrand.
@@ -155,8 +156,9 @@ fn finite(name: &str, letter: &str, x: &[f64]) -> Result<()> {
 }
 
 /// How an answer was found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(Serialize, Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Method {
     /// The recursion in doubles.
@@ -172,7 +174,8 @@ pub enum Method {
 }
 
 /// A value of I_n with what is known of it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize))]
 pub struct Answer {
     /// The integral.
     pub value: f64,

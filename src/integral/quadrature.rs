@@ -21,11 +21,13 @@ use super::{Integrand, Numerator};
 use crate::exact::{exponent, integers_time_shift, ldexp};
 use crate::poly::{even_square, roots::roots};
 use crate::{Error, Result};
+#[cfg(feature = "serde")]
 use serde::Serialize;
 use std::cell::Cell;
 
 /// A value by numeric integration.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(Serialize))]
 pub struct Estimate {
     /// The integral.
     pub value: f64,

@@ -20,7 +20,9 @@ mod wrap;
 
 pub use apart::keep_apart;
 pub use csv::{Raw, columns};
-pub(crate) use input::{Input, is_stream, read_once};
+pub(crate) use input::Input;
+#[cfg(feature = "cli")]
+pub(crate) use input::{is_stream, read_once};
 pub use recording::{Channel, Constant, Hold, Kind, Note, Origin, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 pub use summary::{Peak, Summary, summaries, summary};
@@ -79,6 +81,7 @@ impl Recording {
 }
 
 /// The whole text of a file, or of standard input for `-`, and the hash of its bytes.
+#[cfg(feature = "diagnose")]
 pub(crate) fn read_text(path: &Path) -> Result<(String, Source)> {
     Input::open(path)?.text()
 }

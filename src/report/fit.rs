@@ -1,8 +1,16 @@
 //! A fit as one page with pictures.
 
+mod json;
+mod text;
+
+pub use json::render as json;
+pub use text::render as text;
+
 use crate::diagnose::pictures::closer;
 use crate::estimate::Direction;
-use crate::estimate::fit::{Beside, Combination, Estimate, Fit, HeldOut, InitialEstimate, Series, Status};
+use crate::estimate::fit::{
+    Beside, Combination, Estimate, Fit, HeldOut, InitialEstimate, ResidualSpectrum, Series, Status,
+};
 use crate::model::Output;
 use crate::record::{Kind, Recording, Source};
 use crate::report::page::{self, Page, Section, head, table, with_unit};
@@ -37,16 +45,6 @@ impl FitReport<'_> {
         let recordings = self.recordings.iter().chain(self.separate).flat_map(|r| &r.sources);
         std::iter::once(self.source).chain(recordings)
     }
-}
-
-/// The spectrum of what an output leaves over.
-pub struct ResidualSpectrum {
-    /// The output.
-    pub output: String,
-    /// Unit of the density.
-    pub unit: String,
-    /// rad/s and density.
-    pub points: Vec<[f64; 2]>,
 }
 
 /// One output on one recording, fitted and held-out parts together, in order of time.

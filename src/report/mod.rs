@@ -6,5 +6,6 @@ pub mod fit;
 pub mod page;
 pub mod polar;
 pub mod rolling;
+pub mod simulated;
 pub mod svg;
 pub mod terminal;

@@ -24,6 +24,7 @@ mod start;
 mod static_run;
 mod steps;
 mod trace;
+mod warnings;
 
 pub use budget::{Budget, Early};
 pub use mesh::GAP_STEPS;
@@ -32,3 +33,4 @@ pub use signals::{OutputSignal, coverage};
 pub use simulator::Simulator;
 pub use steps::Method;
 pub use trace::Trace;
+pub use warnings::warnings;

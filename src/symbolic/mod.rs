@@ -35,6 +35,6 @@ pub use fraction::Fraction;
 pub use integer::Integer;
 pub use minors::{HIGHEST_ORDER, Letter, Product, Program};
 pub use polynomial::Polynomial;
-pub use print::{FolderFile, HIGHEST_EXPANDED, TableFormat, folder, print_tables};
+pub use print::{FolderFile, HIGHEST_EXPANDED, TableFormat, folder, print_tables, read_orders};
 pub use ring::{Monomial, Ring};
 pub use table::Table;

@@ -1,6 +1,6 @@
 //! Every example of every `--help` runs, and errors say where and what is near.
 
-use crate::transcript::{typed, with_examples};
+use crate::transcript::{play, typed, with_examples};
 use std::path::Path;
 
 /// Too long for a test.
@@ -66,11 +66,7 @@ fn every_example_of_the_help_runs() {
 
 #[test]
 fn answers_and_refusals_are_as_shown() {
-    trycmd::TestCases::new()
-        .register_bin("gyrospec", Path::new(env!("CARGO_BIN_EXE_gyrospec")))
-        .env("GYROSPEC_PROGRESS", "never")
-        .case("tests/cmd/*.md")
-        .run();
+    play("tests/cmd/answers.md");
 }
 
 /// What the program says of a model or recording in which one thing is wrong.

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-const ROOMS: [&str; 19] = [
+const ROOMS: [&str; 18] = [
     "text",
     "error",
     "units",
@@ -22,7 +22,6 @@ const ROOMS: [&str; 19] = [
     "diagnose",
     "report",
     "cli",
-    "python",
 ];
 
 fn visit(path: &Path, files: &mut Vec<std::path::PathBuf>) {

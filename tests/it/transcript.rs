@@ -157,7 +157,8 @@ fn trimmed(shown: &[String]) -> &[String] {
     &shown[..end]
 }
 
-fn play(document: &str) {
+/// Plays a document; it must go as it shows.
+pub fn play(document: &str) {
     if cfg!(windows) {
         eprintln!("SKIPPED: {document} is written for a shell that this system does not have");
         return;

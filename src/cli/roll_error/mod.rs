@@ -188,7 +188,6 @@ fn is_bare(a: &Arguments) -> bool {
 }
 
 /// A compass and a recording that lie in memory, or the path of a compass.
-#[cfg(feature = "python")]
 pub struct Given<'a> {
     pub path: Option<&'a std::path::Path>,
     pub text: Option<&'a str>,
@@ -196,7 +195,6 @@ pub struct Given<'a> {
 }
 
 /// The same three ways.
-#[cfg(feature = "python")]
 pub struct Answer {
     pub json: String,
     pub text: String,
@@ -207,7 +205,6 @@ pub struct Answer {
 }
 
 /// What the options of the command line ask for, of what lies in memory.
-#[cfg(feature = "python")]
 pub fn answer(options: &[String], given: &Given<'_>) -> Result<Answer> {
     #[derive(clap::Parser)]
     struct Alone {
@@ -239,7 +236,6 @@ pub fn answer(options: &[String], given: &Given<'_>) -> Result<Answer> {
 }
 
 /// A parser's refusal without its advice on calling the program.
-#[cfg(feature = "python")]
 fn usage(e: &clap::Error) -> Error {
     let text = e.to_string();
     let says = text.split("\n\n").next().unwrap_or_default();

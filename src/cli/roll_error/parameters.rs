@@ -120,7 +120,6 @@ pub fn read(path: Option<&Path>, options: &InstrumentOptions) -> Result<Compass>
 }
 
 /// Reads the compass from the text of such a file.
-#[cfg(feature = "python")]
 pub fn of_text(text: &str, options: &InstrumentOptions) -> Result<Compass> {
     let mut f = Filling::of_paper();
     let base = f.read_text(text)?;

@@ -18,6 +18,7 @@ pub mod seen;
 pub mod setup;
 mod shooting;
 mod simulated;
+mod spectra;
 mod valley;
 mod warnings;
 
@@ -25,6 +26,7 @@ pub use certain::ascertain;
 pub use combination::Combination;
 pub use options::{Effort, FitOptions, Progress, Silent, Weighting};
 pub use outcome::{Beside, Estimate, Fit, HeldOut, InitialEstimate, RecordFit, Series, Status, Warning};
+pub use spectra::{ResidualSpectrum, residual_spectra};
 
 use crate::Result;
 use crate::estimate::least_squares::{End, Minimum, minimise};

@@ -1,7 +1,10 @@
 //! Tables as functions in Rust, Python and C.
 
 use super::recursion::Recursion;
+use super::{Exporter, programs};
+use crate::Result;
 use std::fmt::Write;
+use std::ops::RangeInclusive;
 
 /// A language that the tables are written in.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -15,13 +18,24 @@ pub enum Language {
 const CONDITIONS: usize = 7;
 
 /// One function an order.
-pub fn tables(orders: impl Iterator<Item = usize>, language: Language) -> String {
-    let mut text = language.head();
-    for n in orders {
-        text.push('\n');
-        text.push_str(&function(n, language));
+impl Exporter for Language {
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Rust => "rust",
+            Self::Python => "python",
+            Self::C => "c",
+        }
     }
-    text
+
+    fn print(&self, orders: RangeInclusive<usize>) -> Result<String> {
+        programs(orders.clone())?;
+        let mut text = self.head();
+        for n in orders {
+            text.push('\n');
+            text.push_str(&function(n, *self));
+        }
+        Ok(text)
+    }
 }
 
 impl Language {

@@ -1,6 +1,6 @@
 //! The folder of tables that the program regenerates.
 
-use super::{HIGHEST_EXPANDED, TableFormat, print_tables};
+use super::{HIGHEST_EXPANDED, print_tables};
 use crate::Result;
 use crate::symbolic::minors::{HIGHEST_ORDER, Program};
 use crate::symbolic::table::Table;
@@ -22,17 +22,19 @@ pub fn folder() -> Result<Vec<FolderFile>> {
     let high = HIGHEST_EXPANDED + 1..=HIGHEST_ORDER;
     let all = 1..=HIGHEST_ORDER;
     let printed = [
-        ("orders-1-8.json", &low, TableFormat::Json),
-        ("orders-1-8.md", &low, TableFormat::Markdown),
-        ("orders-1-8.tex", &low, TableFormat::Latex),
-        ("orders-9-14.md", &high, TableFormat::Markdown),
-        ("integrals.rs", &all, TableFormat::Rust),
-        ("integrals.py", &all, TableFormat::Python),
-        ("integrals.c", &all, TableFormat::C),
+        ("orders-1-8.json", &low, "json"),
+        ("orders-1-8.md", &low, "markdown"),
+        ("orders-1-8.tex", &low, "latex"),
+        ("orders-9-14.md", &high, "markdown"),
+        ("integrals.rs", &all, "rust"),
+        ("integrals.py", &all, "python"),
+        ("integrals.c", &all, "c"),
     ];
     let mut files = printed
         .into_iter()
-        .map(|(name, orders, format)| Ok(FolderFile { name, text: print_tables(orders.clone(), format)? }))
+        .map(|(name, orders, format)| {
+            Ok(FolderFile { name, text: print_tables(orders.clone(), format.parse()?)? })
+        })
         .collect::<Result<Vec<_>>>()?;
     files.push(FolderFile { name: "index.json", text: index()? });
     Ok(files)
@@ -44,7 +46,7 @@ fn index() -> Result<String> {
     for n in 1..=HIGHEST_ORDER {
         let program = Program::new(n)?;
         let table = Table::expand(&program)?;
-        let hash = Sha256::digest(print_tables(n..=n, TableFormat::Json)?);
+        let hash = Sha256::digest(print_tables(n..=n, "json".parse()?)?);
         let hash = hash.iter().fold(String::new(), |text, byte| text + &format!("{byte:02x}"));
         let comma = if n == 1 { "" } else { "," };
         let _ = write!(

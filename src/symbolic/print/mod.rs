@@ -3,34 +3,83 @@
 mod code;
 mod folder;
 mod json;
+mod orders;
 mod prose;
 mod recursion;
 pub(in crate::symbolic) mod sum;
 
 pub use folder::{FolderFile, folder};
+pub use orders::read_orders;
 
 use super::minors::Program;
-use crate::Result;
+use crate::{Error, Result};
 use std::ops::RangeInclusive;
 
 /// The highest order that Markdown and LaTeX show expanded; above it they show the shared minors.
 pub const HIGHEST_EXPANDED: usize = 8;
 
-/// A form of the printed tables.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum TableFormat {
-    /// Every term of numerator and denominator, schema `gyrospec.table/1`.
-    Json,
-    /// Markdown for people.
-    Markdown,
-    /// A LaTeX document.
-    Latex,
-    /// One Rust function an order.
-    Rust,
-    /// One Python function an order.
-    Python,
-    /// One C function an order.
-    C,
+/// A form of the tables: a new one is its own file and one line in [`EXPORTERS`].
+trait Exporter: Sync {
+    /// Its name on the command line.
+    fn name(&self) -> &'static str;
+
+    /// The tables of the given orders.
+    fn print(&self, orders: RangeInclusive<usize>) -> Result<String>;
+}
+
+/// Every form.
+static EXPORTERS: [&dyn Exporter; 6] = [
+    &json::Json,
+    &prose::Style::Markdown,
+    &prose::Style::Latex,
+    &code::Language::Rust,
+    &code::Language::Python,
+    &code::Language::C,
+];
+
+/// A form of the printed tables, by its name: `json` (every term of numerator and denominator, schema
+/// `gyrospec.table/1`), `markdown`, `latex`, or one function an order in `rust`, `python` or `c`.
+///
+/// ```
+/// use gyrospec::symbolic::TableFormat;
+/// let form: TableFormat = "latex".parse()?;
+/// assert_eq!(form.name(), "latex");
+/// assert!(TableFormat::all().any(|f| f.name() == "c"));
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct TableFormat(&'static dyn Exporter);
+
+impl TableFormat {
+    /// Every form, in the order of the help.
+    pub fn all() -> impl Iterator<Item = Self> {
+        EXPORTERS.iter().map(|e| Self(*e))
+    }
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        self.0.name()
+    }
+}
+
+impl std::fmt::Debug for TableFormat {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_tuple("TableFormat").field(&self.name()).finish()
+    }
+}
+
+impl std::str::FromStr for TableFormat {
+    type Err = Error;
+
+    /// # Errors
+    /// Usage, for a name that is none of them.
+    fn from_str(name: &str) -> Result<Self> {
+        Self::all().find(|f| f.name().eq_ignore_ascii_case(name)).ok_or_else(|| {
+            let names: Vec<&str> = Self::all().map(Self::name).collect();
+            let says = format!("there is no form '{}'", crate::text::in_line(name));
+            Error::usage(says).with_hint(format!("forms: {}", names.join(", ")))
+        })
+    }
 }
 
 /// The tables of the given orders in one form.
@@ -39,19 +88,16 @@ pub enum TableFormat {
 /// Usage, where an order lies outside 1 … [`HIGHEST_ORDER`](super::HIGHEST_ORDER).
 ///
 /// ```
-/// use gyrospec::symbolic::{TableFormat, print_tables};
-/// let text = print_tables(2..=2, TableFormat::C)?;
+/// use gyrospec::symbolic::print_tables;
+/// let text = print_tables(2..=2, "c".parse()?)?;
 /// assert!(text.contains("double gyrospec_i2("));
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn print_tables(orders: RangeInclusive<usize>, format: TableFormat) -> Result<String> {
-    let programs = orders.clone().map(Program::new).collect::<Result<Vec<_>>>()?;
-    match format {
-        TableFormat::Json => json::tables(&programs),
-        TableFormat::Markdown => prose::tables(&programs, prose::Style::Markdown),
-        TableFormat::Latex => prose::tables(&programs, prose::Style::Latex),
-        TableFormat::Rust => Ok(code::tables(orders, code::Language::Rust)),
-        TableFormat::Python => Ok(code::tables(orders, code::Language::Python)),
-        TableFormat::C => Ok(code::tables(orders, code::Language::C)),
-    }
+    format.0.print(orders)
+}
+
+/// The straight-line programs of orders.
+fn programs(orders: RangeInclusive<usize>) -> Result<Vec<Program>> {
+    orders.map(Program::new).collect()
 }

@@ -6,8 +6,8 @@
 //! References: none needed.
 //! Numerical aspects: none; text only.
 
-use super::HIGHEST_EXPANDED;
 use super::sum::{Item, Measure, lines};
+use super::{Exporter, HIGHEST_EXPANDED, programs};
 use crate::Result;
 use crate::symbolic::integer::Integer;
 use crate::symbolic::minors::{Letter, Product, Program};
@@ -15,6 +15,7 @@ use crate::symbolic::polynomial::Polynomial;
 use crate::symbolic::ring::{Monomial, Ring};
 use crate::symbolic::table::Table;
 use std::fmt::Write;
+use std::ops::RangeInclusive;
 
 /// Markdown or LaTeX.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -24,20 +25,29 @@ pub enum Style {
 }
 
 /// All orders in one document.
-pub fn tables(programs: &[Program], style: Style) -> Result<String> {
-    let mut text = style.head();
-    for program in programs {
-        let equations = if program.order <= HIGHEST_EXPANDED {
-            expanded(program, style)?
-        } else {
-            shared(program, style)
-        };
-        text.push_str(&style.section(program.order, &equations));
+impl Exporter for Style {
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Markdown => "markdown",
+            Self::Latex => "latex",
+        }
     }
-    if style == Style::Latex {
-        text.push_str("\\end{document}\n");
+
+    fn print(&self, orders: RangeInclusive<usize>) -> Result<String> {
+        let mut text = self.head();
+        for program in &programs(orders)? {
+            let equations = if program.order <= HIGHEST_EXPANDED {
+                expanded(program, *self)?
+            } else {
+                shared(program, *self)
+            };
+            text.push_str(&self.section(program.order, &equations));
+        }
+        if *self == Self::Latex {
+            text.push_str("\\end{document}\n");
+        }
+        Ok(text)
     }
-    Ok(text)
 }
 
 /// An equation: its left side and the lines of its right side.

@@ -1,10 +1,11 @@
 //! A model, read once and used often.
 
-use crate::error::nearest;
-use crate::model;
-use crate::record::Source;
-use crate::units::Unit;
-use crate::{Error, Result};
+use super::fault::PyResult;
+use gyrospec::error::nearest;
+use gyrospec::model;
+use gyrospec::record::Source;
+use gyrospec::units::Unit;
+use gyrospec::{Error, Result};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyType};
 use std::path::PathBuf;
@@ -130,7 +131,7 @@ impl Model {
     }
 
     fn _repr_html_(&self) -> String {
-        format!("<pre>{}</pre>", crate::report::svg::escaped(&self.0.to_toml()))
+        format!("<pre>{}</pre>", gyrospec::report::svg::escaped(&self.0.to_toml()))
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<(Bound<'py, PyAny>, (String,))> {

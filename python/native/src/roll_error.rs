@@ -1,10 +1,11 @@
 //! Mean and spread of the rolling error.
 
+use super::fault::PyResult;
 use super::model::Model;
 use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
-use crate::cli::roll_error::{Given, answer};
+use gyrospec::cli::roll_error::{Given, answer};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;

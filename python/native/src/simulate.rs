@@ -1,10 +1,11 @@
 //! A model run on a recording.
 
+use super::fault::PyResult;
 use super::model::Model;
 use super::recording::Recording;
-use crate::cli::simulate as command;
-use crate::simulate::{Options, OutputSignal, Simulator, Trajectory};
-use crate::{Error, Result};
+use gyrospec::report::simulated::summary;
+use gyrospec::simulate::{Options, OutputSignal, Simulator, Trajectory, warnings};
+use gyrospec::{Error, Result};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -52,7 +53,7 @@ impl Simulated {
         let unknown = || Error::usage(format!("there is no output {number}"));
         let o = self.simulator.outputs().get(number).ok_or_else(unknown)?;
         let predicted = &self.ran.outputs[number];
-        let (_, rms, worst) = command::errors(o, predicted);
+        let (_, rms, worst) = o.errors(predicted);
         Ok((
             o.time.to_vec().into_pyarray(py),
             in_unit(o, &o.measured).into_pyarray(py),
@@ -99,8 +100,8 @@ pub fn simulate(
         }
         let simulator = Simulator::new(&model, &recording, &options)?;
         let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
-        let warnings = command::warnings(&simulator, &ran);
-        let text = command::summary(&simulator, &ran);
+        let warnings = warnings(&simulator, &ran);
+        let text = summary(&simulator, &ran);
         Ok(Simulated { simulator, ran, warnings, text })
     };
     Ok(py.detach(work)?)

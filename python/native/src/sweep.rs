@@ -1,9 +1,10 @@
 //! The mean rolling error of many compasses on many rolls at once.
 
 use super::array;
-use crate::gyro::{Gyrosphere, sweep};
-use crate::spectrum::Roll;
-use crate::{Error, Result};
+use super::fault::PyResult;
+use gyrospec::gyro::{Gyrosphere, sweep};
+use gyrospec::spectrum::Roll;
+use gyrospec::{Error, Result};
 use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -50,7 +51,7 @@ type View<'a> = (&'a str, numpy::ndarray::ArrayView1<'a, f64>);
 const IDLE: [&str; 3] = ["lP", "C", "F"];
 
 fn case(columns: &[View<'_>], row: usize) -> Result<(Gyrosphere, Roll, f64)> {
-    let (mut sphere, mut roll, mut heading) = crate::gyro::seed::example_3_1();
+    let (mut sphere, mut roll, mut heading) = gyrospec::gyro::seed::example_3_1();
     for (name, values) in columns {
         let place = match *name {
             "heading" => Some(&mut heading),
@@ -65,7 +66,7 @@ fn case(columns: &[View<'_>], row: usize) -> Result<(Gyrosphere, Roll, f64)> {
 fn unknown(name: &str) -> Error {
     let all = Gyrosphere::NAMES.into_iter().filter(|n| !IDLE.contains(n));
     let all: Vec<&str> = all.chain(Roll::NAMES).chain(["heading"]).collect();
-    let meant = crate::error::nearest(name, all.iter().copied())
+    let meant = gyrospec::error::nearest(name, all.iter().copied())
         .map(|n| format!("did you mean {n}? "))
         .unwrap_or_default();
     Error::bad_input(format!("the mean rolling error does not depend on `{name}`"))

@@ -1,9 +1,10 @@
 //! A recording: read from a file, or made of columns of numbers.
 
 use super::array;
-use crate::record::{self, Channel, Constant, Hold, Kind, Source, Span};
-use crate::units::{Dimension, Unit};
-use crate::{Error, ErrorKind, Result};
+use super::fault::PyResult;
+use gyrospec::record::{self, Channel, Constant, Hold, Kind, Source, Span};
+use gyrospec::units::{Dimension, Unit};
+use gyrospec::{Error, ErrorKind, Result};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;

@@ -1,7 +1,7 @@
 //! What long work hands over: its JSON, its words, its page, the model that it ends with.
 
 use super::model::Model;
-use crate::text::shown;
+use gyrospec::text::shown;
 use pyo3::prelude::*;
 
 /// Makes a text when it is asked for.

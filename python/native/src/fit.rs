@@ -1,14 +1,16 @@
 //! A model fitted to recordings.
 
 use super::diagnose::{owned, seconds};
+use super::fault::PyResult;
 use super::model::Model;
 use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
-use crate::cli::fit::{json, spectra, text};
-use crate::estimate::fit::{FitOptions, ascertain, fit as find, holdout as run_held_out, setup};
-use crate::report::fit::{FitReport, page};
-use crate::simulate::Budget;
+use gyrospec::estimate::fit::{
+    FitOptions, ascertain, fit as find, holdout as run_held_out, residual_spectra, setup,
+};
+use gyrospec::report::fit::{FitReport, json, page, text};
+use gyrospec::simulate::Budget;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -40,7 +42,7 @@ pub fn fit(
             held_out: &held_out,
             recordings: &recordings,
             separate: &separate,
-            spectra: &spectra(&fitted),
+            spectra: &residual_spectra(&fitted),
             seed,
         };
         let (json, text, page) = (json(&report)?, text(&report), page(&report));

@@ -1,10 +1,11 @@
 //! The result of a fit in words and a table.
 
+use super::{FitReport, untold};
 use crate::estimate::fit::{Estimate, Status};
-use crate::report::fit::{FitReport, untold};
 use crate::units::{Unit, digits_within, significant};
 use std::fmt::Write;
 
+/// The report in words.
 pub fn render(told: &FitReport<'_>) -> String {
     let mut text = String::new();
     let fit = told.fit;

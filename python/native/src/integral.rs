@@ -1,8 +1,9 @@
 //! One spectral integral.
 
 use super::array;
-use crate::Error;
-use crate::integral::{Answer, Integrand, evaluate};
+use super::fault::PyResult;
+use gyrospec::Error;
+use gyrospec::integral::{Answer, Integrand, evaluate};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 

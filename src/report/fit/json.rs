@@ -1,9 +1,9 @@
 //! The result of a fit as JSON; the schema is documented with the rest of the forms.
 
+use super::FitReport;
 use crate::estimate::Side;
 use crate::estimate::fit::{Combination, Estimate, Fit, Status};
 use crate::estimate::independent_samples;
-use crate::report::fit::FitReport;
 use crate::units::Unit;
 use crate::{Error, Result};
 use serde_json::{Value, json};
@@ -13,6 +13,10 @@ fn number(x: f64) -> Value {
     if x.is_finite() { json!(x) } else { Value::Null }
 }
 
+/// The report as JSON, schema `gyrospec.fit/1`.
+///
+/// # Errors
+/// `NotComputed`, should a number not be writable.
 pub fn render(told: &FitReport<'_>) -> Result<String> {
     let fit = told.fit;
     let value = json!({

@@ -1,7 +1,8 @@
 //! Long work: in a thread of its own, while the calling one answers to Ctrl-C.
 
-use crate::estimate::fit::Progress;
-use crate::{Error, Result};
+use super::fault::PyResult;
+use gyrospec::estimate::fit::Progress;
+use gyrospec::{Error, Result};
 use pyo3::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
@@ -38,11 +39,12 @@ pub fn patiently<T: Send + 'static>(
     let stop = Arc::new(AtomicBool::new(false));
     let (sender, mut receiver) = channel();
     let listener = Listener(Arc::clone(&stop));
-    std::thread::Builder::new().stack_size(STACK).spawn(move || {
+    let thread = std::thread::Builder::new().stack_size(STACK).spawn(move || {
         let done = catch_unwind(AssertUnwindSafe(|| work(&listener)));
         // nobody listens any more after an interrupt
         let _ = sender.send(done.unwrap_or_else(|_| Err(broken())));
-    })?;
+    });
+    thread.map_err(PyErr::from)?;
     loop {
         let waiting = &mut receiver;
         match py.detach(move || waiting.recv_timeout(PATIENCE)) {
@@ -51,7 +53,7 @@ pub fn patiently<T: Send + 'static>(
             Err(RecvTimeoutError::Timeout) => {
                 if let Err(interrupt) = py.check_signals() {
                     stop.store(true, Ordering::Relaxed);
-                    return Err(interrupt);
+                    return Err(interrupt.into());
                 }
             }
         }

@@ -1,8 +1,9 @@
 //! Many integrals of one order: a row of two arrays is a problem.
 
 use super::array;
-use crate::integral::{Estimate, Integrand, MAX_ORDER, batch, evaluate};
-use crate::{Error, ErrorKind, Result};
+use super::fault::PyResult;
+use gyrospec::integral::{Estimate, Integrand, MAX_ORDER, batch, evaluate};
+use gyrospec::{Error, ErrorKind, Result};
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use rayon::prelude::*;

@@ -1,7 +1,7 @@
 //! Errors as Python exceptions, of one class a kind and with the text that the program prints.
 
-use crate::text::shown;
-use crate::{Error, ErrorKind};
+use gyrospec::text::shown;
+use gyrospec::{Error, ErrorKind};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -15,11 +15,12 @@ fn class(kind: ErrorKind) -> &'static str {
         ErrorKind::ImaginaryAxis => "ImaginaryAxisError",
         ErrorKind::OutOfRange => "OutOfRangeError",
         ErrorKind::NotComputed => "NotComputedError",
-        ErrorKind::BadInput => "InputError",
+        // a kind that is newer than this file is one of input
+        _ => "InputError",
     }
 }
 
-fn exception<'py>(py: Python<'py>, e: &Error) -> PyResult<Bound<'py, PyAny>> {
+fn exception<'py>(py: Python<'py>, e: &Error) -> Result<Bound<'py, PyAny>, PyErr> {
     let made = py.import("gyrospec._errors")?.getattr(class(e.kind()))?.call1((shown(&e.to_string()),))?;
     let data = PyDict::new(py);
     data.set_item("file", e.file())?;
@@ -38,8 +39,34 @@ fn exception<'py>(py: Python<'py>, e: &Error) -> PyResult<Bound<'py, PyAny>> {
     Ok(made)
 }
 
-impl From<Error> for PyErr {
+/// What keeps a call from its answer: an error of the library or one of Python.
+pub enum Fault {
+    Own(Error),
+    Python(PyErr),
+}
+
+/// The result of what Python calls.
+pub type PyResult<T> = Result<T, Fault>;
+
+impl From<Error> for Fault {
     fn from(e: Error) -> Self {
-        Python::attach(|py| exception(py, &e).map_or_else(|failure| failure, PyErr::from_value))
+        Self::Own(e)
+    }
+}
+
+impl From<PyErr> for Fault {
+    fn from(e: PyErr) -> Self {
+        Self::Python(e)
+    }
+}
+
+impl From<Fault> for PyErr {
+    fn from(fault: Fault) -> Self {
+        match fault {
+            Fault::Python(e) => e,
+            Fault::Own(e) => {
+                Python::attach(|py| exception(py, &e).map_or_else(|failure| failure, PyErr::from_value))
+            }
+        }
     }
 }

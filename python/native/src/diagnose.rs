@@ -1,13 +1,14 @@
 //! What a model leaves out.
 
+use super::fault::PyResult;
 use super::model::Model;
 use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
-use crate::Error;
-use crate::diagnose::{Request, diagnose as find};
-use crate::record;
-use crate::report;
+use gyrospec::Error;
+use gyrospec::diagnose::{Request, diagnose as find};
+use gyrospec::record;
+use gyrospec::report;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -21,7 +22,7 @@ pub fn owned(recordings: &[PyRef<'_, Recording>]) -> Vec<record::Recording> {
 /// A wall time from a number of seconds.
 pub fn seconds(time: f64) -> PyResult<Duration> {
     let refused = || PyValueError::new_err("time_limit is a number of seconds above 0");
-    Duration::try_from_secs_f64(time).ok().filter(|t| !t.is_zero()).ok_or_else(refused)
+    Ok(Duration::try_from_secs_f64(time).ok().filter(|t| !t.is_zero()).ok_or_else(refused)?)
 }
 
 #[pyfunction]

@@ -1,0 +1,60 @@
+//! What the user should know about a run though it went on.
+
+use super::{OutputSignal, Simulator, Trajectory};
+
+/// What the user should know about the run though it went on.
+pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
+    let mut out = Vec::new();
+    if let Some((t, state)) = ran.blew_up {
+        let states = &s.model().states;
+        let name = states.get(state).map_or("a lag or another hidden state", |x| x.name.as_str());
+        out.push(format!(
+            "the model blows up: {name} is beyond all bounds, or no number, at t = {t} s; there are no predictions \
+             from there on. Start it from other values, look at its signs, and at roots and logarithms of what may \
+             become negative"
+        ));
+    }
+    let (from, to) = s.span();
+    if let Ok(Some(slowest)) = s.slowest_time(&s.parameters(), &s.initials())
+        && s.is_dynamic()
+        && to - from < slowest
+    {
+        out.push(format!(
+            "the recording ({:.4} s) is shorter than the model's longest time constant ({slowest:.4} s): \
+             what is slow in it cannot be seen",
+            to - from
+        ));
+    }
+    if ran.solver_error > 1e-3 && ran.blew_up.is_none() {
+        out.push(format!(
+            "the solver's error is {:.1e} of an output's spread; --tolerance cannot be met",
+            ran.solver_error
+        ));
+    }
+    for o in s.outputs() {
+        let lost = o.covered.iter().zip(o.measured.iter()).filter(|(c, y)| !**c && y.is_finite()).count();
+        if lost > 0 {
+            let n = o.measured.len();
+            out.push(format!("{lost} of {n} samples of {} lie outside the inputs, in a gap of theirs, or too soon after one", o.name));
+        }
+    }
+    out
+}
+
+/// Measured less predicted, modulo a turn where the angle wraps.
+fn residual(measured: f64, predicted: f64, wraps: bool) -> f64 {
+    let e = measured - predicted;
+    if wraps { e - std::f64::consts::TAU * (e / std::f64::consts::TAU).round() } else { e }
+}
+
+impl OutputSignal {
+    /// The number of samples that can be compared with what is predicted for them, and the root mean square and the
+    /// largest of measured less predicted, in the output's unit.
+    pub fn errors(&self, predicted: &[f64]) -> (usize, f64, f64) {
+        let pairs = self.measured.iter().zip(predicted).filter(|(y, f)| y.is_finite() && f.is_finite());
+        let errors: Vec<f64> =
+            pairs.map(|(y, f)| self.unit.difference_from_si(residual(*y, *f, self.wraps))).collect();
+        let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
+        (errors.len(), rms, errors.iter().fold(f64::NAN, |m, e| m.max(e.abs())))
+    }
+}
