@@ -22,6 +22,9 @@
 //! | [`estimate`] | noise models and fits |
 //! | [`diagnose`] | what is missing |
 //! | [`report`] | text, JSON, HTML |
+//!
+//! Features: without any there is the integral alone; `symbolic`, `instruments` and `diagnose` add their rooms, `cli`
+//! (the default) the program.
 
 #[cfg(feature = "diagnose")]
 pub mod diagnose;
@@ -56,6 +59,8 @@ pub mod units;
 #[cfg(feature = "cli")]
 #[doc(hidden)]
 pub mod cli;
+#[cfg(feature = "diagnose")]
+mod facade;
 
 /// What the README shows of the library runs as a test.
 #[cfg(all(doctest, feature = "cli"))]
@@ -63,3 +68,29 @@ pub mod cli;
 pub struct Readme;
 
 pub use error::{Error, ErrorKind, Result};
+pub use integral::crosscheck::{Crosscheck, crosscheck};
+pub use integral::{Answer, Estimate, Integrand, evaluate, evaluate_fast};
+
+#[cfg(feature = "symbolic")]
+pub use symbolic::{Formula, FormulaRequest, Table, TableFormat, formula, print_tables};
+
+#[cfg(feature = "instruments")]
+pub use gyro::{Gyrosphere, Instrument, MonteCarlo, Motion};
+#[cfg(feature = "instruments")]
+pub use lti::{StateSpace, TransferFunction};
+#[cfg(feature = "instruments")]
+pub use record::Recording;
+#[cfg(feature = "instruments")]
+pub use spectrum::Roll;
+
+#[cfg(feature = "diagnose")]
+pub use diagnose::answer::{Finding, Proof, Verdict};
+#[cfg(feature = "diagnose")]
+pub use facade::{
+    Diagnosed, Diagnosing, Estimated, Fitted, Fitting, Simulated, SimulatedOutput, Simulating, diagnose, fit,
+    simulate,
+};
+#[cfg(feature = "diagnose")]
+pub use model::Model;
+#[cfg(any(feature = "symbolic", feature = "instruments"))]
+pub use units::Unit;

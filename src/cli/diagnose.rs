@@ -5,11 +5,9 @@ use super::output::print;
 use super::progress::Meter;
 use super::task::Task;
 use super::{Outcome, warn};
+use crate::Result;
 use crate::diagnose::answer::Verdict;
-use crate::diagnose::{Request, diagnose};
-use crate::report::diagnosis;
 use crate::text::shown;
-use crate::{Error, Result};
 
 const HELP: &str = "\
 The last 40 % of a recording is held out, unless its spans or --holdout say otherwise.
@@ -31,28 +29,22 @@ pub struct Call {
 pub fn run(call: &Call) -> Result<Outcome> {
     let outputs = call.task.open()?;
     let inputs = call.task.read(&outputs)?;
-    let request = Request {
-        model: &inputs.model,
-        source: Some(&inputs.source),
-        recordings: &inputs.recordings,
-        separate: &inputs.separate,
-        seed: call.task.seed,
-        time_limit: call.task.time_limit,
-        progress: &Meter,
-    };
-    let found = diagnose(&request)?;
+    let asked = crate::diagnose(&inputs.model, &inputs.recordings)
+        .holdout(&inputs.separate)
+        .seed(call.task.seed)
+        .source(&inputs.source)
+        .progress(&Meter)
+        .time_limit(call.task.time_limit);
+    let found = asked.run()?;
     if outputs.take_stdout() {
-        found.answer.notes.iter().for_each(|note| warn(note));
+        found.notes().iter().for_each(|note| warn(note));
     } else {
-        let text = diagnosis::text(&found);
+        let text = found.text();
         let (verdict, rest) = text.split_once('\n').unwrap_or((&text, ""));
-        let style = if found.answer.verdict == Verdict::NothingMissing { "1;32" } else { "1;33" };
+        let style = if found.verdict() == Verdict::NothingMissing { "1;32" } else { "1;33" };
         print(format!("{}\n{}", paint(verdict, style, &std::io::stdout()), shown(rest)).as_bytes())?;
     }
-    let json = || match serde_json::to_string_pretty(&found.answer) {
-        Ok(text) => Ok(text + "\n"),
-        Err(e) => Err(Error::not_computed(e.to_string())),
-    };
-    outputs.finish(&inputs, &found.after.model, || diagnosis::html(&found), json)?;
-    Ok(if found.answer.verdict == Verdict::NothingMissing { Outcome::Done } else { Outcome::Found })
+    let json = || Ok(found.json()? + "\n");
+    outputs.finish(&inputs, found.model(), || found.html(), json)?;
+    Ok(if found.verdict() == Verdict::NothingMissing { Outcome::Done } else { Outcome::Found })
 }

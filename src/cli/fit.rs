@@ -5,9 +5,6 @@ use super::progress::Meter;
 use super::task::Task;
 use super::{Outcome, warn};
 use crate::Result;
-use crate::estimate::fit::{self, FitOptions};
-use crate::report::fit::{FitReport, json, page, text};
-use crate::simulate::Budget;
 
 const HELP: &str = "\
 The last 40 % of a recording is held out, unless its spans or --holdout say otherwise.
@@ -28,35 +25,17 @@ pub struct Call {
 pub fn run(call: &Call) -> Result<Outcome> {
     let outputs = call.task.open()?;
     let inputs = call.task.read(&outputs)?;
-    let (recordings, separate) = (&inputs.recordings, &inputs.separate);
-    fit::setup::keep_apart(&inputs.model, recordings, separate)?;
-    let options = FitOptions {
-        seed: call.task.seed,
-        separate_holdout: !separate.is_empty(),
-        budget: Budget::new(u64::MAX, call.task.time_limit),
-        progress: &Meter,
-        ..FitOptions::default()
-    };
-    let mut fitted = fit::fit(&inputs.model, recordings, &options)?;
-    if fitted.ended_early.is_none() {
-        fit::ascertain(&mut fitted, recordings, &options.without_limit())?;
-    }
-    let held_out = fit::holdout(&fitted, recordings, separate, &options.without_limit())?;
-    for warning in &fitted.warnings {
-        warn(&warning.says);
-    }
-    let report = FitReport {
-        fit: &fitted,
-        source: &inputs.source,
-        held_out: &held_out,
-        recordings,
-        separate,
-        spectra: &fit::residual_spectra(&fitted),
-        seed: call.task.seed,
-    };
+    let asked = crate::fit(&inputs.model, &inputs.recordings)
+        .holdout(&inputs.separate)
+        .seed(call.task.seed)
+        .source(&inputs.source)
+        .progress(&Meter)
+        .time_limit(call.task.time_limit);
+    let fitted = asked.run()?;
+    fitted.warnings().for_each(warn);
     if !outputs.take_stdout() {
-        words(&text(&report))?;
+        words(&fitted.text())?;
     }
-    outputs.finish(&inputs, &fitted.model, || page(&report), || json(&report))?;
-    Ok(if fitted.unseen.is_empty() { Outcome::Done } else { Outcome::Found })
+    outputs.finish(&inputs, fitted.model(), || fitted.html(), || fitted.json())?;
+    Ok(if fitted.is_determined() { Outcome::Done } else { Outcome::Found })
 }

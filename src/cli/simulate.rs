@@ -4,8 +4,7 @@ use super::Outcome;
 use super::output;
 use crate::model::Model;
 use crate::record::{Channel, Recording, read_once};
-use crate::report::simulated::{csv, summary};
-use crate::simulate::{Options, Simulator, warnings};
+use crate::simulate::Options;
 use crate::{Error, Result};
 use std::path::PathBuf;
 const HELP: &str = "\
@@ -44,22 +43,21 @@ pub fn run(call: &Call) -> Result<Outcome> {
         recording.sources.iter().map(|s| s.file.clone()).chain([call.model.clone()]).collect();
     output::spare(&place, &read)?;
     predict_what_is_not_measured(&model, &mut recording);
-    let options = Options { tolerance: call.tolerance, ..Options::default() };
-    let simulator = Simulator::new(&model, &recording, &options).map_err(|e| match e.file() {
-        None => e.with_file(&call.model),
-        Some(_) => e,
-    })?;
-    let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
+    let ran =
+        crate::simulate(&model, &recording).tolerance(call.tolerance).run().map_err(|e| match e.file() {
+            None => e.with_file(&call.model),
+            Some(_) => e,
+        })?;
     super::record::tell_notes([&recording]);
-    for warning in warnings(&simulator, &ran) {
+    for warning in ran.warnings() {
         super::warn(&warning);
     }
     let to_stdout = place.as_ref().is_some_and(output::Place::is_standard_output);
     if let Some(place) = place {
-        output::put(&[place.data(csv(&simulator, &ran, recording.kind))], read)?;
+        output::put(&[place.data(ran.csv())], read)?;
     }
     if !to_stdout {
-        output::words(&summary(&simulator, &ran))?;
+        output::words(&ran.text())?;
     }
     Ok(Outcome::Done)
 }

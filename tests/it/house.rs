@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-const ROOMS: [&str; 18] = [
+const ROOMS: [&str; 19] = [
     "text",
     "error",
     "units",
@@ -21,6 +21,7 @@ const ROOMS: [&str; 18] = [
     "estimate",
     "diagnose",
     "report",
+    "facade",
     "cli",
 ];
 

@@ -5,10 +5,7 @@ use super::model::Model;
 use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
-use gyrospec::Error;
-use gyrospec::diagnose::{Request, diagnose as find};
 use gyrospec::record;
-use gyrospec::report;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -38,27 +35,23 @@ pub fn diagnose(
     let (recordings, separate) = (owned(&recordings), owned(&holdout));
     let time_limit = time_limit.map(seconds).transpose()?;
     let (found, json) = patiently(py, move |progress| {
-        let request = Request {
-            model: &model,
-            source: Some(&source),
-            recordings: &recordings,
-            separate: &separate,
-            seed,
-            time_limit,
-            progress,
-        };
-        let found = find(&request)?;
-        let json =
-            serde_json::to_string_pretty(&found.answer).map_err(|e| Error::not_computed(e.to_string()))?;
+        let asked = gyrospec::diagnose(&model, &recordings)
+            .holdout(&separate)
+            .seed(seed)
+            .source(&source)
+            .progress(progress)
+            .time_limit(time_limit);
+        let found = asked.run()?;
+        let json = found.json()?;
         Ok((Arc::new(found), json))
     })?;
     let again = Arc::clone(&found);
     Ok(Told {
         json,
-        warnings: found.answer.notes.clone(),
-        model: Some(Py::new(py, Model::from(found.after.model.clone()))?),
+        warnings: found.notes().to_vec(),
+        model: Some(Py::new(py, Model::from(found.model().clone()))?),
         picture: String::new(),
-        text: Box::new(move || report::diagnosis::text(&again)),
-        html: Box::new(move || report::diagnosis::html(&found)),
+        text: Box::new(move || again.text()),
+        html: Box::new(move || found.html()),
     })
 }

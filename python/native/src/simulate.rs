@@ -3,21 +3,14 @@
 use super::fault::PyResult;
 use super::model::Model;
 use super::recording::Recording;
-use gyrospec::report::simulated::summary;
-use gyrospec::simulate::{Options, OutputSignal, Simulator, Trajectory, warnings};
-use gyrospec::{Error, Result};
+use gyrospec::Error;
 use numpy::{IntoPyArray, PyArray1};
 use pyo3::prelude::*;
 use std::sync::Arc;
 
 /// One run, in the units of the model.
 #[pyclass(frozen, module = "gyrospec._gyrospec")]
-pub struct Simulated {
-    simulator: Simulator,
-    ran: Trajectory,
-    warnings: Vec<String>,
-    text: String,
-}
+pub struct Simulated(gyrospec::Simulated);
 
 /// Time, measured, predicted, rms error and worst error of one output.
 type Output<'py> =
@@ -31,41 +24,39 @@ impl Simulated {
     /// Names and units of the outputs that the recording measured.
     #[getter]
     fn outputs(&self) -> Vec<(String, String)> {
-        self.simulator.outputs().iter().map(|o| (o.name.clone(), o.unit.text().to_owned())).collect()
+        self.0.outputs().map(|o| (o.name, o.unit)).collect()
     }
 
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.warnings.clone()
+        self.0.warnings()
     }
 
     #[getter]
     fn solver_error(&self) -> f64 {
-        self.ran.solver_error
+        self.0.solver_error()
     }
 
     #[getter]
-    fn text(&self) -> &str {
-        &self.text
+    fn text(&self) -> String {
+        self.0.text()
     }
 
     fn output<'py>(&self, py: Python<'py>, number: usize) -> PyResult<Output<'py>> {
         let unknown = || Error::usage(format!("there is no output {number}"));
-        let o = self.simulator.outputs().get(number).ok_or_else(unknown)?;
-        let predicted = &self.ran.outputs[number];
-        let (_, rms, worst) = o.errors(predicted);
+        let o = self.0.outputs().nth(number).ok_or_else(unknown)?;
         Ok((
-            o.time.to_vec().into_pyarray(py),
-            in_unit(o, &o.measured).into_pyarray(py),
-            in_unit(o, predicted).into_pyarray(py),
-            rms,
-            worst,
+            o.time.into_pyarray(py),
+            o.measured.into_pyarray(py),
+            o.predicted.into_pyarray(py),
+            o.rms_error,
+            o.worst_error,
         ))
     }
 
     /// States and definitions at the given times: name, unit, values.
     fn trace<'py>(&self, py: Python<'py>, time: Vec<f64>) -> PyResult<Vec<Signal<'py>>> {
-        let s = &self.simulator;
+        let s = self.0.simulator();
         let trace = py.detach(|| s.trace(&s.parameters(), &s.initials(), time.into()))?;
         let m = s.model();
         let names = m.states.iter().map(|x| (&x.name, &x.unit));
@@ -81,10 +72,6 @@ impl Simulated {
     }
 }
 
-fn in_unit(o: &OutputSignal, si: &[f64]) -> Vec<f64> {
-    si.iter().map(|v| o.unit.from_si(*v)).collect()
-}
-
 #[pyfunction]
 pub fn simulate(
     py: Python<'_>,
@@ -93,16 +80,9 @@ pub fn simulate(
     tolerance: f64,
 ) -> PyResult<Simulated> {
     let (model, recording) = (Arc::clone(&model.0), Arc::clone(&recording.0));
-    let work = || -> Result<Simulated> {
-        let options = Options { tolerance, ..Options::default() };
-        if tolerance.is_nan() || tolerance <= 0.0 {
-            return Err(Error::usage("the tolerance must be a positive number, such as 1e-5"));
-        }
-        let simulator = Simulator::new(&model, &recording, &options)?;
-        let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
-        let warnings = warnings(&simulator, &ran);
-        let text = summary(&simulator, &ran);
-        Ok(Simulated { simulator, ran, warnings, text })
-    };
-    Ok(py.detach(work)?)
+    if tolerance.is_nan() || tolerance <= 0.0 {
+        return Err(Error::usage("the tolerance must be a positive number, such as 1e-5").into());
+    }
+    let work = || gyrospec::simulate(&model, &recording).tolerance(tolerance).run();
+    Ok(Simulated(py.detach(work)?))
 }

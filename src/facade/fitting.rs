@@ -1,0 +1,223 @@
+//! A model fitted to recordings.
+
+use super::unread;
+use crate::Result;
+use crate::estimate::fit::{
+    self as estimate, Fit, FitOptions, HeldOut, Progress, ResidualSpectrum, Silent, Status, residual_spectra,
+};
+use crate::model::Model;
+use crate::record::{Recording, Source};
+use crate::report::fit::{FitReport, json, page, text};
+use crate::simulate::Budget;
+use std::time::Duration;
+
+/// Asks for a fit of a model's free parameters and initial states to recordings, by simulation.
+///
+/// The last 40 % of a recording is held out, unless its spans or [`Fitting::holdout`] say otherwise.
+///
+/// ```
+/// use gyrospec::{Model, Recording, fit};
+/// let folder = tempfile::tempdir().unwrap();
+/// let file = folder.path().join("decay.csv");
+/// let rows = (0..100).map(|k| format!("{0},{1}\n", 0.1 * k as f64, (-0.1 * k as f64 / 2.0).exp()));
+/// std::fs::write(&file, format!("t [s],y [1]\n{}", rows.collect::<String>())).unwrap();
+/// let model = Model::parse(
+///     "name = \"decay\"\n[parameters]\nT = { value = 1.0, unit = \"s\", min = 0.1, max = 10.0, fit = true }\n\
+///      [states]\nx = { unit = \"1\", rate = \"-x/T\", initial = 1.0 }\n[outputs]\ny = { unit = \"1\", is = \"x\" }\n",
+/// )?;
+/// let fitted = fit(&model, &[Recording::read(&file)?]).seed(1).run()?;
+/// assert!((fitted.parameter("T").unwrap().value - 2.0).abs() < 1e-3);
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+pub fn fit<'a>(model: &'a Model, recordings: &'a [Recording]) -> Fitting<'a> {
+    Fitting { model, source: None, recordings, separate: &[], seed: 1, time_limit: None, progress: &Silent }
+}
+
+/// A fit that is asked for; see [`fit`].
+#[derive(Clone)]
+pub struct Fitting<'a> {
+    model: &'a Model,
+    source: Option<Source>,
+    recordings: &'a [Recording],
+    separate: &'a [Recording],
+    seed: u64,
+    time_limit: Option<Duration>,
+    progress: &'a dyn Progress,
+}
+
+impl<'a> Fitting<'a> {
+    /// Recordings that are held out whole; the others are then fitted whole, unless they say otherwise.
+    #[must_use]
+    pub fn holdout(mut self, recordings: &'a [Recording]) -> Self {
+        self.separate = recordings;
+        self
+    }
+
+    /// Seed of the starts that are drawn; 1 unless told.
+    #[must_use]
+    pub fn seed(mut self, seed: u64) -> Self {
+        self.seed = seed;
+        self
+    }
+
+    /// Wall time after which the fit ends with the best so far, and says so.
+    #[must_use]
+    pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
+        self.time_limit = limit.into();
+        self
+    }
+
+    /// Who hears how far it has come.
+    #[must_use]
+    pub fn progress(mut self, progress: &'a dyn Progress) -> Self {
+        self.progress = progress;
+        self
+    }
+
+    /// The file of the model, for the list of inputs in a report.
+    #[must_use]
+    pub fn source(mut self, source: &Source) -> Self {
+        self.source = Some(source.clone());
+        self
+    }
+
+    /// Fits the model.
+    ///
+    /// # Errors
+    /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated.
+    pub fn run(self) -> Result<Fitted<'a>> {
+        estimate::setup::keep_apart(self.model, self.recordings, self.separate)?;
+        let options = FitOptions {
+            seed: self.seed,
+            separate_holdout: !self.separate.is_empty(),
+            budget: Budget::new(u64::MAX, self.time_limit),
+            progress: self.progress,
+            ..FitOptions::default()
+        };
+        let mut fit = estimate::fit(self.model, self.recordings, &options)?;
+        let unlimited = options.without_limit();
+        if fit.ended_early.is_none() {
+            estimate::ascertain(&mut fit, self.recordings, &unlimited)?;
+        }
+        let held_out = estimate::holdout(&fit, self.recordings, self.separate, &unlimited)?;
+        let source = self.source.unwrap_or_else(|| unread(self.model));
+        let spectra = residual_spectra(&fit);
+        let (recordings, separate, seed) = (self.recordings, self.separate, self.seed);
+        Ok(Fitted { fit, source, held_out, spectra, recordings, separate, seed })
+    }
+}
+
+/// A fitted model; see [`fit`].
+pub struct Fitted<'a> {
+    fit: Fit,
+    source: Source,
+    held_out: Vec<HeldOut>,
+    spectra: Vec<ResidualSpectrum>,
+    recordings: &'a [Recording],
+    separate: &'a [Recording],
+    seed: u64,
+}
+
+/// A parameter after the fit, in the unit of the model file.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub struct Estimated {
+    /// Its name.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// Lower end of the 95 % interval; NaN where there is none.
+    pub low: f64,
+    /// Upper end of the 95 % interval; NaN where there is none.
+    pub high: f64,
+    /// Its unit.
+    pub unit: String,
+    /// Whether the fit was free to move it.
+    pub is_free: bool,
+    /// Whether it is pressed against a bound of the model file.
+    pub is_at_bound: bool,
+}
+
+impl Fitted<'_> {
+    /// The model with the fitted values.
+    pub fn model(&self) -> &Model {
+        &self.fit.model
+    }
+
+    /// Every parameter.
+    pub fn parameters(&self) -> impl Iterator<Item = Estimated> {
+        self.fit.parameters.iter().map(|p| Estimated {
+            name: p.name.clone(),
+            value: p.unit.from_si(p.value),
+            low: p.unit.from_si(p.low),
+            high: p.unit.from_si(p.high),
+            unit: p.unit.text().to_owned(),
+            is_free: matches!(p.status, Status::Fitted | Status::AtBound(_)),
+            is_at_bound: matches!(p.status, Status::AtBound(_)),
+        })
+    }
+
+    /// The parameter of a name.
+    pub fn parameter(&self, name: &str) -> Option<Estimated> {
+        self.parameters().find(|p| p.name == name)
+    }
+
+    /// Root mean square of measured less simulated on what was fitted, by output, in the output's unit.
+    pub fn rmse(&self, output: &str) -> Option<f64> {
+        let at = self.fit.model.outputs.iter().position(|o| o.name == output)?;
+        Some(self.fit.model.outputs[at].unit.difference_from_si(self.fit.rmse[at]))
+    }
+
+    /// The same on what was held out; none where nothing was.
+    pub fn holdout_rmse(&self, output: &str) -> Option<f64> {
+        let at = self.fit.model.outputs.iter().position(|o| o.name == output)?;
+        let held = self.held_out.iter().find(|h| h.output == at)?;
+        Some(self.fit.model.outputs[at].unit.difference_from_si(held.rmse)).filter(|r| r.is_finite())
+    }
+
+    /// Whether the data tell every free parameter.
+    pub fn is_determined(&self) -> bool {
+        self.fit.unseen.is_empty()
+    }
+
+    /// What should be known about the fit though it went on.
+    pub fn warnings(&self) -> impl Iterator<Item = &str> {
+        self.fit.warnings.iter().map(|w| w.says.as_str())
+    }
+
+    /// The fit in words and a table.
+    pub fn text(&self) -> String {
+        text(&self.report())
+    }
+
+    /// The fit as JSON, schema `gyrospec.fit/1`.
+    ///
+    /// # Errors
+    /// `NotComputed`, should a number not be writable.
+    pub fn json(&self) -> Result<String> {
+        json(&self.report())
+    }
+
+    /// The fit as one HTML page with pictures.
+    pub fn html(&self) -> String {
+        page(&self.report())
+    }
+
+    fn report(&self) -> FitReport<'_> {
+        FitReport {
+            fit: &self.fit,
+            source: &self.source,
+            held_out: &self.held_out,
+            recordings: self.recordings,
+            separate: self.separate,
+            spectra: &self.spectra,
+            seed: self.seed,
+        }
+    }
+
+    /// The fit with its internals.
+    #[doc(hidden)]
+    pub fn details(&self) -> &Fit {
+        &self.fit
+    }
+}
