@@ -21,10 +21,16 @@
 //! # Example
 //! A drive whose amplifier has an offset of 3 N on top of 20 N of dry friction.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 
 /// Dry friction of another size each way.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("asymmetric-friction", "dry friction of another size each way", Group::Friction, include_str!("asymmetric_friction.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "asymmetric-friction",
+    "dry friction of another size each way",
+    Group::Friction,
+    include_str!("asymmetric_friction.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.motions().iter().filter_map(|m| at(scene, m)).collect()

@@ -24,13 +24,20 @@
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, SignalKind, SiteKind, edit::Place};
 
 /// Play that remembers its side.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("backlash", "play that remembers its side", Group::Force, include_str!("backlash.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "backlash",
+    "play that remembers its side",
+    Group::Force,
+    include_str!("backlash.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    let mut all: Vec<Proposal> = scene.motions().iter().flat_map(|m| [own(scene, m), used(scene, m)]).flatten().collect();
+    let mut all: Vec<Proposal> =
+        scene.motions().iter().flat_map(|m| [own(scene, m), used(scene, m)]).flatten().collect();
     all.extend(scene.model.outputs.iter().filter_map(|o| seen(scene, &o.name)));
     all.extend(scene.moving(&[SignalKind::Input]).filter_map(|u| fed(scene, &u.name)));
     all
@@ -51,7 +58,9 @@ fn own(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let mut d = Draft::at(scene, "backlash", m);
     let gap = widths(&mut d, scene, q)?;
     let state = m.state.clone();
-    d.replace(q, &format!("backlash({q}, {gap})"), |p| p == Place::Rate(&state) || matches!(p, Place::Definition(_)));
+    d.replace(q, &format!("backlash({q}, {gap})"), |p| {
+        p == Place::Rate(&state) || matches!(p, Place::Definition(_))
+    });
     d.done(&format!("play of {{0}} stands between {} and what it pushes", scene.words(q)))
 }
 

@@ -22,7 +22,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A clock that runs fast or slow.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("clock-drift", "a clock that runs fast or slow", Group::Output, include_str!("clock_drift.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "clock-drift",
+    "a clock that runs fast or slow",
+    Group::Output,
+    include_str!("clock_drift.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
@@ -38,7 +44,12 @@ fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     d.term(&format!("{first} on a clock of another rate"));
     let start = d.constant("t0", &Unit::parse("s").ok()?, scene.from, "beginning of the recording");
     let parts = 8;
-    let width = d.constant("part", &Unit::parse("s").ok()?, scene.length() / f64::from(parts), "an eighth of the fitted part");
+    let width = d.constant(
+        "part",
+        &Unit::parse("s").ok()?,
+        scene.length() / f64::from(parts),
+        "an eighth of the fitted part",
+    );
     for input in inputs {
         // Between its grid points the shift is interpolated.
         let copy = |i: u32| {

@@ -22,7 +22,8 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A clock that jumps.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("clock-jump", "a clock that jumps", Group::Output, include_str!("clock_jump.rs"), propose);
+pub(super) const MECHANISM: Mechanism =
+    Mechanism::new("clock-jump", "a clock that jumps", Group::Output, include_str!("clock_jump.rs"), propose);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

@@ -23,7 +23,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A clock that is off.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("clock-offset", "a clock that is off", Group::Output, include_str!("clock_offset.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "clock-offset",
+    "a clock that is off",
+    Group::Output,
+    include_str!("clock_offset.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials || scene.tables.len() < 2 {
@@ -43,10 +49,14 @@ fn at(scene: &Scene, table: &[String]) -> Option<Proposal> {
     }
     let mut d = Draft::new(scene, "clock-offset", SiteKind::Input, first);
     let reach = 0.1 * scene.length();
-    let offset = d.amplitude("offset", &Unit::parse("s").ok()?, (-reach, reach), "time by which the stamps are late");
+    let offset =
+        d.amplitude("offset", &Unit::parse("s").ok()?, (-reach, reach), "time by which the stamps are late");
     for input in &inputs {
         d.replace(input, &format!("delay({input}, -{offset})"), |_| true);
     }
     d.start(&[10.0 * scene.step]);
-    d.done(&format!("the stamps of {} are {{0}} late (negative: early) against the others", scene.words(first)))
+    d.done(&format!(
+        "the stamps of {} are {{0}} late (negative: early) against the others",
+        scene.words(first)
+    ))
 }

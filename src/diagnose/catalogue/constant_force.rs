@@ -19,10 +19,16 @@
 //! # Example
 //! A positioning axis on a table that is not level.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
 
 /// A constant force.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("constant-force", "a constant force", Group::Force, include_str!("constant_force.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "constant-force",
+    "a constant force",
+    Group::Force,
+    include_str!("constant_force.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.motions().iter().filter_map(|m| at(scene, m)).collect()

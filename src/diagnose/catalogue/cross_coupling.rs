@@ -22,10 +22,18 @@
 
 use crate::expression::Expr;
 
-use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, edit};
+use super::{
+    Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit,
+};
 
 /// Another recorded motion acts.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("cross-coupling", "another recorded motion acts", Group::Ignored, include_str!("cross_coupling.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "cross-coupling",
+    "another recorded motion acts",
+    Group::Ignored,
+    include_str!("cross_coupling.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all = Vec::new();
@@ -85,14 +93,17 @@ fn harmonics(scene: &Scene) -> Vec<Proposal> {
             // The model may have one of the two parts already; where the heading stands but once in it, the
             // other part is a misalignment.
             let often = times(scene, &h.name) > 1;
-            let parts: &[&[&str]] = if often { &[&["sin", "cos"], &["sin"], &["cos"]] } else { &[&["sin", "cos"]] };
+            let parts: &[&[&str]] =
+                if often { &[&["sin", "cos"], &["sin"], &["cos"]] } else { &[&["sin", "cos"]] };
             for order in [1, 2, 4] {
                 all.extend(parts.iter().filter_map(|p| harmonic(scene, (&o.name, &h.name), order, p)));
             }
         }
         for s in scene.moving(&[SignalKind::Channel, SignalKind::Input]).filter(|s| !s.is_heading()) {
             for factor in std::iter::once(String::new()).chain(scene.factors(s)) {
-                all.extend([true, false].iter().filter_map(|about| beside(scene, &o.name, s, (&factor, *about))));
+                all.extend(
+                    [true, false].iter().filter_map(|about| beside(scene, &o.name, s, (&factor, *about))),
+                );
             }
         }
     }
@@ -129,7 +140,12 @@ fn harmonic(scene: &Scene, (output, heading): (&str, &str), order: u32, parts: &
 }
 
 /// A signal beside an output, about its mean or as it stands.
-fn beside(scene: &Scene, output: &str, signal: &Signal, (factor, about_mean): (&str, bool)) -> Option<Proposal> {
+fn beside(
+    scene: &Scene,
+    output: &str,
+    signal: &Signal,
+    (factor, about_mean): (&str, bool),
+) -> Option<Proposal> {
     let mut d = Draft::new(scene, "cross-coupling", SiteKind::Output, output);
     let c = d.amplitude("c", &scene.unit(output).over(&signal.unit), ANY, "coupling");
     d.uses(&signal.name);

@@ -19,10 +19,16 @@
 //! # Example
 //! A damper with an orifice that closes.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 
 /// Damping with the third power of the speed.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("cubic-damping", "damping with the third power of the speed", Group::Friction, include_str!("cubic_damping.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "cubic-damping",
+    "damping with the third power of the speed",
+    Group::Friction,
+    include_str!("cubic_damping.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.motions().iter().filter_map(|m| at(scene, m)).collect()

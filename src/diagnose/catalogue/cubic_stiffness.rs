@@ -18,11 +18,17 @@
 //! # Example
 //! The righting arm of a ship rolled beyond ten degrees.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
 use crate::units::Unit;
 
 /// Stiffness that grows or falls with the deflection.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("cubic-stiffness", "stiffness that grows or falls with the deflection", Group::Force, include_str!("cubic_stiffness.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "cubic-stiffness",
+    "stiffness that grows or falls with the deflection",
+    Group::Force,
+    include_str!("cubic_stiffness.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();

@@ -21,7 +21,13 @@
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, SiteKind, edit::Place};
 
 /// A gap in which nothing acts.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("dead-zone", "a gap in which nothing acts", Group::Force, include_str!("dead_zone.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "dead-zone",
+    "a gap in which nothing acts",
+    Group::Force,
+    include_str!("dead_zone.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();

@@ -18,11 +18,17 @@
 //! # Example
 //! A ballast tank that slowly fills during the trial.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
 use crate::units::Unit;
 
 /// A force that drifts with time.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("drift-force", "a force that drifts with time", Group::Force, include_str!("drift_force.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "drift-force",
+    "a force that drifts with time",
+    Group::Force,
+    include_str!("drift_force.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.motions().iter().filter_map(|m| at(scene, m)).collect()

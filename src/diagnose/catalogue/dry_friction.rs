@@ -23,10 +23,16 @@
 //! # Example
 //! A positioning axis modelled with viscous friction alone; 20 N of dry friction in its guides.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 
 /// Dry (Coulomb) friction.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("dry-friction", "dry (Coulomb) friction", Group::Friction, include_str!("dry_friction.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "dry-friction",
+    "dry (Coulomb) friction",
+    Group::Friction,
+    include_str!("dry_friction.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();

@@ -19,10 +19,11 @@
 //! # Example
 //! A gyroscope's gimbal that reaches its stop in heavy roll.
 
-use super::{draft::ANY, draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, draft::POSITIVE};
 
 /// An end stop.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("end-stop", "an end stop", Group::Force, include_str!("end_stop.rs"), propose);
+pub(super) const MECHANISM: Mechanism =
+    Mechanism::new("end-stop", "an end stop", Group::Force, include_str!("end_stop.rs"), propose);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();

@@ -20,16 +20,29 @@
 //! # Example
 //! The damping liquid of a gyrocompass; a gyrosphere's supporting fluid as a second relaxing part.
 
-use super::{draft::ANY, draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene, SignalKind, SiteKind, edit::Place};
+use super::{
+    Draft, Group, Mechanism, Motion, Proposal, Scene, SignalKind, SiteKind, draft::ANY, draft::POSITIVE,
+    edit::Place,
+};
 use crate::units::Unit;
 
 /// A relaxing part: creep, a liquid that shifts.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("extra-lag", "a relaxing part: creep, a liquid that shifts", Group::Dynamics, include_str!("extra_lag.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "extra-lag",
+    "a relaxing part: creep, a liquid that shifts",
+    Group::Dynamics,
+    include_str!("extra_lag.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
     for m in scene.motions() {
-        all.extend([beside(scene, &m), after(scene, &m.state, false), after(scene, &m.state, true)].into_iter().flatten());
+        all.extend(
+            [beside(scene, &m), after(scene, &m.state, false), after(scene, &m.state, true)]
+                .into_iter()
+                .flatten(),
+        );
     }
     if !scene.trials {
         let moving = scene.moving(&[SignalKind::Definition]);
@@ -62,7 +75,8 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let q = m.position.as_ref()?;
     let mut d = Draft::at(scene, "extra-lag", m);
     let c = d.amplitude("c", &m.force.over(&scene.unit(q)), POSITIVE, "stiffness of the relaxing part");
-    let tau = d.parameter("tau", &Unit::parse("s").ok()?, (0.1 * scene.step, scene.length()), "relaxation time");
+    let tau =
+        d.parameter("tau", &Unit::parse("s").ok()?, (0.1 * scene.step, scene.length()), "relaxation time");
     d.force(&m.state, &format!("-{c}*({q} - lag({q}, {tau}))"));
     for time in scene.times() {
         d.start(&[m.size / scene.size(q), time]);
@@ -71,15 +85,22 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
 }
 
 fn after(scene: &Scene, name: &str, in_parallel: bool) -> Option<Proposal> {
-    let kind = if scene.signal(name)?.kind == SignalKind::State { SiteKind::State } else { SiteKind::Definition };
+    let kind =
+        if scene.signal(name)?.kind == SignalKind::State { SiteKind::State } else { SiteKind::Definition };
     let mut d = Draft::new(scene, "extra-lag", kind, name);
-    let share = if in_parallel { Some(d.amplitude("share", &Unit::one(), ANY, "share of the relaxing part")) } else { None };
+    let share = if in_parallel {
+        Some(d.amplitude("share", &Unit::one(), ANY, "share of the relaxing part"))
+    } else {
+        None
+    };
     let tau = d.parameter("tau", &Unit::parse("s").ok()?, (0.0, 0.5 * scene.length()), "relaxation time");
     let text = match &share {
         Some(c) => format!("({name} + {c}*lag({name}, {tau}))"),
         None => format!("lag({name}, {tau})"),
     };
-    d.replace(name, &text, |p| p != Place::Rate(name) && !matches!(p, Place::Output(_)) && p != Place::Definition(name));
+    d.replace(name, &text, |p| {
+        p != Place::Rate(name) && !matches!(p, Place::Output(_)) && p != Place::Definition(name)
+    });
     for time in scene.times() {
         let start = if in_parallel { vec![1.0, time] } else { vec![time] };
         d.start(&start);

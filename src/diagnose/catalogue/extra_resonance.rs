@@ -19,12 +19,18 @@
 //! # Example
 //! A crane with a swinging load, modelled as a trolley alone.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene, edit::Place};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE, edit::Place};
 use crate::model::Initial;
 use crate::units::Unit;
 
 /// A resonance that the model lacks.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("extra-resonance", "a resonance that the model lacks", Group::Dynamics, include_str!("extra_resonance.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "extra-resonance",
+    "a resonance that the model lacks",
+    Group::Dynamics,
+    include_str!("extra_resonance.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();

@@ -21,4 +21,10 @@
 use super::{Group, Mechanism, no_proposals};
 
 /// A channel that is stuck.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("frozen-channel", "a channel that is stuck", Group::Fault, include_str!("frozen_channel.rs"), no_proposals);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "frozen-channel",
+    "a channel that is stuck",
+    Group::Fault,
+    include_str!("frozen_channel.rs"),
+    no_proposals,
+);

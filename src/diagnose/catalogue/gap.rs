@@ -21,4 +21,5 @@
 use super::{Group, Mechanism, no_proposals};
 
 /// Samples that are missing.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("gap", "samples that are missing", Group::Fault, include_str!("gap.rs"), no_proposals);
+pub(super) const MECHANISM: Mechanism =
+    Mechanism::new("gap", "samples that are missing", Group::Fault, include_str!("gap.rs"), no_proposals);

@@ -20,10 +20,16 @@
 //! # Example
 //! A radar antenna that is heavier on one side.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
 
 /// A weight off the axis.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("gravity-pendulum", "a weight off the axis", Group::Force, include_str!("gravity_pendulum.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "gravity-pendulum",
+    "a weight off the axis",
+    Group::Force,
+    include_str!("gravity_pendulum.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();

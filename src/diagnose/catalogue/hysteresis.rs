@@ -20,11 +20,20 @@
 //! # Example
 //! An instrument hung on wire-rope isolators.
 
-use super::{draft::ANY, draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{
+    Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY,
+    draft::POSITIVE,
+};
 use crate::units::Unit;
 
 /// An elastic part that slips.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("hysteresis", "an elastic part that slips", Group::Force, include_str!("hysteresis.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "hysteresis",
+    "an elastic part that slips",
+    Group::Force,
+    include_str!("hysteresis.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

@@ -22,7 +22,13 @@
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
 
 /// An input that does nothing near zero.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("input-dead-zone", "an input that does nothing near zero", Group::Input, include_str!("input_dead_zone.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "input-dead-zone",
+    "an input that does nothing near zero",
+    Group::Input,
+    include_str!("input_dead_zone.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading() && u.levels > 2);

@@ -25,7 +25,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKi
 use crate::units::Unit;
 
 /// A delay before the thing.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("input-delay", "a delay before the thing", Group::Input, include_str!("input_delay.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "input-delay",
+    "a delay before the thing",
+    Group::Input,
+    include_str!("input_delay.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

@@ -24,7 +24,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKi
 use crate::units::Unit;
 
 /// A lag before the thing.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("input-lag", "a lag before the thing", Group::Input, include_str!("input_lag.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "input-lag",
+    "a lag before the thing",
+    Group::Input,
+    include_str!("input_lag.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

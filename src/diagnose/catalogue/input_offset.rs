@@ -18,10 +18,16 @@
 //! # Example
 //! A drive whose zero volts push a little.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
 
 /// An offset of the input.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("input-offset", "an offset of the input", Group::Input, include_str!("input_offset.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "input-offset",
+    "an offset of the input",
+    Group::Input,
+    include_str!("input_offset.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());

@@ -23,7 +23,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKi
 use crate::units::Unit;
 
 /// An input that cannot change faster.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("input-rate-limit", "an input that cannot change faster", Group::Input, include_str!("input_rate_limit.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "input-rate-limit",
+    "an input that cannot change faster",
+    Group::Input,
+    include_str!("input_rate_limit.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

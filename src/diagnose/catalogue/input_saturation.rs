@@ -21,7 +21,13 @@
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
 
 /// An input that saturates.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("input-saturation", "an input that saturates", Group::Input, include_str!("input_saturation.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "input-saturation",
+    "an input that saturates",
+    Group::Input,
+    include_str!("input_saturation.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

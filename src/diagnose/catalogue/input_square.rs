@@ -20,11 +20,17 @@
 //! # Example
 //! A halogen lamp driven by its voltage, modelled as if the heat went with the voltage.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
 use crate::units::Unit;
 
 /// An effect with the square of the input.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("input-square", "an effect with the square of the input", Group::Input, include_str!("input_square.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "input-square",
+    "an effect with the square of the input",
+    Group::Input,
+    include_str!("input_square.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());

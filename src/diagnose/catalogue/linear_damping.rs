@@ -19,10 +19,16 @@
 //! # Example
 //! A pendulum modelled without any loss.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 
 /// Damping in proportion to the speed.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("linear-damping", "damping in proportion to the speed", Group::Friction, include_str!("linear_damping.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "linear-damping",
+    "damping in proportion to the speed",
+    Group::Friction,
+    include_str!("linear_damping.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.motions().iter().filter_map(|m| at(scene, m)).collect()

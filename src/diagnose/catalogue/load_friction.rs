@@ -20,10 +20,16 @@
 //! # Example
 //! A crane's slewing ring whose friction follows the recorded load.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, draft::POSITIVE};
 
 /// Dry friction that grows with a load.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("load-friction", "dry friction that grows with a load", Group::Friction, include_str!("load_friction.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "load-friction",
+    "dry friction that grows with a load",
+    Group::Friction,
+    include_str!("load_friction.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let loads: Vec<&Signal> = scene.moving(&[SignalKind::Input, SignalKind::Channel]).collect();

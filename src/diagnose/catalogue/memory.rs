@@ -19,11 +19,17 @@
 //! # Example
 //! A hull whose roll radiates waves.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 use crate::units::Unit;
 
 /// A force that remembers many times.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("memory", "a force that remembers many times", Group::Dynamics, include_str!("memory.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "memory",
+    "a force that remembers many times",
+    Group::Dynamics,
+    include_str!("memory.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.motions().iter().filter_map(|m| at(scene, m)).collect()
@@ -33,9 +39,17 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let q = m.position.as_ref().or(m.speed.as_ref())?;
     let mut d = Draft::at(scene, "memory", m);
     let c = d.amplitude("c", &m.force.over(&scene.unit(q)), POSITIVE, "strength of the memory");
-    let tau = d.parameter("tau", &Unit::parse("s").ok()?, (scene.step, scene.length()), "longest time of the memory");
+    let tau = d.parameter(
+        "tau",
+        &Unit::parse("s").ok()?,
+        (scene.step, scene.length()),
+        "longest time of the memory",
+    );
     let part = |weight: &str, share: &str| format!("{weight}*({q} - lag({q}, {tau}/{share}))");
-    d.force(&m.state, &format!("-{c}*({} + {} + {})", part("1", "1"), part("3.1623", "10"), part("10", "100")));
+    d.force(
+        &m.state,
+        &format!("-{c}*({} + {} + {})", part("1", "1"), part("3.1623", "10"), part("10", "100")),
+    );
     for time in scene.times() {
         d.start(&[0.1 * m.size / scene.size(q), 10.0 * time]);
     }

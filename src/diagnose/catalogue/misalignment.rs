@@ -23,7 +23,13 @@
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SiteKind};
 
 /// An angle used by the model is off.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("misalignment", "an angle used by the model is off", Group::Input, include_str!("misalignment.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "misalignment",
+    "an angle used by the model is off",
+    Group::Input,
+    include_str!("misalignment.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let angles: Vec<&Signal> = scene.headings();

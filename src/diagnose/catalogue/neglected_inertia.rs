@@ -19,12 +19,18 @@
 //! # Example
 //! The centre of mass of a gyrosphere on its elastic suspension, taken as a pure lag.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 use crate::model::Initial;
 use crate::units::Unit;
 
 /// An inertia that the model neglects.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("neglected-inertia", "an inertia that the model neglects", Group::Dynamics, include_str!("neglected_inertia.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "neglected-inertia",
+    "an inertia that the model neglects",
+    Group::Dynamics,
+    include_str!("neglected_inertia.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
@@ -47,9 +53,15 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     }
     let second = Unit::parse("s").ok()?;
     let mut d = Draft::at(scene, "neglected-inertia", m);
-    let tau = d.parameter("tau_m", &second, (1e-3 * scene.step, 0.3 * scene.length()), "inertia over damping");
+    let tau =
+        d.parameter("tau_m", &second, (1e-3 * scene.step, 0.3 * scene.length()), "inertia over damping");
     let rate = scene.model.states.iter().find(|s| s.name == m.state)?.rate.to_string();
-    let r = d.state(&format!("rate_of_{}", m.state), &scene.unit(&m.state).over(&second), Initial::Number(0.0), "rate");
+    let r = d.state(
+        &format!("rate_of_{}", m.state),
+        &scene.unit(&m.state).over(&second),
+        Initial::Number(0.0),
+        "rate",
+    );
     d.rate(&r, &format!("(({rate}) - {r})/{tau}"));
     d.rate(&m.state, &r);
     d.term(&format!("{tau}*{}'' + {}' = {rate}", m.state, m.state));

@@ -21,4 +21,10 @@
 use super::{Group, Mechanism, no_proposals};
 
 /// Single samples far off.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("outliers", "single samples far off", Group::Fault, include_str!("outliers.rs"), no_proposals);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "outliers",
+    "single samples far off",
+    Group::Fault,
+    include_str!("outliers.rs"),
+    no_proposals,
+);

@@ -18,10 +18,16 @@
 //! # Example
 //! A roll sensor mounted with two degrees of yaw shows some pitch.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, edit};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit};
 
 /// A sensor that feels another motion.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("output-cross-axis", "a sensor that feels another motion", Group::Output, include_str!("output_cross_axis.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "output-cross-axis",
+    "a sensor that feels another motion",
+    Group::Output,
+    include_str!("output_cross_axis.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
@@ -51,5 +57,9 @@ fn at(scene: &Scene, output: &str, s: &Signal, factor: &str) -> Option<Proposal>
     let part = d.centred(s);
     d.output(output, &format!("{{}} + {c}*{part}{factor}"));
     d.start(&[scene.signal(output)?.spread / s.spread]);
-    d.done(&format!("the sensor of {} also feels {}{factor}, {{0}}", scene.words(output), scene.words(&s.name)))
+    d.done(&format!(
+        "the sensor of {} also feels {}{factor}, {{0}}",
+        scene.words(output),
+        scene.words(&s.name)
+    ))
 }

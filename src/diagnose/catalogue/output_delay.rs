@@ -23,7 +23,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A sensor that is late.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("output-delay", "a sensor that is late", Group::Output, include_str!("output_delay.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "output-delay",
+    "a sensor that is late",
+    Group::Output,
+    include_str!("output_delay.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

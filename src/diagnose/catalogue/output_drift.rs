@@ -18,11 +18,17 @@
 //! # Example
 //! An integrating gyroscope with a constant rate error.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind, draft::ANY};
 use crate::units::Unit;
 
 /// A sensor that drifts.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("output-drift", "a sensor that drifts", Group::Output, include_str!("output_drift.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "output-drift",
+    "a sensor that drifts",
+    Group::Output,
+    include_str!("output_drift.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

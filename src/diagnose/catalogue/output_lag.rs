@@ -22,7 +22,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A sensor with a lag.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("output-lag", "a sensor with a lag", Group::Output, include_str!("output_lag.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "output-lag",
+    "a sensor with a lag",
+    Group::Output,
+    include_str!("output_lag.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

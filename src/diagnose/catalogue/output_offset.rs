@@ -18,10 +18,16 @@
 //! # Example
 //! An angle sensor whose zero was not set.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind, draft::ANY};
 
 /// An offset of the sensor.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("output-offset", "an offset of the sensor", Group::Output, include_str!("output_offset.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "output-offset",
+    "an offset of the sensor",
+    Group::Output,
+    include_str!("output_offset.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.model.outputs.iter().filter_map(|o| at(scene, &o.name)).collect()

@@ -22,14 +22,24 @@
 use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 
 /// A sensor that clips.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("output-saturation", "a sensor that clips", Group::Output, include_str!("output_saturation.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "output-saturation",
+    "a sensor that clips",
+    Group::Output,
+    include_str!("output_saturation.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
     let outputs = &scene.model.outputs;
-    outputs.iter().flat_map(|o| [at(scene, &o.name, 1), at(scene, &o.name, -1), at(scene, &o.name, 0)]).flatten().collect()
+    outputs
+        .iter()
+        .flat_map(|o| [at(scene, &o.name, 1), at(scene, &o.name, -1), at(scene, &o.name, 0)])
+        .flatten()
+        .collect()
 }
 
 fn at(scene: &Scene, output: &str, side: i8) -> Option<Proposal> {

@@ -23,7 +23,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A wrong scale of the sensor.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("output-scale", "a wrong scale of the sensor", Group::Output, include_str!("output_scale.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "output-scale",
+    "a wrong scale of the sensor",
+    Group::Output,
+    include_str!("output_scale.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.model.outputs.iter().filter_map(|o| at(scene, &o.name)).collect()

@@ -20,11 +20,17 @@
 //! # Example
 //! The upper of two tanks runs over into the lower one.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 use crate::units::Unit;
 
 /// An overflow above a level.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("overflow", "an overflow above a level", Group::Flow, include_str!("overflow.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "overflow",
+    "an overflow above a level",
+    Group::Flow,
+    include_str!("overflow.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
@@ -46,13 +52,15 @@ fn at(scene: &Scene, m: &Motion, into: Option<&Motion>) -> Option<Proposal> {
     }
     let mut d = Draft::at(scene, "overflow", m);
     d.uses(s);
-    let k = d.amplitude("ko", &m.force.over(&signal.unit), POSITIVE, "flow over the edge for a unit of level");
+    let k =
+        d.amplitude("ko", &m.force.over(&signal.unit), POSITIVE, "flow over the edge for a unit of level");
     let edge = d.parameter("so", &signal.unit, (signal.min, 1.5 * signal.max), "level of the edge");
     let flow = format!("max({s} - {edge}, 0*{edge})");
     d.force(s, &format!("-{k}*{flow}"));
     let mut says = format!("{} runs over above {{1}}", scene.words(s));
     if let Some(next) = into {
-        let share = d.parameter("share", &Unit::one(), (0.0, 1.0), "part of the overflow that enters the next");
+        let share =
+            d.parameter("share", &Unit::one(), (0.0, 1.0), "part of the overflow that enters the next");
         d.force(&next.state, &format!("{share}*{k}*{flow}"));
         says += &format!("; {{2}} of it enters {}", scene.words(&next.state));
     }

@@ -23,7 +23,13 @@ use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A parameter that jumps.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("parameter-change", "a parameter that jumps", Group::Ignored, include_str!("parameter_change.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "parameter-change",
+    "a parameter that jumps",
+    Group::Ignored,
+    include_str!("parameter_change.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

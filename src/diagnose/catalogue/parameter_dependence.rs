@@ -20,11 +20,17 @@
 //! # Example
 //! The lag of a gyrosphere's liquid that grows as it cools.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
 use crate::units::Unit;
 
 /// A parameter that varies with a signal.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("parameter-dependence", "a parameter that varies with a signal", Group::Ignored, include_str!("parameter_dependence.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "parameter-dependence",
+    "a parameter that varies with a signal",
+    Group::Ignored,
+    include_str!("parameter_dependence.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let signals: Vec<&Signal> =
@@ -36,8 +42,14 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 
 fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
-    let a = d.amplitude("a", &Unit::one().over(&signal.unit), ANY, "relative change of the parameter for a unit of the signal");
-    let mean = d.constant(&format!("{}_mean", signal.name), &signal.unit, signal.mean, "mean of the recording");
+    let a = d.amplitude(
+        "a",
+        &Unit::one().over(&signal.unit),
+        ANY,
+        "relative change of the parameter for a unit of the signal",
+    );
+    let mean =
+        d.constant(&format!("{}_mean", signal.name), &signal.unit, signal.mean, "mean of the recording");
     d.uses(&signal.name);
     d.replace(p, &format!("({p}*(1 + {a}*({} - {mean})))", signal.name), |_| true);
     d.start(&[0.3 / signal.spread]);

@@ -19,11 +19,17 @@
 //! # Example
 //! Grease that warms up in the first hour.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind, draft::ANY};
 use crate::units::Unit;
 
 /// A parameter that drifts with time.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("parameter-drift", "a parameter that drifts with time", Group::Ignored, include_str!("parameter_drift.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "parameter-drift",
+    "a parameter that drifts with time",
+    Group::Ignored,
+    include_str!("parameter_drift.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

@@ -20,11 +20,17 @@
 //! # Example
 //! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
 use crate::units::Unit;
 
 /// A periodic force.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("periodic-force", "a periodic force", Group::Force, include_str!("periodic_force.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "periodic-force",
+    "a periodic force",
+    Group::Force,
+    include_str!("periodic_force.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
@@ -39,10 +45,18 @@ fn with_time(scene: &Scene, m: &Motion, peak: f64) -> Option<Proposal> {
     let a = d.amplitude("A_sin", &m.force, ANY, "sine part of the periodic force");
     let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
     let width = 6.0 / scene.length();
-    let w = d.parameter("w", &Unit::parse("rad/s").ok()?, ((peak - width).max(0.0), peak + width), "angular frequency");
+    let w = d.parameter(
+        "w",
+        &Unit::parse("rad/s").ok()?,
+        ((peak - width).max(0.0), peak + width),
+        "angular frequency",
+    );
     d.force(&m.state, &format!("{a}*sin({w}*t) + {b}*cos({w}*t)"));
     d.start(&[m.size, m.size, peak]);
-    d.done(&format!("a force of {{0}} and {{1}} (sine and cosine) acts on {} at {{2}}", scene.words(&m.state)))
+    d.done(&format!(
+        "a force of {{0}} and {{1}} (sine and cosine) acts on {} at {{2}}",
+        scene.words(&m.state)
+    ))
 }
 
 fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
@@ -53,7 +67,12 @@ fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
     let range = signal.max - signal.min;
     let unit = Unit::parse("rad").ok()?.over(&signal.unit);
-    let n = d.parameter("n", &unit, (9.0 / range, 400.0 / range), "angle of the force for a unit of the position");
+    let n = d.parameter(
+        "n",
+        &unit,
+        (9.0 / range, 400.0 / range),
+        "angle of the force for a unit of the position",
+    );
     d.force(&m.state, &format!("{a}*sin({n}*{q}) + {b}*cos({n}*{q})"));
     let turns = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
     for turn in turns {

@@ -20,11 +20,17 @@
 //! # Example
 //! A ship model with bilge keels in a roll decay test.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 use crate::units::Unit;
 
 /// Damping with the square of the speed.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("quadratic-damping", "damping with the square of the speed", Group::Friction, include_str!("quadratic_damping.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "quadratic-damping",
+    "damping with the square of the speed",
+    Group::Friction,
+    include_str!("quadratic_damping.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
@@ -34,7 +40,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         let c = d.amplitude("c2", &unit, POSITIVE, "growth of the damping with the speed");
         d.lag_factor(&format!("1 + {}*(1 + {c}*{a}*{w}^3)^2", lag.square));
         d.start(&[1.0 / (scene.size(a) * scene.size(w).powi(3))]);
-        d.done(&format!("the lag of the giving part grows with {a}: damping with the square of its speed, {{0}}"))
+        d.done(&format!(
+            "the lag of the giving part grows with {a}: damping with the square of its speed, {{0}}"
+        ))
     }));
     all
 }

@@ -18,10 +18,16 @@
 //! # Example
 //! A ship with a list: other righting arms to port and starboard.
 
-use super::{draft::ANY, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
 
 /// Stiffness that differs to both sides.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("quadratic-stiffness", "stiffness that differs to both sides", Group::Force, include_str!("quadratic_stiffness.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "quadratic-stiffness",
+    "stiffness that differs to both sides",
+    Group::Force,
+    include_str!("quadratic_stiffness.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.motions().iter().filter_map(|m| at(scene, m)).collect()

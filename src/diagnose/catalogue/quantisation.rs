@@ -21,4 +21,10 @@
 use super::{Group, Mechanism, no_proposals};
 
 /// A coarse resolution.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("quantisation", "a coarse resolution", Group::Fault, include_str!("quantisation.rs"), no_proposals);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "quantisation",
+    "a coarse resolution",
+    Group::Fault,
+    include_str!("quantisation.rs"),
+    no_proposals,
+);

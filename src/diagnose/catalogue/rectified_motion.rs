@@ -24,11 +24,19 @@
 //! The heading of a gyrocompass with an elastic suspension on irregular roll, modelled by the
 //! precession theory alone.
 
-use super::{draft::ANY, edit, Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{
+    Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit,
+};
 use crate::units::Unit;
 
 /// A slow effect of the product of two fast motions.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("rectified-motion", "a slow effect of the product of two fast motions", Group::Rectified, include_str!("rectified_motion.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "rectified-motion",
+    "a slow effect of the product of two fast motions",
+    Group::Rectified,
+    include_str!("rectified_motion.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
@@ -57,7 +65,12 @@ struct Swing<'a> {
 impl<'a> Swing<'a> {
     fn of(signal: &'a Signal) -> Option<Self> {
         if edit::is_frequency(&signal.unit) {
-            return Some(Self { signal, text: signal.name.clone(), unit: signal.unit.clone(), size: signal.size() });
+            return Some(Self {
+                signal,
+                text: signal.name.clone(),
+                unit: signal.unit.clone(),
+                size: signal.size(),
+            });
         }
         is_time(&signal.unit).then(|| Self {
             signal,
@@ -85,7 +98,9 @@ fn steady(scene: &Scene) -> Vec<Proposal> {
                 let law = |w: Option<&Swing<'_>>, lag| in_trials(scene, (&o.name, &h.name), a, (w, lag));
                 all.extend(law(None, None));
                 for w in &swings {
-                    all.extend([law(Some(w), None), law(None, Some(w)), law(Some(w), Some(w))].into_iter().flatten());
+                    all.extend(
+                        [law(Some(w), None), law(None, Some(w)), law(Some(w), Some(w))].into_iter().flatten(),
+                    );
                 }
             }
         }
@@ -103,12 +118,19 @@ fn in_trials(
 ) -> Option<Proposal> {
     let mut d = Draft::new(scene, "rectified-motion", SiteKind::Output, output);
     let (text, unit, size) = match of_rate {
-        Some(w) => {
-            (format!("({}*{}^2)", a.name, w.text), a.unit.times(&w.unit.power(2.0)), a.size() * w.size.powi(2))
-        }
+        Some(w) => (
+            format!("({}*{}^2)", a.name, w.text),
+            a.unit.times(&w.unit.power(2.0)),
+            a.size() * w.size.powi(2),
+        ),
         None => (a.name.clone(), a.unit.clone(), a.size()),
     };
-    let k = d.amplitude("k_rect", &scene.unit(output).over(&unit.power(2.0)), ANY, "strength of the rectified motion");
+    let k = d.amplitude(
+        "k_rect",
+        &scene.unit(output).over(&unit.power(2.0)),
+        ANY,
+        "strength of the rectified motion",
+    );
     d.uses(&a.name);
     if let Some(w) = of_rate.or(lag) {
         d.uses(&w.signal.name);
@@ -117,7 +139,8 @@ fn in_trials(
     let strength = scene.signal(output)?.spread / size.powi(2);
     let (mut under, mut behind) = (String::new(), "");
     if let Some(w) = lag {
-        let t = d.parameter("T_rect", &Unit::parse("s").ok()?, (0.0, 10.0 / w.size), "lag of the shifted part");
+        let t =
+            d.parameter("T_rect", &Unit::parse("s").ok()?, (0.0, 10.0 / w.size), "lag of the shifted part");
         under = format!("/(1 + ({}*{t})^2)", w.text);
         behind = ", behind a lag of {1}";
         for share in [0.3, 1.0, 3.0] {
@@ -136,8 +159,10 @@ fn in_trials(
 /// Pairs whose product may have a mean. Of two components of one motion the order makes no
 /// difference, because the heading is slow: each such pair stands once.
 fn pairs<'a>(scene: &Scene, atoms: &'a [Atom]) -> Vec<(&'a Atom, &'a Atom)> {
-    let all = atoms.iter().enumerate().flat_map(|(i, a)| atoms.iter().enumerate().map(move |(j, b)| (i, a, j, b)));
-    let kept = all.filter(|(i, a, j, b)| scene.keep_company(&a.signal, &b.signal) && (i <= j || a.signal != b.signal));
+    let all =
+        atoms.iter().enumerate().flat_map(|(i, a)| atoms.iter().enumerate().map(move |(j, b)| (i, a, j, b)));
+    let kept = all
+        .filter(|(i, a, j, b)| scene.keep_company(&a.signal, &b.signal) && (i <= j || a.signal != b.signal));
     kept.map(|(_, a, _, b)| (a, b)).collect()
 }
 
@@ -158,7 +183,13 @@ fn atoms(scene: &Scene) -> Vec<Atom> {
         if !fast || s.is_heading() {
             continue;
         }
-        let atom = |text: String| Atom { text, signal: s.name.clone(), unit: s.unit.clone(), size: s.spread, pace: s.pace };
+        let atom = |text: String| Atom {
+            text,
+            signal: s.name.clone(),
+            unit: s.unit.clone(),
+            size: s.spread,
+            pace: s.pace,
+        };
         match headings.iter().find(|h| h.spread > 0.1) {
             Some(h) => {
                 atoms.push(atom(format!("{}*sin({})", s.name, h.name)));
@@ -171,8 +202,10 @@ fn atoms(scene: &Scene) -> Vec<Atom> {
 }
 
 fn product(d: &mut Draft, unit: &Unit, a: &Atom, b: &Atom, size: f64) -> Option<String> {
-    let k = d.amplitude("k_rect", &unit.over(&a.unit.times(&b.unit)), ANY, "strength of the rectified product");
-    let lag = d.parameter("T_rect", &Unit::parse("s").ok()?, (0.0, 100.0 * b.pace), "lag of the shifted part");
+    let k =
+        d.amplitude("k_rect", &unit.over(&a.unit.times(&b.unit)), ANY, "strength of the rectified product");
+    let lag =
+        d.parameter("T_rect", &Unit::parse("s").ok()?, (0.0, 100.0 * b.pace), "lag of the shifted part");
     for s in [&a.signal, &b.signal] {
         d.uses(s);
     }
@@ -188,7 +221,9 @@ fn at(scene: &Scene, m: &Motion, a: &Atom, b: &Atom) -> Option<Proposal> {
     d.force(&m.state, &text);
     d.done(&format!(
         "the product of {} with {} behind a lag of {{1}} pushes {}: a rectified motion of strength {{0}}",
-        scene.words(&a.text), scene.words(&b.text), scene.words(&m.state)
+        scene.words(&a.text),
+        scene.words(&b.text),
+        scene.words(&m.state)
     ))
 }
 
@@ -198,5 +233,10 @@ fn seen(scene: &Scene, output: &str, a: &Atom, b: &Atom) -> Option<Proposal> {
     let text = product(&mut d, &scene.unit(output), a, b, size)?;
     d.output(output, &format!("{{}} + {text}"));
     d.term(&text);
-    d.done(&format!("{} shows the product of {} with {} behind a lag of {{1}}, times {{0}}", scene.words(output), a.text, b.text))
+    d.done(&format!(
+        "{} shows the product of {} with {} behind a lag of {{1}}, times {{0}}",
+        scene.words(output),
+        a.text,
+        b.text
+    ))
 }

@@ -23,7 +23,13 @@
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, edit::Place};
 
 /// Flow with the root of the level.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("square-root-flow", "flow with the root of the level", Group::Flow, include_str!("square_root_flow.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "square-root-flow",
+    "flow with the root of the level",
+    Group::Flow,
+    include_str!("square_root_flow.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
@@ -45,7 +51,8 @@ fn at(scene: &Scene, levels: &[&Motion]) -> Option<Proposal> {
     for m in levels {
         let s = &m.state;
         let signal = scene.signal(s)?;
-        let scale = d.constant(&format!("{s}_ref"), &signal.unit, signal.max, "scale of the level, not fitted");
+        let scale =
+            d.constant(&format!("{s}_ref"), &signal.unit, signal.max, "scale of the level, not fitted");
         d.replace(s, &format!("sqrt(max({s}, 0*{scale})*{scale})"), |p| !matches!(p, Place::Output(_)));
     }
     d.start(&[]);

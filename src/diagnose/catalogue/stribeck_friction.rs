@@ -20,10 +20,16 @@
 //! # Example
 //! A rudder actuator that creeps in jerks when moved slowly.
 
-use super::{draft::POSITIVE, Draft, Group, Mechanism, Motion, Proposal, Scene};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 
 /// Dry friction that is larger near rest.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("stribeck-friction", "dry friction that is larger near rest", Group::Friction, include_str!("stribeck_friction.rs"), propose);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "stribeck-friction",
+    "dry friction that is larger near rest",
+    Group::Friction,
+    include_str!("stribeck_friction.rs"),
+    propose,
+);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     scene.motions().iter().filter_map(|m| at(scene, m)).collect()
@@ -35,7 +41,8 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let c = d.amplitude("Fc", &m.force, POSITIVE, "dry friction in fast motion");
     let s = d.amplitude("Fs", &m.force, POSITIVE, "excess of the friction near rest");
     let size = scene.size(v);
-    let vs = d.parameter("vs", &scene.unit(v), (1e-3 * size, 3.0 * size), "speed at which the excess is gone");
+    let vs =
+        d.parameter("vs", &scene.unit(v), (1e-3 * size, 3.0 * size), "speed at which the excess is gone");
     d.force(&m.state, &format!("-({c} + {s}*exp(-({v}/{vs})^2))*sign({v})"));
     for fraction in [0.1, 0.4] {
         d.start(&[m.size, m.size, fraction * size]);

@@ -21,4 +21,10 @@
 use super::{Group, Mechanism, no_proposals};
 
 /// An angle that jumps by a turn.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("wrapped-angle", "an angle that jumps by a turn", Group::Fault, include_str!("wrapped_angle.rs"), no_proposals);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "wrapped-angle",
+    "an angle that jumps by a turn",
+    Group::Fault,
+    include_str!("wrapped_angle.rs"),
+    no_proposals,
+);

@@ -22,4 +22,10 @@
 use super::{Group, Mechanism, no_proposals};
 
 /// A channel with the wrong sign.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("wrong-sign", "a channel with the wrong sign", Group::Fault, include_str!("wrong_sign.rs"), no_proposals);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "wrong-sign",
+    "a channel with the wrong sign",
+    Group::Fault,
+    include_str!("wrong_sign.rs"),
+    no_proposals,
+);

@@ -21,4 +21,10 @@
 use super::{Group, Mechanism, no_proposals};
 
 /// A channel in another unit than it says.
-pub(super) const MECHANISM: Mechanism = Mechanism::new("wrong-unit", "a channel in another unit than it says", Group::Fault, include_str!("wrong_unit.rs"), no_proposals);
+pub(super) const MECHANISM: Mechanism = Mechanism::new(
+    "wrong-unit",
+    "a channel in another unit than it says",
+    Group::Fault,
+    include_str!("wrong_unit.rs"),
+    no_proposals,
+);
