@@ -13,7 +13,7 @@ use super::places::Places;
 use crate::Result;
 use crate::expression::{Angles, turns};
 use crate::units::{Dimension, Ratio, Unit};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Rounds over all equations, after which the rest stays open.
 const ROUNDS: usize = 20;
@@ -30,18 +30,40 @@ impl Model {
     /// # Errors
     /// `Units`, with the question, at the unit.
     pub(super) fn turns_or_radians(&self, places: &Places) -> Result<()> {
+        match self.asked().first() {
+            Some((section, name, p)) => {
+                let unit = self.units().find(|(s, n, _)| s == section && n == name).map(|u| u.2.clone());
+                let e = unit.unwrap_or_else(Unit::one).asked_by_place(*p);
+                Err(places.put(&format!("{section}.{name}.unit"), e))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Section, name and power of an angle of everything whose unit may mean turns.
+    fn asked(&self) -> Vec<(&'static str, &str, Ratio)> {
         let either = |u: &Unit| u.may_count_turns(Ratio::ONE) || u.may_count_turns(Ratio::ONE.negative());
         if !self.units().any(|(_, _, unit)| either(unit)) {
-            return Ok(());
+            return Vec::new();
         }
         let found = self.angles();
-        for (section, name, unit) in self.units() {
+        let asked = self.units().filter_map(|(section, name, unit)| {
             let own = if section == "outputs" { &found.outputs } else { &found.names };
-            if let Some(p) = own.get(name).filter(|p| unit.may_count_turns(**p)) {
-                return Err(places.put(&format!("{section}.{name}.unit"), unit.asked_by_place(*p)));
-            }
+            let p = own.get(name).filter(|p| unit.may_count_turns(**p))?;
+            Some((section, name, *p))
+        });
+        asked.collect()
+    }
+
+    /// Gives parameters and states that a program added the units of SI where theirs would be asked for.
+    pub(crate) fn in_si_where_asked(&mut self, is_added: impl Fn(&str) -> bool) {
+        let asked: BTreeSet<String> =
+            self.asked().into_iter().map(|a| a.1.to_string()).filter(|n| is_added(n)).collect();
+        let parameters = self.parameters.iter_mut().map(|p| (&p.name, &mut p.unit));
+        let states = self.states.iter_mut().map(|s| (&s.name, &mut s.unit));
+        for (_, unit) in parameters.chain(states).filter(|(name, _)| asked.contains(*name)) {
+            *unit = Unit::of(unit.dimension());
         }
-        Ok(())
     }
 
     /// Refuses values of an input, a parameter or an output of this model in a unit that may mean turns where the
@@ -53,6 +75,9 @@ impl Model {
         let Some((_, _, wanted)) = self.units().find(|(s, n, _)| *s == section && *n == name) else {
             return Ok(());
         };
+        if wanted.text() == given.text() {
+            return Ok(());
+        }
         wanted.turns_or_radians(given)?;
         let either = [Ratio::ONE, Ratio::ONE.negative()].iter().any(|p| given.may_count_turns(*p));
         if !either || wanted.angle_power().is_some() {

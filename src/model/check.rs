@@ -8,11 +8,18 @@ use crate::{Error, Result};
 use std::collections::{BTreeMap, HashMap};
 
 impl Model {
-    /// Checks the model as a whole: distinct names, no cycles, dimensions of every expression.
+    /// Checks the model as a whole: distinct names, no cycles, dimensions of every expression, no unit that may mean
+    /// turns or radians.
     ///
     /// # Errors
     /// The first thing wrong; a dimension error shows the expression and points at the term.
     pub fn check(&self) -> Result<()> {
+        self.check_form()?;
+        self.turns_or_radians(&Places::default())
+    }
+
+    /// As [`Model::check`] without the question of turns or radians, which is for people to answer.
+    pub(crate) fn check_form(&self) -> Result<()> {
         self.check_at(&Places::default())
     }
 
@@ -55,8 +62,7 @@ impl Model {
         self.definition_order().map(|_| ()).map_err(|(name, e)| {
             let path = format!("definitions.{name}.equals");
             places.put(&path, e)
-        })?;
-        self.turns_or_radians(places)
+        })
     }
 
     fn distinct_names(&self) -> Result<()> {

@@ -55,6 +55,7 @@ impl Model {
             return Err(e);
         }
         reader.model.check_at(&reader.places)?;
+        reader.model.turns_or_radians(&reader.places)?;
         Ok(reader.model)
     }
 }

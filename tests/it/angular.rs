@@ -1,6 +1,7 @@
 //! Turns or radians, by the equations: what counts an angle is asked for wherever its unit may mean turns, and what
 //! counts none is not.
 
+use crate::diagnose::noise;
 use gyrospec::model::{BUILTIN, Model};
 use gyrospec::record::{Channel, Constant, Recording};
 use gyrospec::simulate::{Options, Simulator};
@@ -8,6 +9,7 @@ use gyrospec::units::Unit;
 use gyrospec::{Error, ErrorKind};
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 const QUESTION: &str = "turns or radians?";
 
@@ -238,6 +240,36 @@ fn turns_for_turns_are_converted() {
     // 60 turns a minute are one a second
     assert!((turns.from_si(rpm.to_si(60.0)) - 1.0).abs() < 1e-14);
     asks("rad/s", &run(&text, &[("u", "V"), ("speed", "rad/s")], None));
+}
+
+/// What a diagnosis adds beside a rate constant by the minute is written so that it reads.
+#[test]
+fn what_a_diagnosis_adds_is_not_asked_about() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name);
+    let noise = noise(1500, 5);
+    let (mut w, mut rows) = (0.0_f64, String::from("t [s],u [rad/s^2],speed [rpm]\n"));
+    for (i, n) in noise.iter().enumerate() {
+        let t = 0.05 * i as f64;
+        let u = 3.0 * (0.7 * t).sin() + 2.0 * (0.23 * t).sin();
+        // rad/s in rpm: 30/π
+        rows += &format!("{t:.2},{u:.5},{:.4}\n", (w + 0.02 * n) * 30.0 / std::f64::consts::PI);
+        for _ in 0..20 {
+            w += 0.0025 * (2.0 * u - 0.5 * w - 0.8 * (40.0 * w).tanh());
+        }
+    }
+    fs::write(place("r.csv"), rows).unwrap();
+    let text = model("u: rad/s^2", "k: 30: 1/min; g: 2: 1", "", "w: -k*w + g*u: 1/s", "speed: w: rpm");
+    fs::write(place("m.toml"), text.replace("unit = \"1/min\"", "fit = true, unit = \"1/min\"")).unwrap();
+    let call = |words: &[&str]| {
+        Command::new(env!("CARGO_BIN_EXE_gyrospec")).args(words).current_dir(folder.path()).output().unwrap()
+    };
+    let said = call(&["diagnose", "m.toml", "r.csv", "--model-out", "found.toml"]);
+    let words = String::from_utf8_lossy(&said.stdout).into_owned() + &String::from_utf8_lossy(&said.stderr);
+    assert!(said.status.code() == Some(1) && words.contains("dry friction"), "{words}");
+    let found = Model::read(&place("found.toml")).unwrap();
+    assert!(found.parameters.len() > 2);
+    assert!(call(&["simulate", "found.toml", "r.csv", "--out", "y.csv"]).status.success());
 }
 
 #[test]

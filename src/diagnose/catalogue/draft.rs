@@ -365,9 +365,22 @@ impl<'a> Draft<'a> {
         }
     }
 
+    /// What is added has units that a reader of the model is not asked about.
+    fn in_plain_units(&mut self) {
+        let given = self.scene.model.scope();
+        let model = &mut self.proposal.model;
+        model.in_si_where_asked(|name| !given.contains_key(name));
+        for a in &mut self.proposal.added {
+            if let Some(p) = model.parameters.iter().find(|p| p.name == a.name) {
+                a.unit.clone_from(&p.unit);
+            }
+        }
+    }
+
     /// The proposal with its sentence, unless a step failed.
     pub fn done(mut self, says: &str) -> Option<Proposal> {
         self.proposal.says = says.to_string();
+        self.in_plain_units();
         self.proposal.neutral = neutral(&self.proposal);
         // The simulator chooses its steps at the model's own values.
         for (i, a) in self.proposal.added.iter().enumerate() {

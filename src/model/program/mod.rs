@@ -86,7 +86,7 @@ pub(crate) struct Program {
 impl Model {
     /// Checks the model and compiles it.
     pub(crate) fn compile(&self) -> Result<Program> {
-        self.check()?;
+        self.check_form()?;
         emit::program(self, build::build(self)?)
     }
 }
