@@ -19,7 +19,7 @@ use std::time::Duration;
 /// # std::fs::write(&file, "t [s],y [1]\n0,1\n1,0.6\n2,0.4\n3,0.2\n").unwrap();
 /// let model = Model::parse(
 ///     "name = \"decay\"\n[parameters]\nT = { value = 1.0, unit = \"s\", min = 0.1, max = 10.0, fit = true }\n\
-///      [states]\nx = { unit = \"1\", rate = \"-x/T\", initial = 1.0 }\n[outputs]\ny = { unit = \"1\", is = \"x\" }\n",
+///      [states]\nx = { unit = \"1\", rate = \"-x/T\", initial = 1.0 }\n[outputs]\ny = { unit = \"1\", equals = \"x\" }\n",
 /// )?;
 /// let found = diagnose(&model, &[Recording::read(&file)?]).seed(1).run()?;
 /// assert_eq!(found.verdict(), Verdict::NotIdentifiable); // four samples tell nothing

@@ -23,7 +23,7 @@ use std::time::Duration;
 /// std::fs::write(&file, format!("t [s],y [1]\n{}", rows.collect::<String>())).unwrap();
 /// let model = Model::parse(
 ///     "name = \"decay\"\n[parameters]\nT = { value = 1.0, unit = \"s\", min = 0.1, max = 10.0, fit = true }\n\
-///      [states]\nx = { unit = \"1\", rate = \"-x/T\", initial = 1.0 }\n[outputs]\ny = { unit = \"1\", is = \"x\" }\n",
+///      [states]\nx = { unit = \"1\", rate = \"-x/T\", initial = 1.0 }\n[outputs]\ny = { unit = \"1\", equals = \"x\" }\n",
 /// )?;
 /// let fitted = fit(&model, &[Recording::read(&file)?]).seed(1).run()?;
 /// assert!((fitted.parameter("T").unwrap().value - 2.0).abs() < 1e-3);

@@ -16,7 +16,7 @@ use crate::{Error, ErrorKind};
 /// std::fs::write(&file, "t [s],u [1],y [1]\n0,1,0\n1,1,0.6\n2,1,0.9\n3,1,0.95\n").unwrap();
 /// let model = Model::parse(
 ///     "name = \"lag\"\n[parameters]\nT = { value = 1.0, unit = \"s\" }\n[inputs]\nu = { unit = \"1\" }\n\
-///      [states]\nx = { unit = \"1\", rate = \"(u - x)/T\", initial = 0.0 }\n[outputs]\ny = { unit = \"1\", is = \"x\" }\n",
+///      [states]\nx = { unit = \"1\", rate = \"(u - x)/T\", initial = 0.0 }\n[outputs]\ny = { unit = \"1\", equals = \"x\" }\n",
 /// )?;
 /// let recording = Recording::read(&file)?;
 /// let run = simulate(&model, &recording).run()?;
