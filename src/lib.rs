@@ -1,16 +1,27 @@
 //! Spectral integrals, the rolling error of gyrocompasses, and the diagnosis of
 //! what a simulation leaves out.
 //!
-//! The rooms, from the ground up; each imports only what stands above it:
+//! What a program meets first stands here:
+//!
+//! | to | call | feature |
+//! |---|---|---|
+//! | integrate G/(H(jω)·H(−jω)) over all ω | [`evaluate`] or [`evaluate_fast`] of an [`Integrand`] | |
+//! | see one integral by every method | [`crosscheck`](fn@crosscheck) | |
+//! | print I_n with letters | [`print_tables`], [`Table`] | `symbolic` |
+//! | derive a mean or a variance in symbols | [`formula`](fn@formula) | `symbolic` |
+//! | describe a compass and the roll that disturbs it | [`Gyrosphere`], [`Instrument`], [`Roll`] | `instruments` |
+//! | read a recording | [`Recording::read`] | `instruments` |
+//! | read a model, and run it on a recording | [`Model::read`], [`simulate`](fn@simulate) | `diagnose` |
+//! | fit its parameters | [`fit`](fn@fit) | `diagnose` |
+//! | find what it leaves out | [`diagnose`](fn@diagnose) | `diagnose` |
+//!
+//! Without any feature there is the integral with its exact tier alone; `cli`, the default, is all of it and the
+//! program. The rooms behind, from the ground up; each imports only what stands above it:
 //!
 //! | room | holds |
 //! |---|---|
-//! | [`text`] | texts of others as they may be shown |
 //! | [`error`] | one opaque error with a kind and data |
 //! | [`units`] | the closed list of units |
-//! | [`expression`] | the expression language of models and formulas |
-//! | [`exact`] | integers and rationals of any size |
-//! | [`poly`] | polynomials, roots, the Hurwitz test |
 //! | [`integral`] | I_n by recursion, moments, determinant, exact arithmetic, quadrature |
 //! | [`symbolic`] | the same integrals with letters |
 //! | [`lti`] | transfer functions, state space, covariance |
@@ -18,21 +29,19 @@
 //! | [`record`] | recordings |
 //! | [`gyro`] | gyrospheres and the rotating gimbal |
 //! | [`model`] | model files |
-//! | [`simulate`] | a model on a recording |
+//! | [`simulate`](mod@simulate) | a model on a recording |
 //! | [`estimate`] | noise models and fits |
-//! | [`diagnose`] | what is missing |
-//! | [`report`] | text, JSON, HTML |
-//!
-//! Features: without any there is the integral alone; `symbolic`, `instruments` and `diagnose` add their rooms, `cli`
-//! (the default) the program.
+//! | [`diagnose`](mod@diagnose) | what is missing |
 
 #[cfg(feature = "diagnose")]
 pub mod diagnose;
 pub mod error;
 #[cfg(feature = "diagnose")]
 pub mod estimate;
+#[doc(hidden)]
 pub mod exact;
 #[cfg(any(feature = "symbolic", feature = "instruments"))]
+#[doc(hidden)]
 pub mod expression;
 #[cfg(feature = "instruments")]
 pub mod gyro;
@@ -41,10 +50,12 @@ pub mod integral;
 pub mod lti;
 #[cfg(feature = "diagnose")]
 pub mod model;
+#[doc(hidden)]
 pub mod poly;
 #[cfg(feature = "instruments")]
 pub mod record;
 #[cfg(feature = "diagnose")]
+#[doc(hidden)]
 pub mod report;
 #[cfg(feature = "diagnose")]
 pub mod simulate;
@@ -52,6 +63,7 @@ pub mod simulate;
 pub mod spectrum;
 #[cfg(feature = "symbolic")]
 pub mod symbolic;
+#[doc(hidden)]
 pub mod text;
 #[cfg(any(feature = "symbolic", feature = "instruments"))]
 pub mod units;

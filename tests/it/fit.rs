@@ -305,7 +305,10 @@ fn real(set: &str) -> Option<PathBuf> {
     if folder.is_dir() {
         return Some(folder);
     }
-    eprintln!("SKIPPED: the recording {set} is not in {} (set GYROSPEC_RECORDINGS)", root.display());
+    crate::skipped::skipped(format_args!(
+        "the recording {set} is not in {} (set GYROSPEC_RECORDINGS)",
+        root.display()
+    ));
     None
 }
 

@@ -289,7 +289,7 @@ fn names_that_a_language_takes_do_not_break_the_code() {
 /// What a program prints that is run, or compiled first and then run; none where the tool is not there.
 fn ran(tool: &str, source: &std::path::Path, text: &str, options: &[&str]) -> Option<f64> {
     if !Command::new(tool).arg("--version").output().is_ok_and(|run| run.status.success()) {
-        eprintln!("SKIPPED: no {tool}");
+        crate::skipped::skipped(format_args!("no {tool}"));
         return None;
     }
     std::fs::write(source, text).unwrap();

@@ -46,7 +46,9 @@ fn subcommands(folder: &Path) -> Vec<String> {
 #[test]
 fn every_example_of_the_help_runs() {
     if cfg!(windows) {
-        eprintln!("SKIPPED: the examples are written for a shell that this system does not have");
+        crate::skipped::skipped(format_args!(
+            "the examples are written for a shell that this system does not have"
+        ));
         return;
     }
     let folder = with_examples();

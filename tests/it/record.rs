@@ -288,7 +288,10 @@ pub fn recordings(set: &str) -> Option<PathBuf> {
     if folder.is_dir() {
         return Some(folder);
     }
-    eprintln!("SKIPPED: the recording {set} is not in {} (set GYROSPEC_RECORDINGS)", root.display());
+    crate::skipped::skipped(format_args!(
+        "the recording {set} is not in {} (set GYROSPEC_RECORDINGS)",
+        root.display()
+    ));
     None
 }
 

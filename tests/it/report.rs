@@ -276,7 +276,9 @@ fn opened(browser: &str, file: &Path, profile: &Path) -> (String, String) {
 #[test]
 fn a_browser_opens_the_page() {
     let Some(browser) = browser() else {
-        eprintln!("SKIPPED: no Chromium on this machine, pages were not opened in a browser");
+        crate::skipped::skipped(format_args!(
+            "no Chromium on this machine, pages were not opened in a browser"
+        ));
         return;
     };
     let verdicts =

@@ -210,7 +210,7 @@ fn list(numbers: &[f64]) -> String {
 fn has(tool: &str, language: &str) -> bool {
     let there = Command::new(tool).arg("--version").output().is_ok_and(|run| run.status.success());
     if !there {
-        eprintln!("SKIPPED: no {tool}, so the generated {language} is not run");
+        crate::skipped::skipped(format_args!("no {tool}, so the generated {language} is not run"));
     }
     there
 }

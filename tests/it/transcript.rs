@@ -160,7 +160,9 @@ fn trimmed(shown: &[String]) -> &[String] {
 /// Plays a document; it must go as it shows.
 pub fn play(document: &str) {
     if cfg!(windows) {
-        eprintln!("SKIPPED: {document} is written for a shell that this system does not have");
+        crate::skipped::skipped(format_args!(
+            "{document} is written for a shell that this system does not have"
+        ));
         return;
     }
     let wrong = played(&root().join(document));
