@@ -105,6 +105,19 @@ impl Unit {
         self.dimension
     }
 
+    /// The lowest value in SI that means anything: absolute zero of a temperature scale with a zero of its own,
+    /// else none.
+    ///
+    /// ```
+    /// use gyrospec::units::Unit;
+    /// assert_eq!(Unit::parse("degC")?.lowest(), 0.0);
+    /// assert_eq!(Unit::parse("K")?.lowest(), f64::NEG_INFINITY, "a difference may be meant");
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    pub fn lowest(&self) -> f64 {
+        if self.offset == 0.0 { f64::NEG_INFINITY } else { 0.0 }
+    }
+
     /// The unit of differences of values in this unit: K for degC, else the unit itself.
     #[must_use]
     pub fn of_differences(&self) -> Self {

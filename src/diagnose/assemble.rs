@@ -326,7 +326,7 @@ impl Assembly<'_> {
         if self.is_left && held_out == 0 {
             all.push(NOT_HELD_OUT.into());
         }
-        for note in self.notes.iter().cloned().chain(warnings) {
+        for note in self.notes.iter().chain(&self.found.notes).cloned().chain(warnings) {
             if !all.contains(&note) {
                 all.push(note);
             }

@@ -166,6 +166,11 @@ impl Bench {
         values.next().is_some_and(|first| values.any(|v| v != first))
     }
 
+    /// What one fit may spend.
+    pub fn part(&self) -> Budget {
+        self.budget.part(FITS)
+    }
+
     /// Options of a fit on this bench.
     pub fn options(&self, effort: Effort, iterations: usize) -> FitOptions<'static> {
         FitOptions {
@@ -174,7 +179,7 @@ impl Bench {
             separate_holdout: self.separate,
             tolerance: self.tolerance,
             waits: self.waits,
-            budget: self.budget.part(FITS),
+            budget: self.part(),
             drawn_starts: if iterations < 60 { 0 } else { 4 },
             stopping: Stopping { iterations, reduction: 1e-6, step: 1e-6 },
             ..FitOptions::default()
@@ -230,8 +235,7 @@ impl Bench {
         }
         let cut = |(r, spans): (&Recording, &Vec<Span>)| r.clone().with_spans(spans.clone(), Vec::new());
         let recordings: Vec<Recording> = self.recordings.iter().zip(&short).map(cut).collect();
-        let first = fit(model, &recordings, &self.first_options())?;
-        super::compared::anew(self, &first)
+        super::compared::anew(self, &fit(model, &recordings, &self.first_options())?)
     }
 
     /// Options of the fit of the model as given.

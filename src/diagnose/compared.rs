@@ -231,17 +231,18 @@ fn settled(
     (recording, lost)
 }
 
-/// A fit from where another ended.
+/// A fit from where another ended; ended early where the other was, which may have led elsewhere.
 ///
 /// # Errors
 /// Where the model cannot be fitted at all.
 pub fn anew(bench: &Bench, from: &Fit) -> Result<Fit> {
-    patiently(bench, || {
+    let fitted = patiently(bench, || {
         let steps = if bench.budget.cut() == Some(Early::Time) { 0 } else { 30 };
         let mut options = bench.options(Effort::Near, steps);
         options.initials = from.starts();
         fit(&from.model, &bench.recordings, &options)
-    })
+    })?;
+    Ok(Fit { ended_early: fitted.ended_early.or(from.ended_early), ..fitted })
 }
 
 /// What an answer cannot do without, once more without a limit where the time was up.

@@ -59,6 +59,23 @@ impl Scale {
     }
 }
 
+/// The least sum of squares, weighed by a scale, that a fit's own sensitivities promise: what one that was
+/// ended early may still come down to near where it is.
+pub fn promised(fit: &Fit, scale: &Scale) -> f64 {
+    let free = free_unknowns(fit);
+    let mut triangle = Triangle::new(free.len());
+    for s in fit.records.iter().flat_map(|r| &r.series) {
+        let root = scale.weights[s.output].sqrt();
+        let weighed = |v: &[f64]| v.iter().map(|x| root * x).collect::<Vec<f64>>();
+        let columns: Vec<Vec<f64>> = free.iter().map(|j| weighed(&s.sensitivities[*j])).collect();
+        let minus: Vec<f64> = s.residual.iter().map(|e| -root * e).collect();
+        triangle.push(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>(), &minus);
+    }
+    let damping: Vec<f64> = triangle.column_norms().iter().map(|n| 1e-6 * n + f64::MIN_POSITIVE).collect();
+    let least = triangle.predicted(&triangle.solve(&damping));
+    if least.is_finite() { least } else { 0.0 }
+}
+
 /// How good a fit is.
 #[derive(Debug, Clone, Copy)]
 pub struct Measure {

@@ -11,6 +11,7 @@ pub mod catalogue;
 mod choose;
 mod company;
 mod compared;
+mod cut;
 mod faults;
 mod few;
 mod forgotten;
@@ -118,6 +119,7 @@ impl Case<'_> {
         let (model, progress) = (self.request.model, self.request.progress);
         progress.says("fitting the model as it stands", None);
         let base = self.bench.full_fit(model)?;
+        self.bench.budget.tell(base.ended_early);
         let few = is_left.then(|| few::too_few(&self.bench, &base, self.spoiled_samples())).flatten();
         let is_judged = is_left && few.is_none();
         let (mut found, is_cut) = if is_judged {
@@ -176,6 +178,7 @@ impl Case<'_> {
             base = misread.fit;
         }
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;
+        self.bench.budget.tell(base.ended_early);
         self.notes.extend(settled);
         let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
         let found = search::search(&self.bench, &self.separate, base, &given, self.request.progress)?;

@@ -8,17 +8,20 @@
 //! # Method
 //! Two heats: a few steps from the best starts of each proposal, with a solver as rough as the residual
 //! that the model leaves now allows; a few more for the better half. Those whose sum of squares then
-//! falls by a fair share of the largest fall, as logarithms, are fitted to the end.
+//! falls by a fair share of the largest fall, as logarithms, are fitted to the end. One whose own steps were
+//! spent in a heat is told by the best that it reached, so that it can be asked whether it matters.
 //!
 //! # References
 //! O. Maron, A. W. Moore, Artificial Intelligence Review 11 (1997) 193 (racing).
 
 use super::bench::Bench;
+use super::catalogue::Proposal;
 use super::measure::Scale;
 use super::propose::{Screened, View, starts};
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
 use crate::model::Model;
+use crate::simulate::Budget;
 use rayon::prelude::*;
 
 /// Steps of the two heats.
@@ -35,50 +38,88 @@ struct Runner<'s> {
     screened: &'s Screened,
     fit: Fit,
     left: f64,
+    is_cut: bool,
 }
 
 impl<'s> Runner<'s> {
     fn new(screened: &'s Screened, fit: Fit, scale: &Scale) -> Self {
-        let left = scale.squares(&fit);
-        Self { screened, fit, left }
+        let (left, is_cut) = (scale.squares(&fit), fit.ended_early.is_some());
+        Self { screened, fit, left, is_cut }
+    }
+
+    /// The better of two, which is cut where one of them was.
+    fn or(self, other: Self) -> Self {
+        let is_cut = self.is_cut || other.is_cut;
+        Self { is_cut, ..if other.left.total_cmp(&self.left).is_lt() { other } else { self } }
     }
 }
 
-/// Fits proposals, the best of them to the end.
-pub fn run<'s>(
+/// A proposal as the race leaves it.
+pub struct Finished {
+    /// The proposal.
+    pub proposal: Proposal,
+    /// Its fit, or the best so far.
+    pub fit: Fit,
+    /// Whether it was ended by its own steps or the time before it was through.
+    pub is_cut: bool,
+}
+
+/// Fits proposals: gives the best of them, fitted to the end, and those that were cut before.
+pub fn run(
+    bench: &Bench,
+    view: &View,
+    given: &[f64],
+    chosen: &[&Screened],
+    (now, scale): (f64, &Scale),
+) -> Vec<Finished> {
+    let mut field = heats(bench, view, given, chosen, scale);
+    let fall = |r: &Runner<'_>| (now / r.left).ln();
+    let largest = field.first().map_or(0.0, fall);
+    let last = field.iter().enumerate().take(LAST.1);
+    let last = last.filter(|(i, r)| *i < LAST.0 || fall(r) >= FAIR * largest).count();
+    let mut others = field.split_off(last);
+    others.retain(|r| r.is_cut);
+    let ended = field.into_par_iter().with_max_len(1).filter_map(|r| {
+        let fit = to_the_end(bench, &r.screened.proposal, &r.fit, &bench.part())?;
+        Some(Finished { proposal: r.screened.proposal.clone(), is_cut: fit.ended_early.is_some(), fit })
+    });
+    let mut all: Vec<Finished> = ended.collect();
+    let of = |r: Runner<'_>| Finished { proposal: r.screened.proposal.clone(), fit: r.fit, is_cut: true };
+    all.extend(others.into_iter().map(of));
+    all
+}
+
+/// All proposals after their heats, best first.
+fn heats<'s>(
     bench: &Bench,
     view: &View,
     given: &[f64],
     chosen: &[&'s Screened],
-    (now, scale): (f64, &Scale),
-) -> Vec<(Screened, Fit)> {
+    scale: &Scale,
+) -> Vec<Runner<'s>> {
     let first = |s: &&'s Screened| {
         let walks = starts(bench, view, given, s, scale).into_iter().filter_map(|stand| {
             walk(bench, &stand.placed(&s.proposal.model), stand.initials, HEATS[0], view.tolerance)
         });
-        let runners = walks.map(|fit| Runner::new(s, fit, scale));
-        runners.min_by(|a, b| a.left.total_cmp(&b.left))
+        walks.map(|fit| Runner::new(s, fit, scale)).reduce(Runner::or)
     };
     let mut field: Vec<Runner<'_>> = chosen.par_iter().with_max_len(1).filter_map(first).collect();
     sort(&mut field);
-    field.truncate(SECOND);
-    field.par_iter_mut().with_max_len(1).for_each(|r| {
+    let rest = field.split_off(SECOND.min(field.len()));
+    let second = |r: Runner<'s>| {
         let longer = walk(bench, &r.fit.model, r.fit.starts(), HEATS[1], view.tolerance);
-        let longer = longer.map(|fit| Runner::new(r.screened, fit, scale));
-        if let Some(longer) = longer.filter(|l| l.left < r.left) {
-            *r = longer;
+        match longer {
+            Some(fit) => {
+                let longer = Runner::new(r.screened, fit, scale);
+                r.or(longer)
+            }
+            None => r,
         }
-    });
+    };
+    let mut field: Vec<Runner<'_>> = field.into_par_iter().with_max_len(1).map(second).collect();
     sort(&mut field);
-    let fall = |r: &Runner<'_>| (now / r.left).ln();
-    let largest = field.first().map_or(0.0, fall);
-    let last = field.iter().enumerate().take(LAST.1);
-    let last: Vec<&Runner<'_>> =
-        last.filter(|(i, h)| *i < LAST.0 || fall(h) >= FAIR * largest).map(|(_, h)| h).collect();
-    last.into_par_iter()
-        .with_max_len(1)
-        .filter_map(|r| Some((r.screened.clone(), to_the_end(bench, r.screened, &r.fit)?)))
-        .collect()
+    field.extend(rest);
+    field
 }
 
 fn sort(field: &mut [Runner<'_>]) {
@@ -95,12 +136,13 @@ fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize, tol
 }
 
 /// A law that only replaces another has no size to start small from: it is sought from all starts.
-fn to_the_end(bench: &Bench, s: &Screened, heat: &Fit) -> Option<Fit> {
-    let mut options = if s.proposal.added.is_empty() {
+pub fn to_the_end(bench: &Bench, p: &Proposal, heat: &Fit, budget: &Budget) -> Option<Fit> {
+    let mut options = if p.added.is_empty() {
         bench.options(Effort::Full, 60)
     } else {
         bench.options(Effort::Near, bench.steps(&heat.model))
     };
     options.initials = heat.starts();
+    options.budget = budget.clone();
     fit(&heat.model, &bench.recordings, &options).ok()
 }

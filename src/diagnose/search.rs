@@ -20,7 +20,7 @@ use super::choose::{self, Choice, FLOOR, choose, floor, gain, mends};
 use super::compared::{patiently, same_samples};
 use super::measure::{Measure, Scale};
 use super::propose::{Screening, View, screen, worth_fitting};
-use super::{prove, race};
+use super::{cut, prove, race};
 use crate::Result;
 use crate::estimate::fit::{Effort, Progress};
 use crate::estimate::{Fit, fit};
@@ -44,6 +44,8 @@ pub struct Refitted {
     pub p_value: f64,
     /// The gain that it must reach.
     pub floor: f64,
+    /// Whether its fit was ended before it was through.
+    pub is_cut: bool,
 }
 
 impl Refitted {
@@ -89,6 +91,8 @@ pub struct Found {
     pub scale: Scale,
     /// Measures of base and last.
     pub measures: (Measure, Measure),
+    /// What a reader should know of fits that were ended early.
+    pub notes: Vec<String>,
 }
 
 impl Found {
@@ -97,7 +101,8 @@ impl Found {
         let scale = Scale::of(&base, trials);
         let measure = Measure::of(&base, &scale);
         let (first, rest, measures) = (Screening::nothing(), Screening::nothing(), (measure, measure));
-        Self { last: base.clone(), base, taken: Vec::new(), first, rest, scale, measures }
+        let (taken, notes) = (Vec::new(), Vec::new());
+        Self { last: base.clone(), base, taken, first, rest, scale, measures, notes }
     }
 
     /// ln of the fall of the left-out sum of squares from the given model to the last.
@@ -112,6 +117,8 @@ pub struct Round {
     pub screening: Screening,
     /// The best, fitted.
     pub fitted: Vec<Refitted>,
+    /// What a reader should know of fits that were ended early.
+    pub notes: Vec<String>,
 }
 
 /// What a round is judged against.
@@ -130,7 +137,7 @@ struct State<'a> {
 
 fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[f64]) -> Result<Round> {
     if bench.budget.cut() == Some(Early::Time) {
-        return Ok(Round { screening: Screening::nothing(), fitted: Vec::new() });
+        return Ok(Round { screening: Screening::nothing(), fitted: Vec::new(), notes: Vec::new() });
     }
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
@@ -146,21 +153,23 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
         false => floor(*gains).min(choose::MUCH),
     };
     let chosen = worth_fitting(&screening, most, least);
-    let finished = race::run(bench, view, given, &chosen, (scale.squares(current), scale));
+    let squares = scale.squares(current);
+    let judged = |p: Proposal, fit: Fit, is_cut: bool| {
+        let measure = Measure::of(&fit, scale);
+        let tried = tried * choose::chosen_from(&p, measure.samples);
+        let p_value = (tried * measure.chance_over(now.likelihood, p.added.len())).min(1.0);
+        let floor = if mends(&p, taken) { floor(*gains) } else { least };
+        Refitted { proposal: p, fit, measure, p_value, floor, is_cut }
+    };
+    let finished = race::run(bench, view, given, &chosen, (squares, scale));
     let mut fitted: Vec<Refitted> = finished
         .into_par_iter()
-        .filter(|(_, fit)| same_samples(current, fit))
-        .map(|(s, fit)| {
-            let measure = Measure::of(&fit, scale);
-            let tried = tried * choose::chosen_from(&s.proposal, measure.samples);
-            let alone = measure.chance_over(now.likelihood, s.proposal.added.len());
-            let p_value = (tried * alone).min(1.0);
-            let floor = if mends(&s.proposal, taken) { floor(*gains) } else { least };
-            Refitted { proposal: s.proposal, fit, measure, p_value, floor }
-        })
+        .filter(|f| same_samples(current, &f.fit))
+        .map(|f| judged(f.proposal, f.fit, f.is_cut))
         .collect();
+    let notes = cut::retry(bench, &mut fitted, (squares, scale), &judged);
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
-    Ok(Round { screening, fitted })
+    Ok(Round { screening, fitted, notes })
 }
 
 /// Searches from a fitted model.
@@ -202,7 +211,8 @@ pub fn search(
             };
             let scale = Scale::of(&base, bench.is_trials());
             let measures = (start, Measure::of(&current, &scale));
-            let mut found = Found { base, last: current, taken, first, rest, scale, measures };
+            let notes = round.notes;
+            let mut found = Found { base, last: current, taken, first, rest, scale, measures, notes };
             drop_needless(bench, separate, &mut found);
             return Ok(found);
         };
@@ -281,6 +291,7 @@ fn drop_needless(bench: &Bench, separate: &[Recording], found: &mut Found) {
         match smaller {
             Some((m, f)) if needless && ahead(bench, separate, &f).is_some() => {
                 found.taken.remove(i);
+                bench.budget.tell(f.ended_early);
                 found.last = f;
                 last = m;
                 found.measures.1 = Measure::of(&found.last, &found.scale);
@@ -328,10 +339,11 @@ fn trace(bench: &Bench, round: &Round, now: &Measure) {
             })
             .collect();
         text += &format!(
-            "  f gain {:.4} dlnL {:>9.2} p {:.2e} {:<20} {:<10} {} rmse {:?}\n",
+            "  f gain {:.4} dlnL {:>9.2} p {:.2e}{} {:<20} {:<10} {} rmse {:?}\n",
             gain(now, &r.measure),
             r.measure.likelihood - now.likelihood,
             r.p_value,
+            if r.is_cut { " cut" } else { "" },
             r.proposal.code,
             r.proposal.site.name,
             values.join(" "),

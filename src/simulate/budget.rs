@@ -7,11 +7,14 @@
 //! Steps are counted, each once for its values and once for each of its sensitivities, so that the same
 //! inputs end at the same place on every machine. A part of a budget counts for the whole as well, but asks
 //! for its own steps alone: parts run beside each other, and what the others have spent by some moment
-//! depends on the machine. The whole is asked while no part of it runs. Time is asked at any moment, even
-//! inside a run.
+//! depends on the machine. The whole is asked while no part of it runs. That a part has spent its steps is
+//! told by whoever knows what it was for; that the whole has, and that the time is up, is told at once. One
+//! simulation may spend a share of the whole, so that none goes on where a model is stiff beyond use. Time is
+//! asked at any moment, even inside a run.
 
 use crate::{Error, Result};
 use serde::Serialize;
+use std::cell::Cell;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU8, AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -36,6 +39,11 @@ impl Early {
     }
 }
 
+/// One simulation may spend one part in so many of the whole, its values alone; without a limit to the whole,
+/// so many steps.
+const RUNS: u64 = 200;
+const UNLIMITED: u64 = 1_000_000_000;
+
 /// A budget, or a part of one, shared by all that spend it.
 #[derive(Debug, Clone)]
 pub struct Budget {
@@ -47,6 +55,8 @@ pub struct Budget {
 #[derive(Debug)]
 struct Whole {
     until: Option<Instant>,
+    /// Steps that one simulation may spend.
+    one_run: u64,
     /// 0 for nothing, 1 where a part was ended by its steps, 2 by the time.
     cut: AtomicU8,
 }
@@ -72,7 +82,8 @@ impl Budget {
     pub fn new(most: u64, time: Option<Duration>) -> Self {
         let until = time.and_then(|t| Instant::now().checked_add(t));
         let own = Own { most, spent: AtomicU64::new(0), is_lifted: AtomicBool::new(false), of: None };
-        Self { whole: Arc::new(Whole { until, cut: AtomicU8::new(0) }), own: Arc::new(own) }
+        let one_run = if most == u64::MAX { UNLIMITED } else { most / RUNS };
+        Self { whole: Arc::new(Whole { until, one_run, cut: AtomicU8::new(0) }), own: Arc::new(own) }
     }
 
     fn with(&self, most: u64) -> Self {
@@ -93,8 +104,13 @@ impl Budget {
         self.with(self.own.most.saturating_sub(self.spent()))
     }
 
+    /// What one simulation may spend of it.
+    pub(super) fn one_run(&self) -> Allowance<'_> {
+        Allowance { budget: self, left: Cell::new(self.whole.one_run) }
+    }
+
     /// Counts steps.
-    pub(super) fn spend(&self, steps: u64) {
+    fn spend(&self, steps: u64) {
         let mut own = Some(&self.own);
         while let Some(o) = own {
             o.spent.fetch_add(steps, Ordering::Relaxed);
@@ -119,7 +135,7 @@ impl Budget {
     }
 
     /// Refuses to go on once the time is up, and remembers it: whoever asks would have gone on.
-    pub(super) fn in_time(&self) -> Result<()> {
+    fn in_time(&self) -> Result<()> {
         if self.is_late() {
             self.tell(Some(Early::Time));
             return Err(Error::not_computed("the time given was up").with_hint("give a longer --time-limit"));
@@ -127,11 +143,12 @@ impl Budget {
         Ok(())
     }
 
-    /// What ends it now, if anything does; to be asked while no part of it runs.
+    /// What ends it now, if anything does; to be asked while no part of it runs. That a part has spent its
+    /// steps ends that part alone.
     pub fn over(&self) -> Option<Early> {
         let is_spent = self.spent() >= self.own.most;
         let early = if is_spent { Some(Early::Steps) } else { self.is_late().then_some(Early::Time) };
-        self.tell(early);
+        self.tell(early.filter(|e| *e == Early::Time || self.own.of.is_none()));
         early
     }
 
@@ -141,7 +158,7 @@ impl Budget {
         self.whole.cut.fetch_max(cut, Ordering::Relaxed);
     }
 
-    /// What ended any part early, if anything did.
+    /// What was told to have ended the computation early, if anything was.
     pub fn cut(&self) -> Option<Early> {
         [None, Some(Early::Steps), Some(Early::Time)][usize::from(self.whole.cut.load(Ordering::Relaxed))]
     }
@@ -149,6 +166,37 @@ impl Budget {
     /// What is left is finished, whatever the time.
     pub fn lift_time(&self) {
         self.own.is_lifted.store(true, Ordering::Relaxed);
+    }
+}
+
+/// What one simulation may spend, for its values alone.
+pub(super) struct Allowance<'a> {
+    budget: &'a Budget,
+    left: Cell<u64>,
+}
+
+impl Allowance<'_> {
+    /// Counts steps with so many sensitivities each; false where they are more than is left.
+    pub fn spend(&self, steps: u64, sensitivities: usize) -> bool {
+        let left = self.left.get();
+        self.left.set(left.saturating_sub(steps));
+        self.budget.spend(steps.min(left).saturating_mul(1 + sensitivities as u64));
+        steps <= left
+    }
+
+    /// Refuses to go on once the time is up.
+    pub fn in_time(&self) -> Result<()> {
+        self.budget.in_time()
+    }
+
+    /// Steps that may still be spent.
+    pub fn left(&self) -> u64 {
+        self.left.get()
+    }
+
+    /// The budget that it is a share of.
+    pub fn budget(&self) -> &Budget {
+        self.budget
     }
 }
 
@@ -162,12 +210,23 @@ mod tests {
         let (a, b) = (whole.part(4), whole.part(2));
         a.spend(25);
         assert_eq!((a.over(), b.over(), whole.over()), (Some(Early::Steps), None, None));
+        assert_eq!(whole.cut(), None, "a part that is spent is no end of the whole");
         b.rest().spend(49);
         assert_eq!((b.over(), whole.over(), b.rest().most()), (None, None, 1));
         b.spend(26);
         assert_eq!((b.over(), whole.over()), (Some(Early::Steps), Some(Early::Steps)));
         assert_eq!((whole.spent(), whole.cut()), (100, Some(Early::Steps)));
         assert!(Budget::default().cut().is_none());
+    }
+
+    #[test]
+    fn one_run_may_spend_a_share_of_the_whole_whatever_its_sensitivities() {
+        let whole = Budget::new(1000, None);
+        let part = whole.part(10);
+        let run = part.one_run();
+        assert!(run.spend(3, 0) && run.spend(2, 8) && !run.spend(1, 8));
+        assert_eq!((whole.spent(), part.spent()), (3 + 2 * 9, 21));
+        assert!(part.one_run().spend(5, 0) && Budget::default().one_run().spend(1_000_000, 0));
     }
 
     #[test]

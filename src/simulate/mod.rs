@@ -5,6 +5,7 @@
 //! by more than a stated share of its spread. Runs with other parameters and initial states, with
 //! sensitivities if wanted, are then as quick as the arithmetic.
 
+mod again;
 mod budget;
 mod events;
 mod faults;
@@ -23,6 +24,7 @@ mod slowest;
 mod start;
 mod static_run;
 mod steps;
+mod stiff;
 mod trace;
 mod warnings;
 

@@ -12,10 +12,12 @@
 //! is foretold from the roughness of the steps (their embedded error), which grows with it; where
 //! it is foretold too large, or a run blows up, the run is repeated with more or stiff steps.
 
+use super::budget::Allowance;
 use super::probe::Clock;
 use super::run::{Course, Ran, run};
 use super::steps::Method;
 use crate::Result;
+use crate::model::Scalar;
 
 /// Method, steps, and the error that they leave.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -128,9 +130,10 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn run(&self, method: Method, substeps: usize) -> Result<Ran<f64>> {
-        let Course { program, mesh, clocks, steady, budget, .. } = *self.course;
-        run(&Course { program, mesh, clocks, steady, method, substeps, budget }, self.parameters, self.given)
+    fn run(&self, (method, substeps): (Method, usize), allowance: &Allowance<'_>) -> Result<Ran<f64>> {
+        let Course { program, mesh, clocks, steady, .. } = *self.course;
+        let course = Course { program, mesh, clocks, steady, method, substeps, allowance };
+        run(&course, self.parameters, self.given)
     }
 
     /// The plan of the stiff method; none that has not begun to converge.
@@ -142,9 +145,11 @@ impl Search<'_> {
         self.refine(Method::Stiff, limit(MOST_STIFF, self.course.mesh.intervals()))
     }
 
-    /// The fewest steps whose halving moves the outputs by less than the tolerance.
+    /// The fewest steps whose halving moves the outputs by less than the tolerance; the best so far where one
+    /// simulation may spend no more.
     fn refine(&self, method: Method, most: usize) -> Result<Plan> {
-        let mut coarse = self.run(method, 1)?;
+        let allowance = self.course.allowance.budget().one_run();
+        let mut coarse = self.run((method, 1), &allowance)?;
         let plan = |substeps, error, ran: &Ran<f64>| Plan {
             method,
             substeps,
@@ -155,8 +160,11 @@ impl Search<'_> {
         let mut best = plan(1, f64::INFINITY, &coarse);
         let (mut substeps, mut last) = (1, f64::INFINITY);
         while substeps < most {
-            let fine = self.run(method, 2 * substeps)?;
-            let error = difference(self.course.clocks, &coarse, &fine);
+            let fine = self.run((method, 2 * substeps), &allowance)?;
+            if fine.is_cut {
+                break;
+            }
+            let error = coarse.difference(self.course.clocks, &fine);
             let this = plan(substeps, error, &coarse);
             let rank = |p: &Plan| (p.blew_up, p.error.max(self.tolerance));
             // Of runs that blow up before they agree, the one with a few steps an interval is kept.
@@ -181,19 +189,22 @@ impl Search<'_> {
     }
 }
 
-/// The largest root-mean-square difference of an output, as a share of its spread.
-fn difference(clocks: &[Clock], a: &Ran<f64>, b: &Ran<f64>) -> f64 {
-    if a.blew_up.is_some() != b.blew_up.is_some() {
-        return f64::INFINITY;
+impl<T: Scalar> Ran<T> {
+    /// The largest root-mean-square difference of an output from that of another run, as a share of its spread.
+    pub fn difference(&self, clocks: &[Clock], other: &Self) -> f64 {
+        if self.blew_up.is_some() != other.blew_up.is_some() {
+            return f64::INFINITY;
+        }
+        let part = if self.blew_up.is_some() { BEFORE_THE_END } else { 1.0 };
+        let one = |((clock, a), b): ((&Clock, &Vec<T>), &Vec<T>)| {
+            // Outputs of one clock stand side by side, each in its own unit.
+            let width = clock.registers.len();
+            let column =
+                |v: &[T], j: usize| v.iter().skip(j).step_by(width).map(|v| v.value()).collect::<Vec<_>>();
+            (0..width).map(|j| share(&column(a, j), &column(b, j), part)).fold(0.0, worse)
+        };
+        clocks.iter().zip(&self.values).zip(&other.values).map(one).fold(0.0, worse)
     }
-    let part = if a.blew_up.is_some() { BEFORE_THE_END } else { 1.0 };
-    let one = |((clock, a), b): ((&Clock, &Vec<f64>), &Vec<f64>)| {
-        // Outputs of one clock stand side by side, each in its own unit.
-        let width = clock.registers.len();
-        let column = |v: &[f64], j: usize| v.iter().skip(j).step_by(width).copied().collect::<Vec<_>>();
-        (0..width).map(|j| share(&column(a, j), &column(b, j), part)).fold(0.0, worse)
-    };
-    clocks.iter().zip(&a.values).zip(&b.values).map(one).fold(0.0, worse)
 }
 
 fn worse(a: f64, b: f64) -> f64 {

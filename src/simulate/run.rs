@@ -1,6 +1,6 @@
 //! A run over the whole mesh.
 
-use super::budget::Budget;
+use super::budget::Allowance;
 use super::machine::Machine;
 use super::mesh::Mesh;
 use super::probe::{Clock, Probe, Stretch};
@@ -18,6 +18,11 @@ const TOO_LARGE: f64 = 1e100;
 /// Steps after which the time is looked at.
 const PATIENCE: usize = 256;
 
+/// Times that the first step of the stiff method is halved.
+const LAYER: i32 = 16;
+/// Explicit steps that one event costs.
+const EVENT: usize = 4;
+
 /// What a run needs besides numbers.
 pub(super) struct Course<'a> {
     pub program: &'a Program,
@@ -29,7 +34,7 @@ pub(super) struct Course<'a> {
     /// Steps in a usual interval of the mesh.
     pub substeps: usize,
     /// What the run may spend.
-    pub budget: &'a Budget,
+    pub allowance: &'a Allowance<'a>,
 }
 
 /// What a run gives.
@@ -42,8 +47,24 @@ pub(super) struct Ran<T> {
     pub swings: Vec<(f64, f64)>,
     /// The time and the state at which the run blew up.
     pub blew_up: Option<(f64, usize)>,
+    /// Whether it ended because it may spend no more.
+    pub is_cut: bool,
     /// Number of events.
     pub events: usize,
+}
+
+impl<T> Ran<T> {
+    /// What a model without states gives.
+    pub fn of_none(values: Vec<Vec<T>>) -> Self {
+        Self { values, roughness: 0.0, swings: Vec::new(), blew_up: None, is_cut: false, events: 0 }
+    }
+}
+
+/// How a walk over the mesh ended.
+enum Ended {
+    Well,
+    BlownUp(f64, usize),
+    Cut,
 }
 
 struct Runner<'a, T> {
@@ -105,12 +126,13 @@ pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T])
         roughness: Roughness::new(n),
     };
     runner.begin(first);
-    let blew_up = runner.walk(course)?;
+    let ended = runner.walk(course)?;
     Ok(Ran {
         values: runner.probe.values,
         roughness: runner.roughness.worst(),
         swings: runner.roughness.ranges,
-        blew_up,
+        blew_up: if let Ended::BlownUp(t, state) = ended { Some((t, state)) } else { None },
+        is_cut: matches!(ended, Ended::Cut),
         events: runner.events,
     })
 }
@@ -123,30 +145,51 @@ impl<T: Scalar> Runner<'_, T> {
         self.probe.record(&mut self.m, &here, &mut self.room);
     }
 
-    fn walk(&mut self, course: &Course<'_>) -> Result<Option<(f64, usize)>> {
+    fn walk(&mut self, course: &Course<'_>) -> Result<Ended> {
         let mesh = course.mesh;
         let mut asked = 0;
+        let work = course.method.work(self.x.len());
         for i in 0..mesh.intervals() {
             let (from, to) = (mesh.time[i], mesh.time[i + 1]);
             self.enter(i, from, to);
+            let is_layer = i == 0 && course.method == Method::Stiff;
             let pieces = substeps(course.substeps, to - from, mesh.usual);
-            let h = (to - from) / pieces as f64;
-            // Each step once for its values and once for each sensitivity.
-            course.budget.spend((pieces * (1 + T::TANGENTS)) as u64);
-            asked += pieces;
+            let steps = pieces + if is_layer { LAYER as usize } else { 0 };
+            if !course.allowance.spend((steps * work) as u64, T::TANGENTS) {
+                return Ok(Ended::Cut);
+            }
+            asked += steps;
             if asked >= PATIENCE {
-                course.budget.in_time()?;
+                course.allowance.in_time()?;
                 asked = 0;
             }
+            let before = self.events;
+            let h = (to - from) / pieces as f64;
             for s in 0..pieces {
                 let end = if s + 1 == pieces { to } else { from + (s + 1) as f64 * h };
-                self.advance(from + s as f64 * h, end);
+                let begin = from + s as f64 * h;
+                if is_layer && s == 0 { self.begin_finely(begin, end) } else { self.advance(begin, end) }
+            }
+            let events = EVENT * (self.events - before);
+            if events > 0 && !course.allowance.spend(events as u64, T::TANGENTS) {
+                return Ok(Ended::Cut);
             }
             if let Some(bad) = self.x.iter().position(|x| x.value().is_nan() || x.value().abs() > TOO_LARGE) {
-                return Ok(Some((to, bad)));
+                return Ok(Ended::BlownUp(to, bad));
             }
         }
-        Ok(None)
+        Ok(Ended::Well)
+    }
+
+    /// The first step of the stiff method in steps that double: what is fast seldom starts where it would
+    /// come to rest, and even steps as fine as its decay asks for would be so all the way.
+    fn begin_finely(&mut self, from: f64, to: f64) {
+        let mut t = from;
+        for k in (0..=LAYER).rev() {
+            let next = if k == 0 { to } else { from + (to - from) * 0.5f64.powi(k) };
+            self.advance(t, next);
+            t = next;
+        }
     }
 
     fn enter(&mut self, interval: usize, from: f64, to: f64) {

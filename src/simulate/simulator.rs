@@ -1,15 +1,16 @@
 //! The simulator: built once from a model and a recording, run as often as wanted.
 
-use super::budget::Budget;
+use super::again::Case;
+use super::budget::{Allowance, Budget};
 use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
 use super::plan::{self, Plan, Search};
 use super::probe::Clock;
 use super::request::{Options, Trajectory, Unknown};
-use super::run::{Course, Ran, run};
+use super::run::Course;
 use super::signals::{self, OutputSignal};
 use super::steps::Method;
-use super::{faults, gaps, static_run};
+use super::{faults, gaps};
 use crate::model::program::Program;
 use crate::model::{Dual, Initial, Model, Scalar};
 use crate::record::{Kind, Recording};
@@ -46,21 +47,21 @@ use std::sync::Arc;
 pub struct Simulator {
     pub(super) model: Arc<Model>,
     pub(super) program: Arc<Program>,
-    samples: Arc<[Samples]>,
+    pub(super) samples: Arc<[Samples]>,
     outputs: Vec<OutputSignal>,
-    clocks: Vec<Clock>,
+    pub(super) clocks: Vec<Clock>,
     places: Vec<(usize, usize)>,
-    constants: Vec<(usize, f64)>,
+    pub(super) constants: Vec<(usize, f64)>,
     span: (f64, f64),
     /// Where nothing can be predicted for gaps in the inputs, s.
     blanks: Vec<(f64, f64)>,
     /// The mesh of models without delayed inputs.
     mesh: Option<Arc<Mesh>>,
-    plan: Plan,
+    pub(super) plan: Plan,
     /// What to take where the plan of order 2 does not do.
-    careful: Option<Plan>,
-    tolerance: f64,
-    budget: Budget,
+    pub(super) careful: Option<Plan>,
+    pub(super) tolerance: f64,
+    pub(super) budget: Budget,
 }
 
 impl Simulator {
@@ -125,7 +126,8 @@ impl Simulator {
         let mesh = self.mesh_at(&parameters);
         faults::first_step(self, &mesh, &parameters)?;
         let (given, steady) = self.starts(&self.initials());
-        let course = self.course(&mesh, self.plan, &steady);
+        let allowance = self.budget.one_run();
+        let course = self.course(&mesh, self.plan, &steady, &allowance);
         let search =
             Search { course: &course, parameters: &parameters, given: &given, tolerance: self.tolerance };
         (self.plan, self.careful) = plan::plan(&search)?;
@@ -313,66 +315,6 @@ impl Simulator {
         Ok(())
     }
 
-    /// Runs, and gives the plan that did.
-    pub(super) fn ran<T: Scalar>(&self, case: &Case<'_>) -> Result<(Ran<T>, Plan)> {
-        let direction =
-            |unknown: Unknown| case.unknowns.iter().position(|u| *u == unknown).unwrap_or(usize::MAX);
-        let known = |k: usize| self.constants.iter().any(|c| c.0 == k);
-        let parameter = |(k, p): (usize, &f64)| {
-            let d = if known(k) { usize::MAX } else { direction(Unknown::Parameter(k)) };
-            T::variable(*p, d)
-        };
-        let parameters: Vec<T> = case.parameters.iter().enumerate().map(parameter).collect();
-        if !self.is_dynamic() {
-            let values = static_run::run(&self.program, &self.samples, case.clocks, &parameters);
-            return Ok((
-                Ran { values, roughness: 0.0, swings: Vec::new(), blew_up: None, events: 0 },
-                self.plan,
-            ));
-        }
-        let (starts, steady) = self.starts(case.initials);
-        let given: Vec<T> =
-            starts.iter().enumerate().map(|(i, x)| T::variable(*x, direction(Unknown::Initial(i)))).collect();
-        let mesh = self.mesh_at(&case.parameters);
-        let mut plan = self.plan;
-        loop {
-            let course = Course { clocks: case.clocks, ..self.course(&mesh, plan, &steady) };
-            let ran = run(&course, &parameters, &given)?;
-            match self.better(&course, plan, &ran, (&case.parameters, &starts))? {
-                Some(next) => plan = next,
-                None => return Ok((ran, plan)),
-            }
-        }
-    }
-
-    /// The plan to repeat a run with, if it blew up or its error is foretold to be too large.
-    fn better<T>(
-        &self,
-        course: &Course<'_>,
-        plan: Plan,
-        ran: &Ran<T>,
-        (parameters, given): (&[f64], &[f64]),
-    ) -> Result<Option<Plan>> {
-        let excess = plan.foretold(ran.roughness) / (SLACK * self.tolerance.max(self.plan.error));
-        let blew_up = ran.blew_up.is_some();
-        let was_sought = plan.method == Method::Stiff && self.plan.method != Method::Stiff;
-        if was_sought || self.plan.error.is_nan() || !(blew_up || excess > 1.0) {
-            return Ok(None);
-        }
-        if plan.method == Method::Heun {
-            return Ok(self.careful);
-        }
-        let finer = plan.finer(excess.powf(0.25));
-        let most = plan::most_substeps(plan.method, course.mesh.intervals());
-        if !blew_up && finer.substeps <= most.min(MOST_FINER * self.plan.substeps) {
-            return Ok(Some(finer));
-        }
-        if plan.method == Method::Stiff {
-            return Ok(None);
-        }
-        Search { course, parameters, given, tolerance: self.tolerance }.stiff_if_it_converges()
-    }
-
     pub(super) fn mesh_at(&self, parameters: &[f64]) -> Arc<Mesh> {
         self.mesh.clone().unwrap_or_else(|| Arc::new(self.new_mesh(parameters)))
     }
@@ -390,7 +332,13 @@ impl Simulator {
         Mesh::new(&self.samples, &columns, self.span, &others)
     }
 
-    pub(super) fn course<'a>(&'a self, mesh: &'a Mesh, plan: Plan, steady: &'a [usize]) -> Course<'a> {
+    pub(super) fn course<'a>(
+        &'a self,
+        mesh: &'a Mesh,
+        plan: Plan,
+        steady: &'a [usize],
+        allowance: &'a Allowance<'a>,
+    ) -> Course<'a> {
         Course {
             program: &self.program,
             mesh,
@@ -398,21 +346,7 @@ impl Simulator {
             steady,
             method: plan.method,
             substeps: plan.substeps,
-            budget: &self.budget,
+            allowance,
         }
     }
-}
-
-/// How much larger than planned a foretold error may be before a run is repeated with more steps.
-const SLACK: f64 = 4.0;
-/// How many times more steps than planned are tried before the stiff method.
-const MOST_FINER: usize = 16;
-
-/// One run asked for.
-#[derive(Clone)]
-pub(super) struct Case<'a> {
-    pub parameters: Vec<f64>,
-    pub initials: &'a [f64],
-    pub unknowns: &'a [Unknown],
-    pub clocks: &'a [Clock],
 }

@@ -1,5 +1,6 @@
 //! # Purpose
-//! The slowest time of a model near the start of a run, to tell when a recording is too short.
+//! The slowest time of a model near the start of a run, to tell when a recording is too short, and the
+//! fastest, to tell why a run takes too long.
 //!
 //! # Method
 //! The characteristic polynomial of the Jacobian by the Faddeev-LeVerrier recursion; its roots.
@@ -27,6 +28,20 @@ impl Simulator {
     /// # Errors
     /// No steady state.
     pub fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Result<Option<f64>> {
+        let roots = self.roots_at_start(parameters, initials)?;
+        let slowest = roots.into_iter().fold(f64::INFINITY, f64::min);
+        Ok((slowest.is_finite() && slowest > 0.0).then(|| 1.0 / slowest))
+    }
+
+    /// The shortest time constant near the start, s; none where the model has no dynamics.
+    pub(super) fn fastest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {
+        let roots = self.roots_at_start(parameters, initials).ok()?;
+        let fastest = roots.into_iter().fold(0.0, f64::max);
+        (fastest.is_finite() && fastest > 0.0).then(|| 1.0 / fastest)
+    }
+
+    /// The magnitudes of the eigenvalues at the start that are not 0, 1/s.
+    fn roots_at_start(&self, parameters: &[f64], initials: &[f64]) -> Result<Vec<f64>> {
         let parameters = self.with_constants(parameters);
         let mesh = self.mesh_at(&parameters);
         let mut m = Machine::<f64>::new(&self.program, &mesh, &parameters);
@@ -36,8 +51,7 @@ impl Simulator {
         let (mut jacobian, mut explicit) = (vec![0.0; n * n], vec![0.0; n]);
         m.load(mesh.time[0], &x);
         m.slopes(&mut jacobian, &mut explicit);
-        let slowest = roots(&jacobian, n).into_iter().fold(f64::INFINITY, f64::min);
-        Ok((slowest.is_finite() && slowest > 0.0).then(|| 1.0 / slowest))
+        Ok(roots(&jacobian, n))
     }
 }
 

@@ -32,6 +32,13 @@ pub enum Method {
     Stiff,
 }
 
+impl Method {
+    /// Time that a step takes with n states, in explicit ones of the same model, roughly.
+    pub(super) fn work(self, n: usize) -> usize {
+        if self == Self::Stiff { 3 + n } else { 1 }
+    }
+}
+
 /// Room for the stages of a step.
 pub(super) struct Stepper<T> {
     method: Method,

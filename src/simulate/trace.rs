@@ -1,7 +1,8 @@
 //! States, definitions and rates of a run, on request.
 
+use super::again::Case;
 use super::probe::Clock;
-use super::simulator::{Case, Simulator};
+use super::simulator::Simulator;
 use crate::{Error, Result};
 use std::sync::Arc;
 

@@ -28,11 +28,11 @@ pub use options::{Effort, FitOptions, Progress, Silent, Weighting};
 pub use outcome::{Beside, Estimate, Fit, HeldOut, InitialEstimate, RecordFit, Series, Status, Warning};
 pub use spectra::{ResidualSpectrum, residual_spectra};
 
-use crate::Result;
 use crate::estimate::least_squares::{End, Minimum, minimise};
 use crate::model::Model;
 use crate::record::Recording;
 use crate::simulate::Early;
+use crate::{Error, ErrorKind, Result};
 use assemble::Assembly;
 use problem::FreeRun;
 use rig::Record;
@@ -62,17 +62,29 @@ pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) ->
         };
         let coarse = fitted;
         let found = once(&coarse.model, recordings, &finer);
-        if let (Err(_), Some(early)) = (&found, options.budget.over()) {
+        fitted = match found {
+            Ok(found) => found.0,
             // Not a single run was finished: the coarser fit is the best so far.
-            return Ok(Fit { ended_early: Some(early), ..coarse });
-        }
-        fitted = found?.0;
+            Err(e) if e.kind() == ErrorKind::NotComputed => return Ok(coarse_alone(coarse, &e, options)),
+            Err(e) => return Err(e),
+        };
         fitted.simulations += coarse.simulations;
         let own = std::mem::take(&mut fitted.warnings);
         let met = met.into_iter().filter(|w| !own.contains(w)).collect();
         fitted.warnings = [met, own].concat();
     }
     Ok(fitted)
+}
+
+/// A fit whose runs cannot be made as fine as its noise asks for.
+fn coarse_alone(coarse: Fit, e: &Error, options: &FitOptions<'_>) -> Fit {
+    let says = format!("the noise is so small that finer steps would be needed, which failed: {e}");
+    let ended_early = options.budget.over();
+    let mut warnings = coarse.warnings;
+    if ended_early.is_none() {
+        warnings.push(Warning { says });
+    }
+    Fit { ended_early, warnings, ..coarse }
 }
 
 /// One fit at one tolerance, the tolerance that its noise asks for, and what its search met with.
@@ -94,7 +106,6 @@ fn once(
     }
     let spent = (found.minimum.end == End::OutOfBudget).then_some(Early::Steps);
     let ended_early = options.budget.over().or(spent);
-    options.budget.tell(ended_early);
     options.budget.lift_time();
     let fitted = Assembly {
         ended_early,

@@ -22,9 +22,6 @@ use crate::simulate::Budget;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// One walk may spend one part in so many of what the fit may.
-const WALKS: u64 = 3;
-
 /// The free-run fit of some records.
 pub struct FreeRun<'a> {
     /// All parameters of the model; the free ones are replaced.
@@ -39,6 +36,8 @@ pub struct FreeRun<'a> {
     pub whitening: Option<&'a [NoiseModel]>,
     /// What may be spent.
     pub budget: &'a Budget,
+    /// One walk may spend one part in so many of it.
+    pub walks: u64,
     /// Steps spent at which the present walk ends.
     pub walk_ends: AtomicU64,
 }
@@ -113,7 +112,7 @@ impl FreeRun<'_> {
 
     /// Grants the next walk its share of the steps.
     pub fn begin_walk(&self) {
-        let ends = self.budget.spent().saturating_add(self.budget.most() / WALKS);
+        let ends = self.budget.spent().saturating_add(self.budget.most() / self.walks);
         self.walk_ends.store(ends, Ordering::Relaxed);
     }
 

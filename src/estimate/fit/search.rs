@@ -210,6 +210,16 @@ pub fn given(problem: &FreeRun<'_>) -> Vec<f64> {
     parameters.chain(initials).collect()
 }
 
+/// In how many walks a fit may spend what it may: from several starts, or one and another with the outputs'
+/// weights in balance, or one alone.
+fn walks(model: &Model, options: &FitOptions<'_>) -> u64 {
+    match options.effort {
+        Effort::Full => 3,
+        Effort::Near if model.outputs.len() > 1 => 2,
+        Effort::Near => 1,
+    }
+}
+
 /// A problem over some records with the weights of their signals.
 pub fn problem<'a>(
     model: &Model,
@@ -227,6 +237,7 @@ pub fn problem<'a>(
             super::options::Weighting::Whitened(noise) => Some(noise),
         },
         budget: &options.budget,
+        walks: walks(model, options),
         walk_ends: AtomicU64::new(u64::MAX),
     }
 }

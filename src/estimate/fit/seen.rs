@@ -104,7 +104,8 @@ const FAR: f64 = 10.0;
 
 /// Between what the start of each free state may lie. What an output shows needs no bounds. A hidden state
 /// of little effect would run away: it stays within so many times the extent of all signals of its dimension
-/// and of its own first guess, or, where there are none, of its course from there.
+/// and of its own first guess, or, where there are none, of its course from there; and no temperature in degC
+/// starts below absolute zero.
 pub fn reach(
     model: &Model,
     recording: &Recording,
@@ -127,8 +128,10 @@ pub fn reach(
             let swings = course.get_or_insert_with(|| rig.swings(&parameters, starts));
             swings.as_ref().and_then(|s| s.get(*k).copied())
         };
-        let alike = signals(model, recording, &model.states[*k].unit);
-        alike.and_then(around).or_else(|| own().and_then(around)).unwrap_or(Range::FREE)
+        let unit = &model.states[*k].unit;
+        let alike = signals(model, recording, unit);
+        let range = alike.and_then(around).or_else(|| own().and_then(around)).unwrap_or(Range::FREE);
+        Range { min: range.min.max(unit.lowest()), ..range }
     };
     free.iter().map(&mut one).collect()
 }

@@ -4,6 +4,7 @@ mod closed_forms;
 mod faults;
 mod memory;
 mod sensitivities;
+mod spent;
 
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};

@@ -1,0 +1,108 @@
+//! # Purpose
+//! A run that is repeated until its steps do for the parameters that it is made at.
+//!
+//! # Method
+//! The plan was made at the model's own parameters. Where a run blows up, or the roughness of its steps
+//! foretells too large an error, it is repeated with more steps of the same method until two of them agree,
+//! then with the stiff one. All together may spend what one simulation may; one that asks for more ends with
+//! the reason.
+
+use super::plan::{self, Plan, Search};
+use super::probe::Clock;
+use super::request::Unknown;
+use super::run::{Course, Ran, run};
+use super::simulator::Simulator;
+use super::steps::Method;
+use super::{static_run, stiff};
+use crate::Result;
+use crate::model::Scalar;
+
+/// How much larger than planned a foretold error may be before a run is repeated with more steps.
+const SLACK: f64 = 4.0;
+/// How many times more steps than planned are tried before the stiff method.
+const MOST_FINER: usize = 16;
+
+/// One run asked for.
+#[derive(Clone)]
+pub(super) struct Case<'a> {
+    pub parameters: Vec<f64>,
+    pub initials: &'a [f64],
+    pub unknowns: &'a [Unknown],
+    pub clocks: &'a [Clock],
+}
+
+impl Simulator {
+    /// Runs, and gives the plan that did.
+    ///
+    /// # Errors
+    /// No start; a time limit that is up; more steps than one simulation may spend.
+    pub(super) fn ran<T: Scalar>(&self, case: &Case<'_>) -> Result<(Ran<T>, Plan)> {
+        let direction =
+            |unknown: Unknown| case.unknowns.iter().position(|u| *u == unknown).unwrap_or(usize::MAX);
+        let known = |k: usize| self.constants.iter().any(|c| c.0 == k);
+        let parameter = |(k, p): (usize, &f64)| {
+            let d = if known(k) { usize::MAX } else { direction(Unknown::Parameter(k)) };
+            T::variable(*p, d)
+        };
+        let parameters: Vec<T> = case.parameters.iter().enumerate().map(parameter).collect();
+        if !self.is_dynamic() {
+            let values = static_run::run(&self.program, &self.samples, case.clocks, &parameters);
+            return Ok((Ran::of_none(values), self.plan));
+        }
+        let (starts, steady) = self.starts(case.initials);
+        let given: Vec<T> =
+            starts.iter().enumerate().map(|(i, x)| T::variable(*x, direction(Unknown::Initial(i)))).collect();
+        let mesh = self.mesh_at(&case.parameters);
+        let allowance = self.budget.one_run();
+        let mut plan = self.plan;
+        let mut last: Option<(Ran<T>, Method)> = None;
+        loop {
+            let course = Course { clocks: case.clocks, ..self.course(&mesh, plan, &steady, &allowance) };
+            let ran = run(&course, &parameters, &given)?;
+            if ran.is_cut {
+                return Err(stiff::too_long(self, &mesh, (&case.parameters, case.initials)));
+            }
+            if let Some((coarser, method)) = &last
+                && *method == plan.method
+            {
+                plan.error = ran.difference(case.clocks, coarser);
+                plan.roughness = ran.roughness;
+            }
+            match self.better(&course, plan, &ran, (&case.parameters, &starts))? {
+                Some(next) => {
+                    last = Some((ran, plan.method));
+                    plan = next;
+                }
+                None => return Ok((ran, plan)),
+            }
+        }
+    }
+
+    /// The plan to repeat a run with, if it blew up or its error is foretold to be too large.
+    fn better<T>(
+        &self,
+        course: &Course<'_>,
+        plan: Plan,
+        ran: &Ran<T>,
+        (parameters, given): (&[f64], &[f64]),
+    ) -> Result<Option<Plan>> {
+        let excess = plan.foretold(ran.roughness) / (SLACK * self.tolerance.max(self.plan.error));
+        let blew_up = ran.blew_up.is_some();
+        let was_sought = plan.method == Method::Stiff && self.plan.method != Method::Stiff;
+        if was_sought || self.plan.error.is_nan() || !(blew_up || excess > 1.0) {
+            return Ok(None);
+        }
+        if plan.method == Method::Heun {
+            return Ok(self.careful);
+        }
+        let finer = plan.finer(excess.powf(0.25));
+        let most = plan::most_substeps(plan.method, course.mesh.intervals());
+        if !blew_up && finer.substeps <= most.min(MOST_FINER * self.plan.substeps) {
+            return Ok(Some(finer));
+        }
+        if plan.method == Method::Stiff {
+            return Ok(None);
+        }
+        Search { course, parameters, given, tolerance: self.tolerance }.stiff_if_it_converges()
+    }
+}
