@@ -32,6 +32,7 @@
 //! | [`simulate`](mod@simulate) | a model on a recording |
 //! | [`estimate`] | noise models and fits |
 //! | [`diagnose`](mod@diagnose) | what is missing |
+//! | [`rolling`] | the rolling error as it is asked for: compass, motion, rows |
 
 #[cfg(feature = "diagnose")]
 pub mod diagnose;
@@ -57,6 +58,8 @@ pub mod record;
 #[cfg(feature = "diagnose")]
 #[doc(hidden)]
 pub mod report;
+#[cfg(all(feature = "diagnose", feature = "symbolic"))]
+pub mod rolling;
 #[cfg(feature = "diagnose")]
 pub mod simulate;
 #[cfg(feature = "instruments")]

@@ -58,6 +58,16 @@ impl Sea {
         }
     }
 
+    /// The same sea of another H_s, m; the peak of a fully grown one goes with it.
+    #[must_use]
+    pub fn of_height(self, height: f64) -> Self {
+        match self {
+            Self::PiersonMoskowitz { .. } => Self::PiersonMoskowitz { height },
+            Self::Bretschneider { peak, .. } => Self::Bretschneider { height, peak },
+            Self::Jonswap { peak, gamma, .. } => Self::Jonswap { height, peak, gamma },
+        }
+    }
+
     /// ω_p, rad/s.
     pub fn peak(&self) -> f64 {
         match *self {

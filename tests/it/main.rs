@@ -37,6 +37,7 @@ mod results;
 mod roll_band;
 mod roll_error;
 mod roll_tail;
+mod rolling;
 mod saddles;
 mod schemas;
 mod simulate;

@@ -5,7 +5,9 @@ use super::model::Model;
 use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
-use gyrospec::cli::roll_error::{Given, answer};
+use gyrospec::cli::roll_error::{Given, asked};
+use gyrospec::report::polar;
+use gyrospec::report::rolling::{Sheet, card, json, page, text};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -24,26 +26,32 @@ pub fn roll_error(
     recording: Option<PyRef<'_, Recording>>,
     options: Vec<String>,
 ) -> PyResult<Told> {
-    let (path, text) = match compass {
+    let (path, model) = match compass {
         Some(Compass::Model(model)) => (None, Some(model.0.to_toml())),
         Some(Compass::Path(path)) => (Some(path), None),
         None => (None, None),
     };
     let recording = recording.map(|r| Arc::clone(&r.0));
-    let answer = patiently(py, move |_| {
-        answer(
-            &options,
-            &Given { path: path.as_deref(), text: text.as_deref(), recording: recording.as_deref() },
-        )
+    let told = patiently(py, move |progress| {
+        let given = Given { path: path.as_deref(), text: model.as_deref(), recording: recording.as_deref() };
+        let (asked, seed) = asked(&options, &given)?;
+        let table = asked.table(progress)?;
+        let json = json(&table)?;
+        // a point or two are no picture of a card
+        let picture = card(&table).filter(|_| table.rows.len() > 2).map(|c| polar::svg(&c));
+        Ok((Arc::new(table), seed, json, picture.unwrap_or_default()))
     })?;
-    let text = answer.text;
-    let page = answer.html;
+    let (table, seed, json, picture) = told;
+    let again = Arc::clone(&table);
     Ok(Told {
-        json: answer.json,
+        json,
         warnings: Vec::new(),
         model: None,
-        picture: answer.svg,
-        text: Box::new(move || text.clone()),
-        html: Box::new(move || page.clone()),
+        picture,
+        text: Box::new(move || text(&again)),
+        html: Box::new(move || {
+            let formula = table.closed_form().map(|d| d.formula.text());
+            page(&Sheet { table: &table, every: 1, formula: formula.as_deref(), seed })
+        }),
     })
 }

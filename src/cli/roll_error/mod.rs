@@ -1,26 +1,23 @@
 //! `gyrospec roll-error`: mean and spread of the rolling error.
 
-mod described;
-mod equations;
+mod compass;
 mod examples;
-mod formulas;
-mod free;
-mod json;
-mod measured;
-mod nonlinear;
+mod hints;
 mod options;
-mod page;
-mod parameters;
 mod recording;
-mod table;
-mod tail;
 
 use super::input::Held;
+use super::progress::Meter;
 use super::{Outcome, output};
+use crate::estimate::fit::Progress;
 use crate::gyro::SIGN;
 use crate::record::read_once;
 use crate::report::polar;
-use crate::{Error, Result};
+use crate::report::rolling::{Sheet, card, formula_json, formula_text, free_text, json, page, text};
+use crate::rolling::{Compass, Recorded, Request, Table, closed_form, closed_values, left_alone};
+use crate::{Error, ErrorKind, Result};
+use hints::worded;
+use options::RowOptions;
 use std::path::PathBuf;
 
 /// Mean and spread of a gyrocompass's heading error on a rolling ship.
@@ -124,22 +121,80 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
         return Ok(Outcome::Done);
     }
     let named = |e: Error| parameters.map_or(e.clone(), |held| held.place(e));
-    let compass = parameters::read(parameters.map(Held::path), &a.instrument).map_err(named)?;
+    let compass = compass::read(parameters.map(Held::path), &a.instrument).map_err(named)?;
     if a.formula || a.free {
         if file.is_some() {
             return Err(Error::usage("a recording says nothing of the closed form or of the free motion"));
         }
-        let text = if a.free { free::text(&compass)? } else { formulas::text(&compass, a)? };
-        told(&text, a.json)?;
+        told(&if a.free { free(&compass)? } else { formula(&compass, a)? }, a.json)?;
         return Ok(Outcome::Done);
     }
     computed(a, (compass, file), (picture, html), read)
 }
 
+/// The compass left alone, and a sudden change of 10 kn.
+fn free(compass: &Compass) -> Result<String> {
+    Ok(free_text(compass, &left_alone(&compass.sphere, 10.0 * 1852.0 / 3600.0)?))
+}
+
+/// The closed form, with its value on each heading.
+fn formula(compass: &Compass, a: &Arguments) -> Result<String> {
+    if a.motion.is_sea() {
+        return Err(Error::usage("a sea's fitted spectrum has no short formula")
+            .with_hint("leave --sea away: the formula is for irregular roll of the form (3.3)"));
+    }
+    if a.motion.is_regular() {
+        return Err(Error::usage("the closed form is for irregular roll; on regular roll the lag has (2.4)").with_hint(
+            "−P²θ₀²h²p⁴ sin 2K/(4 g² H U C₀ cos φ (1 + p²T²)) = mean α; --regular without --formula gives its value",
+        ));
+    }
+    let others = "formulas: the lag (no option), --inertia, --flow; any other: gyrospec formula";
+    let derived = closed_form(compass.part)
+        .map_err(|e| if e.kind() == ErrorKind::Usage { e.with_hint(others) } else { e })?;
+    let excitation = a.motion.excitation(compass.roll)?;
+    let headings = if a.rows.has_headings() { a.rows.headings()? } else { vec![45f64.to_radians()] };
+    let values = closed_values(compass, &excitation, &headings)?;
+    Ok(if a.json {
+        formula_json(&excitation, &derived, &values)
+    } else {
+        formula_text(compass, &excitation, &derived, &values)
+    })
+}
+
+/// What is asked for.
+pub enum Asked {
+    /// Of what the options describe.
+    Options(Box<Request>),
+    /// Of a recorded roll.
+    Recorded(Box<Recorded>),
+}
+
+impl Asked {
+    fn options(compass: Compass, a: &Arguments, rows: &RowOptions) -> Result<Self> {
+        let excitation = a.motion.excitation(compass.roll)?;
+        let against = rows.rows(&a.instrument, &a.motion)?;
+        Ok(Self::Options(Box::new(Request { compass, excitation, against, days: rows.days()? })))
+    }
+
+    /// The table, or what stands against it in the words of the options.
+    pub fn table(&self, progress: &dyn Progress) -> Result<Table> {
+        match self {
+            Self::Recorded(recorded) => recorded.table(progress),
+            Self::Options(request) => {
+                let prepared = request.prepare()?;
+                match prepared.obstacle()? {
+                    Some(obstacle) => Err(worded(&obstacle)),
+                    None => prepared.table(progress),
+                }
+            }
+        }
+    }
+}
+
 /// The rows of a motion, put where they were asked for.
 fn computed(
     a: &Arguments,
-    (compass, file): (parameters::Compass, Option<&Held>),
+    (compass, file): (Compass, Option<&Held>),
     (picture, html): (Option<output::Place>, Option<output::Place>),
     mut read: Vec<PathBuf>,
 ) -> Result<Outcome> {
@@ -148,27 +203,30 @@ fn computed(
     if (picture.is_some() || html.is_some()) && !rows.has_headings() && rows.days()?.is_none() {
         rows.step = PICTURE_STEP;
     }
-    let mut plan = match file {
+    let asked = match file {
         Some(held) => {
             let recording = recording::read(held, a.roll.as_deref())?;
             super::record::tell_notes([&recording]);
             read.extend(recording.sources.iter().map(|s| s.file.clone()));
             output::spare(picture.iter().chain(&html), &read)?;
-            measured::plan(&compass, &recording, a, &rows)?
+            Asked::Recorded(Box::new(recording::asked(&compass, &recording, a, &rows)?))
         }
-        None => table::Plan::of_options(compass, a, &rows)?,
+        None => Asked::options(compass, a, &rows)?,
     };
-    let drawn = plan.evaluate(rows.days()?, rows.seed)?;
+    let table = asked.table(&Meter)?;
     let every = if rows.step == a.rows.step || rows.has_headings() { 1 } else { a.rows.step / rows.step };
-    let result: Vec<&table::Row> = drawn.iter().step_by(every).collect();
-    let text = if a.json { json::text(&plan, &result)? } else { table::text(&plan, &result) };
+    let shown = table.every(every);
+    let text = if a.json { json(&shown)? } else { text(&shown) };
     let mut results = Vec::new();
     if let Some(place) = html {
-        let page = page::html(&plan, (&drawn, &result), plan.compass.part(&a.instrument)?, a)?;
-        results.push(place.data(page));
+        let formula = table.closed_form().map(|d| d.formula.text());
+        let sheet = Sheet { table: &table, every, formula: formula.as_deref(), seed: a.rows.seed };
+        results.push(place.data(page(&sheet)));
     }
     if let Some(place) = picture {
-        results.push(place.data(polar::svg(&plan.polar(&drawn)?)));
+        let card = card(&table)
+            .ok_or_else(|| Error::usage("the polar picture runs over headings; leave --against away"))?;
+        results.push(place.data(polar::svg(&card)));
     }
     output::put(&results, &read)?;
     if !to_stdout {
@@ -194,18 +252,8 @@ pub struct Given<'a> {
     pub recording: Option<&'a crate::record::Recording>,
 }
 
-/// The same three ways.
-pub struct Answer {
-    pub json: String,
-    pub text: String,
-    /// The polar picture; empty where the rows do not run over headings.
-    pub svg: String,
-    /// The page.
-    pub html: String,
-}
-
-/// What the options of the command line ask for, of what lies in memory.
-pub fn answer(options: &[String], given: &Given<'_>) -> Result<Answer> {
+/// What the words of the options ask for, of what lies in memory, and the seed.
+pub fn asked(options: &[String], given: &Given<'_>) -> Result<(Asked, u64)> {
     #[derive(clap::Parser)]
     struct Alone {
         #[command(flatten)]
@@ -214,25 +262,17 @@ pub fn answer(options: &[String], given: &Given<'_>) -> Result<Answer> {
     let words = std::iter::once("roll-error").chain(options.iter().map(String::as_str));
     let a = <Alone as clap::Parser>::try_parse_from(words).map_err(|e| usage(&e))?.arguments;
     let compass = match given.text {
-        Some(text) => parameters::of_text(text, &a.instrument)?,
-        None => parameters::read(given.path, &a.instrument)?,
+        Some(text) => compass::with(Compass::parse(text)?, &a.instrument)?,
+        None => compass::read(given.path, &a.instrument)?,
     };
-    let mut plan = match given.recording {
-        Some(recording) => measured::plan(&compass, recording, &a, &a.rows)?,
+    let asked = match given.recording {
+        Some(recording) => Asked::Recorded(Box::new(recording::asked(&compass, recording, &a, &a.rows)?)),
         None if a.roll.is_some() => {
             return Err(Error::usage("roll names the channel of a recording, and there is none"));
         }
-        None => table::Plan::of_options(compass, &a, &a.rows)?,
+        None => Asked::options(compass, &a, &a.rows)?,
     };
-    let drawn = plan.evaluate(a.rows.days()?, a.rows.seed)?;
-    let rows: Vec<&table::Row> = drawn.iter().collect();
-    let svg = if plan.against == options::Against::Heading && drawn.len() > 2 {
-        polar::svg(&plan.polar(&drawn)?)
-    } else {
-        String::new()
-    };
-    let html = page::html(&plan, (&drawn, &rows), plan.compass.part(&a.instrument)?, &a)?;
-    Ok(Answer { json: json::text(&plan, &rows)?, text: table::text(&plan, &rows), svg, html })
+    Ok((asked, a.rows.seed))
 }
 
 /// A parser's refusal without its advice on calling the program.
@@ -245,7 +285,7 @@ fn usage(e: &clap::Error) -> Error {
 /// A lone file is the compass if it has parameters, else the recording.
 fn files(held: &[Option<Held>; 2]) -> (Option<&Held>, Option<&Held>) {
     match [held[0].as_ref(), held[1].as_ref()] {
-        [Some(only), None] if !parameters::has_parameters(only.path()) => (None, Some(only)),
+        [Some(only), None] if !compass::has_parameters(only.path()) => (None, Some(only)),
         [first, second] => (first, second),
     }
 }

@@ -1,12 +1,11 @@
 //! What the command line says of the instrument, the motion and the rows wanted.
 
-use super::described::{Described, rational_sea, regular};
-use super::parameters::Part;
 use crate::cli::quantity::{angle, quantities, quantity};
-use crate::gyro::elastic::{Backlash, Compliance, Elastic, Friction, Inertia, Lag, Relaxing};
+use crate::gyro::elastic::{Backlash, Compliance, Friction, Relaxing};
 use crate::gyro::range::{self, Range};
-use crate::gyro::{Axis, Motion};
-use crate::lti::TransferFunction;
+use crate::gyro::seed::Regular;
+use crate::gyro::{Axis, seed};
+use crate::rolling::{Against as Rows, Compass, Days, Excitation, Part, Source, Waves};
 use crate::spectrum::{Hull, Roll, Sea};
 use crate::{Error, Result};
 use clap::{Args, ValueEnum};
@@ -48,11 +47,6 @@ impl InstrumentOptions {
         self.is_lag() && self.latitude.is_none() && self.lever.is_none() && self.speed.is_none()
     }
 
-    /// Whether a part is asked for that moves no mean.
-    pub fn has_idle(&self) -> bool {
-        self.vertical.is_some()
-    }
-
     /// Whether the part is the paper's lag.
     pub fn is_lag(&self) -> bool {
         !self.inertia
@@ -61,40 +55,66 @@ impl InstrumentOptions {
                 .all(|o| o.is_none())
     }
 
-    /// The kind of part asked for; `None` when nothing was said.
-    pub fn kind(&self) -> Result<Option<Part>> {
-        Ok(match &self.flow {
-            _ if self.is_lag() => None,
-            _ if self.inertia => Some(Part::Inertia),
-            Some(text) => {
-                let v = quantities("flow", text, &[&range::RELAXATION, &range::SHARE])?;
-                Some(Part::Flow(Relaxing { time: v[0], share: v[1] }))
-            }
-            None => Some(Part::Other),
-        })
-    }
-
-    /// The elastic part asked for.
-    pub fn part(&self) -> Result<Box<dyn Elastic>> {
+    /// The elastic part asked for; `None` when nothing was said.
+    fn part(&self) -> Result<Option<Part>> {
         let pair = |name: &str, text: &Option<String>| -> Result<Option<(f64, f64)>> {
             let Some(text) = text else { return Ok(None) };
             quantities(name, text, &[&range::STIFFNESS, &range::RELAXATION]).map(|v| Some((v[0], v[1])))
         };
+        if self.is_lag() {
+            return Ok(None);
+        }
         if self.meridian.is_some() || self.vertical.is_some() {
             let meridian = pair("meridian", &self.meridian)?;
-            return Ok(Box::new(Compliance { meridian, vertical: pair("vertical", &self.vertical)? }));
+            let vertical = pair("vertical", &self.vertical)?;
+            return Ok(Some(Part::Compliance(Compliance { meridian, vertical })));
         }
-        if let Some(text) = &self.friction {
-            return Ok(Box::new(Friction { force: quantity("friction", text, &range::FRICTION)? }));
+        Ok(Some(match (&self.friction, &self.free_play, &self.flow) {
+            (Some(text), _, _) => {
+                Part::Friction(Friction { force: quantity("friction", text, &range::FRICTION)? })
+            }
+            (_, Some(text), _) => {
+                Part::FreePlay(Backlash { gap: quantity("free-play", text, &range::FREE_PLAY)? })
+            }
+            (_, _, Some(text)) => {
+                let v = quantities("flow", text, &[&range::RELAXATION, &range::SHARE])?;
+                Part::Flow(Relaxing { time: v[0], share: v[1] })
+            }
+            _ => Part::Inertia,
+        }))
+    }
+
+    /// Puts what is said into a compass. An option beside a model with a part of its own is refused, since neither
+    /// can be taken without dropping the other.
+    pub fn put(&self, compass: &mut Compass) -> Result<()> {
+        let s = &mut compass.sphere;
+        if let Some(text) = &self.latitude {
+            s.latitude = angle("latitude", text, &range::LATITUDE)?;
         }
-        if let Some(text) = &self.free_play {
-            return Ok(Box::new(Backlash { gap: quantity("free-play", text, &range::FREE_PLAY)? }));
+        let places: [(&str, &Option<String>, &Range, &mut f64); 2] = [
+            ("lever", &self.lever, &range::LEVER, &mut s.lever),
+            ("speed", &self.speed, &range::SPEED, &mut compass.speed),
+        ];
+        for (name, option, range, place) in places {
+            if let Some(text) = option {
+                *place = quantity(name, text, range)?;
+            }
         }
-        Ok(match self.kind()? {
-            Some(Part::Flow(relaxing)) => Box::new(relaxing),
-            Some(Part::Inertia) => Box::new(Inertia),
-            _ => Box::new(Lag),
-        })
+        let Some(part) = self.part()? else { return Ok(()) };
+        let (own, symbols) = match compass.part {
+            Part::Inertia => ("inertia", "the model's x_rate"),
+            Part::Flow(_) => ("a second relaxation by liquid flow", "T2 and kappa"),
+            _ => {
+                compass.part = part;
+                return Ok(());
+            }
+        };
+        Err(Error::usage(format!(
+            "this model has an elastic part of its own, {own}, and an option asks for another"
+        ))
+        .with_hint(format!(
+            "take the plain `gyrosphere` (without {symbols}) with the option, or leave the option away"
+        )))
     }
 }
 
@@ -154,17 +174,6 @@ struct SeaOptions {
 }
 
 impl MotionOptions {
-    /// Whether the motion is irregular roll of the form (3.3), as A, μ, ε say.
-    pub fn irregular_roll(&self, default: &Roll) -> Result<Option<Roll>> {
-        if self.sea.is_some() || self.regular.is_some() {
-            return Ok(None);
-        }
-        let Some(text) = &self.irregular else { return Ok(Some(*default)) };
-        let ranges = [&range::ROLL_DEVIATION, &range::ROLL_DECAY, &range::ROLL_FREQUENCY];
-        let v = quantities("irregular", text, &ranges)?;
-        Roll::new(v[0] * v[0], v[1], v[2]).map(Some)
-    }
-
     /// Whether a motion was asked for.
     pub fn given(&self) -> bool {
         self.irregular.is_some() || self.regular.is_some() || self.sea.is_some() || self.band.is_some()
@@ -180,84 +189,54 @@ impl MotionOptions {
         self.regular.is_some()
     }
 
-    /// Whether the sea's height is said.
-    pub fn has_height(&self) -> bool {
-        self.waves.height.is_some()
-    }
-
-    /// Whether a motion is asked for that moves no mean.
-    pub fn has_idle(&self) -> bool {
-        self.waves.also.contains(&Also::Heave)
-    }
-
-    /// Whether the waves run along the ship as well, rad.
-    pub fn along(&self) -> Result<bool> {
-        Ok(self.is_sea() && Hull::slopes(self.waves.from()?).1 != 0.0)
-    }
-
-    /// The motion asked for; in a sea of significant height `height` if given.
-    pub fn motion(&self, default: &Roll, height: Option<f64>) -> Result<Described> {
-        let described = match (self.sea, &self.regular) {
-            (Some(kind), _) => self.in_sea(kind, height)?,
-            (None, Some(text)) => regular(text)?,
-            (None, None) => self.irregular(default)?,
-        };
-        match &self.band {
-            Some(text) => described.banded(quantity("band", text, &range::BAND)?),
-            None => Ok(described),
-        }
-    }
-
-    fn irregular(&self, default: &Roll) -> Result<Described> {
-        let roll = self.irregular_roll(default)?.unwrap_or(*default);
-        let says = format!(
-            "irregular roll, standard deviation {:.2}°, μ = {} 1/s, ε = {} rad/s",
-            roll.variance.sqrt().to_degrees(),
-            roll.decay,
-            roll.frequency
-        );
-        Ok(Described::new(Motion::roll(&roll), says))
-    }
-
-    fn in_sea(&self, kind: SeaKind, height: Option<f64>) -> Result<Described> {
-        let sea = self.waves.sea(kind, height)?;
-        let fit = rational_sea(&sea)?;
-        let (motion, bearing) = (Motion::in_sea(&fit.shaping, &self.waves.responses()?)?, self.waves.from()?);
-        let says = |size: &str| {
-            format!(
-                "{} sea from {:03.0}° off the bow, {size}; rational spectrum within {:.1} % (its slope's power within {:.1} %)",
-                ["Pierson-Moskowitz", "Bretschneider", "JONSWAP"][kind as usize],
-                bearing.to_degrees(),
-                100.0 * fit.error,
-                100.0 * fit.power_error.abs()
-            )
-        };
-        let period = format!("peak period {:.1} s", std::f64::consts::TAU / sea.peak());
-        let own = says(&format!("significant height {:.2} m, {period}", sea.height()));
-        let any = says(&match kind {
-            SeaKind::Pm => {
-                "of each significant height in turn, with the peak period that goes with it".into()
+    /// What moves the ship; irregular roll is `default`, else the paper's, where nothing is said.
+    pub fn excitation(&self, default: Option<Roll>) -> Result<Excitation> {
+        let source = match (self.sea, &self.regular, &self.irregular) {
+            (Some(kind), _, _) => Source::Sea(self.waves.waves(kind)?),
+            (None, Some(text), _) => {
+                let v = quantities("regular", text, &[&range::ROLL_AMPLITUDE, &range::ROLL_FREQUENCY])?;
+                Source::Regular(Regular { amplitude: v[0], frequency: v[1] })
             }
-            _ => format!("of each significant height in turn, {period}"),
-        });
-        Ok(Described { sea: Some(sea), of_all: Some(any), ..Described::new(motion, own) })
+            (None, None, Some(text)) => {
+                let ranges = [&range::ROLL_DEVIATION, &range::ROLL_DECAY, &range::ROLL_FREQUENCY];
+                let v = quantities("irregular", text, &ranges)?;
+                Source::Irregular(Roll::new(v[0] * v[0], v[1], v[2])?)
+            }
+            (None, None, None) => Source::Irregular(default.unwrap_or_else(|| seed::example_3_1().1)),
+        };
+        let band = self.band.as_deref().map(|text| quantity("band", text, &range::BAND)).transpose()?;
+        Ok(Excitation { source, band })
     }
 }
 
 impl SeaOptions {
-    /// The bearing, rad.
-    fn from(&self) -> Result<f64> {
+    /// The sea and the ship in it.
+    fn waves(&self, kind: SeaKind) -> Result<Waves> {
+        let sea = self.sea(kind)?;
         let from = self.sea_from.as_deref().map(|t| angle("sea-from", t, &range::SEA_FROM)).transpose()?;
-        Ok(from.unwrap_or(std::f64::consts::FRAC_PI_2))
+        let from = from.unwrap_or(std::f64::consts::FRAC_PI_2);
+        let hull = self.hull()?;
+        let (athwart, along) = Hull::slopes(from);
+        let pitches = self.also.contains(&Also::Pitch);
+        if pitches && along == 0.0 {
+            return Err(Error::usage("a sea from abeam has no slope along the ship: nothing excites pitch")
+                .with_hint("say where it comes from, as --sea-from 60deg (0 is ahead, 90 abeam), or leave pitch away"));
+        }
+        if !pitches && athwart == 0.0 {
+            return Err(Error::usage(
+                "a sea from ahead or astern has no slope athwart: nothing excites roll",
+            )
+            .with_hint("say --also pitch, or another --sea-from"));
+        }
+        let axis = |also: &Also| if *also == Also::Pitch { Axis::Pitch } else { Axis::Heave };
+        Ok(Waves { sea, from, hull, also: self.also.iter().map(axis).collect() })
     }
 
-    /// The sea; of significant height `height` if given.
-    fn sea(&self, kind: SeaKind, height: Option<f64>) -> Result<Sea> {
+    fn sea(&self, kind: SeaKind) -> Result<Sea> {
         let read = |name, text: &Option<String>, range: &Range| {
             text.as_deref().map(|t| quantity(name, t, range)).transpose()
         };
-        let asked = read("height", &self.height, &range::WAVE_HEIGHT)?;
-        let height = height.or(asked).unwrap_or(3.0);
+        let height = read("height", &self.height, &range::WAVE_HEIGHT)?.unwrap_or(3.0);
         let period = read("period", &self.period, &range::WAVE_PERIOD)?;
         let peak = std::f64::consts::TAU / period.unwrap_or(8.0);
         if self.gamma.is_some() && kind != SeaKind::Jonswap {
@@ -283,33 +262,6 @@ impl SeaOptions {
         let v = quantities("ship", text, &ranges)?;
         Ok(Hull { frequency: std::f64::consts::TAU / v[0], damping: v[1], slope: v[2], beam: v[3] })
     }
-
-    fn responses(&self) -> Result<Vec<(Axis, TransferFunction)>> {
-        let (hull, from) = (self.hull()?, self.from()?);
-        let (athwart, along) = Hull::slopes(from);
-        let pitches = self.also.contains(&Also::Pitch);
-        if pitches && along == 0.0 {
-            return Err(Error::usage("a sea from abeam has no slope along the ship: nothing excites pitch")
-                .with_hint("say where it comes from, as --sea-from 60deg (0 is ahead, 90 abeam), or leave pitch away"));
-        }
-        if !pitches && athwart == 0.0 {
-            return Err(Error::usage(
-                "a sea from ahead or astern has no slope athwart: nothing excites roll",
-            )
-            .with_hint("say --also pitch, or another --sea-from"));
-        }
-        let mut all = Vec::new();
-        if athwart != 0.0 {
-            all.push((Axis::Roll, hull.roll_response(from)?));
-        }
-        for also in &self.also {
-            all.push(match also {
-                Also::Pitch => (Axis::Pitch, hull.pitch_response(from)?),
-                Also::Heave => (Axis::Heave, hull.heave_response(from)?),
-            });
-        }
-        Ok(all)
-    }
 }
 
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
@@ -320,6 +272,9 @@ pub enum Against {
     Height,
 }
 
+/// Step of the headings of a table, degrees.
+pub const STEP: usize = 15;
+
 #[derive(Args, Clone)]
 pub struct RowOptions {
     /// What the rows of the table run over.
@@ -329,7 +284,7 @@ pub struct RowOptions {
     #[arg(long = "heading", allow_hyphen_values = true)]
     headings: Vec<String>,
     /// Step of the headings when none is given, degrees.
-    #[arg(skip = 15usize)]
+    #[arg(skip = STEP)]
     pub step: usize,
     /// Simulate this many days beside the formula, two at least.
     #[arg(long, value_name = "DAYS")]
@@ -345,12 +300,12 @@ impl RowOptions {
         !self.headings.is_empty()
     }
 
-    /// The number of days to simulate: two at least, since the interval comes from their scatter.
-    pub fn days(&self) -> Result<Option<usize>> {
+    /// The days to simulate: two at least, since the interval comes from their scatter.
+    pub fn days(&self) -> Result<Option<Days>> {
         match self.simulate {
             Some(0 | 1) => Err(Error::usage("--simulate needs two days at least")
                 .with_hint("each day is a replicate, and the 99 % interval comes from their scatter")),
-            days => Ok(days),
+            days => Ok(days.map(|count| Days { count, seed: self.seed })),
         }
     }
 
@@ -365,5 +320,34 @@ impl RowOptions {
             return Ok((0..360).step_by(self.step).map(|k| f64::from(k).to_radians()).collect());
         }
         self.headings.iter().map(|text| angle("heading", text, &range::HEADING)).collect()
+    }
+
+    /// What the rows run over; it is said in no other option.
+    pub fn rows(&self, instrument: &InstrumentOptions, motion: &MotionOptions) -> Result<Rows> {
+        let headings = self.headings()?;
+        let refused = |says: &str| Err(Error::usage(says));
+        match self.against {
+            Against::Latitude if instrument.latitude.is_some() => {
+                return refused("--against latitude runs over all latitudes; leave --latitude away");
+            }
+            Against::Height if motion.waves.height.is_some() => {
+                return refused("--against height runs over all heights; leave --height away");
+            }
+            Against::Heading => return Ok(Rows::Heading(headings)),
+            _ => {}
+        }
+        let heading = match headings[..] {
+            [one] => one,
+            _ if self.has_headings() => {
+                return refused("--against latitude and --against height take one --heading");
+            }
+            _ => 45f64.to_radians(),
+        };
+        match self.against {
+            Against::Height if !motion.is_sea() => Err(Error::usage("--against height needs a sea")
+                .with_hint("say --sea pm, bretschneider or jonswap")),
+            Against::Height => Ok(Rows::Height { heading }),
+            _ => Ok(Rows::Latitude { heading }),
+        }
     }
 }

@@ -1,9 +1,32 @@
 //! A recording of a ship's motion, with or without units in its header.
 
+use super::Arguments;
+use super::hints::worded;
+use super::options::{Against, RowOptions};
 use crate::cli::input::Held;
 use crate::record::{Input, Recording};
+use crate::rolling::{Compass, Recorded, analyse};
 use crate::{Error, Result};
 use std::path::Path;
+
+/// The rolling error on a recorded roll, as it is asked for.
+pub fn asked(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowOptions) -> Result<Recorded> {
+    if a.motion.given() || rows.against != Against::Heading {
+        return Err(Error::usage("a recording is the motion, and its rows run over headings")
+            .with_hint("leave the options of the motion and --against away"));
+    }
+    let name = roll_name(recording, a.roll.as_deref())?;
+    let mut compass = compass.clone();
+    if let (Some(latitude), None) = (recording.constant("lat"), &a.instrument.latitude) {
+        compass.sphere.latitude = latitude;
+        compass.sphere.check()?;
+    }
+    if let Some(obstacle) = Recorded::obstacle(&compass)? {
+        return Err(worded(&obstacle));
+    }
+    let analysis = analyse(recording, &name)?;
+    Ok(Recorded { compass, analysis, headings: rows.headings()?, days: rows.days()? })
+}
 
 /// Reads a recording. For a bare CSV whose header has no units, `roll` as NAME:UNIT says what
 /// the roll column is; its first column is then time in seconds.
@@ -49,7 +72,7 @@ fn hinted(path: &Path, e: Error) -> Error {
 }
 
 /// The roll channel: the one asked for, else `roll`, else the only one whose name starts so.
-pub fn roll_name(recording: &Recording, asked: Option<&str>) -> Result<String> {
+fn roll_name(recording: &Recording, asked: Option<&str>) -> Result<String> {
     if let Some(name) = asked {
         return Ok(name.split_once(':').map_or(name, |(n, _)| n).to_owned());
     }

@@ -1,37 +1,42 @@
-//! The same as one JSON object.
+//! The table of errors as one JSON object.
 
-use super::options::Against;
-use super::table::{Plan, Row};
+use super::words;
 use crate::gyro::validity::Smallness;
 use crate::gyro::{SIGN, Tail};
+use crate::rolling::{Against, Row, Table};
 use crate::{Error, Result};
 use serde_json::{Value, json};
 
-pub fn text(plan: &Plan, rows: &[&Row]) -> Result<String> {
-    let s = &plan.compass.sphere;
-    let against = match plan.against {
-        Against::Heading => "heading_deg",
-        Against::Latitude => "latitude_deg",
-        Against::Height => "significant_height_m",
+/// The table as JSON, by `docs/schemas/roll-error.json`.
+///
+/// # Errors
+/// `NotComputed` for what JSON cannot hold.
+pub fn json(table: &Table) -> Result<String> {
+    let s = &table.compass.sphere;
+    let against = match table.against {
+        Against::Heading(_) => "heading_deg",
+        Against::Latitude { .. } => "latitude_deg",
+        Against::Height { .. } => "significant_height_m",
     };
+    let trusted = if table.is_by_spectrum() { "measured_spectrum_mean_deg" } else { "mean_deg" };
     let mut value = json!({
         "schema": "gyrospec.roll-error/1",
-        "instrument": plan.compass.instrument_name,
+        "instrument": table.compass.part.elastic().name(),
         "compass": {
             "P_N": s.weight, "H_Nms": s.momentum, "lP_Nm": s.pendulous, "C_Nm": s.damper, "F_per_s": s.flow,
             "C0_N_per_m": s.stiffness, "T_s": s.lag, "h_m": s.lever, "lat_deg": s.latitude.to_degrees(),
-            "g_m_per_s2": s.gravity, "U_rad_per_s": s.earth_rate, "speed_m_per_s": plan.compass.speed,
+            "g_m_per_s2": s.gravity, "U_rad_per_s": s.earth_rate, "speed_m_per_s": table.compass.speed,
         },
-        "motion": plan.motion_says,
-        "roll": roll(plan),
+        "motion": words::motion(table),
+        "roll": roll(table),
         "against": against,
         "sign": SIGN,
-        "validity": plan.smallness.iter().map(smallness).collect::<Vec<_>>(),
-        "trusted_mean": if plan.by_spectrum { "measured_spectrum_mean_deg" } else { "mean_deg" },
-        "rows": rows.iter().map(|r| row(r, against)).collect::<Vec<_>>(),
-        "note": plan.after.trim_end(),
+        "validity": table.smallness.iter().map(smallness).collect::<Vec<_>>(),
+        "trusted_mean": trusted,
+        "rows": table.rows.iter().map(|r| row(r, against)).collect::<Vec<_>>(),
+        "note": words::note(table).trim_end(),
     });
-    if let Some(tail) = &plan.tail {
+    if let Some(tail) = &table.tail {
         value["white_tail"] = white_tail(tail);
     }
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
@@ -54,10 +59,10 @@ fn white_tail(tail: &Tail) -> Value {
 }
 
 /// A, μ, ε with their 95 % intervals where they were fitted; null for a motion that is no such roll.
-fn roll(plan: &Plan) -> Value {
-    let Some(r) = plan.roll else { return Value::Null };
+fn roll(table: &Table) -> Value {
+    let Some(r) = table.roll() else { return Value::Null };
     let mut out = json!({ "A_rad2": r.variance, "mu_per_s": r.decay, "eps_rad_per_s": r.frequency });
-    if let Some(i) = plan.recorded.as_ref().and_then(|a| a.intervals.as_ref()) {
+    if let Some(i) = table.recorded.as_ref().and_then(|m| m.analysis.intervals.as_ref()) {
         let all = [("A_rad2", Some(i.variance)), ("mu_per_s", i.decay), ("eps_rad_per_s", Some(i.frequency))];
         for (name, i) in all {
             out["intervals"][name] =

@@ -1,80 +1,150 @@
 //! The rolling error of a gyrocompass as one page with pictures.
 
+use super::{card, recorded as told, words};
 use crate::gyro::{SIGN, side};
 use crate::report::page::{self, Page, Section, table};
 use crate::report::polar::{self, Polar};
 use crate::report::svg::{Layer, Picture, escaped};
+use crate::rolling::{self, Against, Analysis, Table};
 use crate::units::{figure, significant};
 use std::path::Path;
 
-/// Everything that the page says.
-pub struct Rolling<'a> {
-    /// The kind of gyrosphere.
-    pub instrument: &'a str,
-    /// Where its numbers come from.
-    pub compass: &'a str,
-    /// The motion in words.
-    pub motion: &'a str,
-    /// What the rows run over, with its unit, such as `heading, °`.
-    pub against: &'a str,
-    /// The errors.
-    pub rows: Vec<Row>,
-    /// The compass card, where the rows run around it.
-    pub card: Option<Polar>,
-    /// The recorded roll, where there is one.
-    pub recorded: Option<Recorded<'a>>,
-    /// What of the linear theory does not hold; empty where all of it does.
-    pub beyond: &'a str,
-    /// What of the numbers to trust, in paragraphs.
-    pub trust: &'a str,
-    /// Whether the mean to trust is that by the measured spectrum.
-    pub by_spectrum: bool,
+/// What the page shows.
+#[derive(Debug, Clone, Copy)]
+pub struct Sheet<'a> {
+    /// All rows, for the card.
+    pub table: &'a Table,
+    /// Take each so many-th row into the numbers; 1: all.
+    pub every: usize,
     /// The mean error as a formula, where one is kept.
-    pub formula: Option<String>,
-    /// Files with their SHA-256.
-    pub inputs: Vec<(&'a Path, &'a str)>,
+    pub formula: Option<&'a str>,
     /// Seed of the simulation.
     pub seed: u64,
 }
 
+/// Everything that the page says.
+struct Rolling<'a> {
+    /// The kind of gyrosphere.
+    instrument: &'a str,
+    /// Where its numbers come from.
+    compass: &'a str,
+    /// The motion in words.
+    motion: &'a str,
+    /// What the rows run over, with its unit, such as `heading, °`.
+    against: &'a str,
+    /// The errors.
+    rows: Vec<Row>,
+    /// The compass card, where the rows run around it.
+    card: Option<Polar>,
+    /// The recorded roll, where there is one.
+    recorded: Option<Recorded<'a>>,
+    /// What of the linear theory does not hold; empty where all of it does.
+    beyond: &'a str,
+    /// What of the numbers to trust, in paragraphs.
+    trust: &'a str,
+    /// Whether the mean to trust is that by the measured spectrum.
+    by_spectrum: bool,
+    /// The mean error as a formula, where one is kept.
+    formula: Option<&'a str>,
+    /// Files with their SHA-256.
+    inputs: Vec<(&'a Path, &'a str)>,
+    /// Seed of the simulation.
+    seed: u64,
+}
+
 /// One error, degrees.
-pub struct Row {
+struct Row {
     /// What the rows run over, in its unit.
-    pub value: f64,
+    value: f64,
     /// Mean.
-    pub mean: f64,
+    mean: f64,
     /// Standard deviation.
-    pub spread: f64,
+    spread: f64,
     /// The part of it by the swing of the gyrosphere.
-    pub swing: f64,
+    swing: f64,
     /// The part of it by products of motions.
-    pub products: f64,
+    products: f64,
     /// Half the 99 % interval of the mean, where a simulation gives it.
-    pub margin: Option<f64>,
+    margin: Option<f64>,
     /// The mean by quadrature over the measured spectrum.
-    pub measured: Option<f64>,
+    measured: Option<f64>,
 }
 
 /// A recorded roll and its fit.
-pub struct Recorded<'a> {
+struct Recorded<'a> {
     /// Its name.
-    pub name: &'a str,
+    name: &'a str,
     /// s and degrees.
-    pub roll: Vec<[f64; 2]>,
+    roll: Vec<[f64; 2]>,
     /// Lag in s and correlation in square degrees.
-    pub correlation: Vec<[f64; 2]>,
+    correlation: Vec<[f64; 2]>,
     /// The same by the fit.
-    pub correlation_fit: Vec<[f64; 2]>,
+    correlation_fit: Vec<[f64; 2]>,
     /// rad/s and density in square degrees times seconds.
-    pub spectrum: Vec<[f64; 2]>,
+    spectrum: Vec<[f64; 2]>,
     /// The same by the fit.
-    pub spectrum_fit: Vec<[f64; 2]>,
+    spectrum_fit: Vec<[f64; 2]>,
     /// The fit in words, a line each.
-    pub says: &'a str,
+    says: &'a str,
 }
 
 /// The page.
-pub fn page(r: &Rolling<'_>) -> String {
+pub fn page(sheet: &Sheet<'_>) -> String {
+    let (t, recorded) = (sheet.table, sheet.table.recorded.as_ref().map(|r| &r.analysis));
+    let says = recorded.map(told::words).unwrap_or_default();
+    let sources = recorded.iter().flat_map(|r| &r.sources);
+    let round = t.rows.len() > 8;
+    drawn(&Rolling {
+        instrument: t.compass.part.elastic().name(),
+        compass: &words::origin(&t.compass.origin),
+        motion: &words::motion(t),
+        against: match t.against {
+            Against::Heading(_) => "heading, °",
+            Against::Latitude { .. } => "latitude, °",
+            Against::Height { .. } => "significant height, m",
+        },
+        rows: t.rows.iter().step_by(sheet.every.max(1)).map(row).collect(),
+        card: card(t).filter(|_| round),
+        recorded: recorded.map(|r| pictured(r, &says)),
+        beyond: &words::beyond(&t.smallness),
+        trust: &words::note(t),
+        by_spectrum: t.is_by_spectrum(),
+        formula: sheet.formula,
+        inputs: sources.map(|s| (Path::new(&s.file), s.sha256.as_str())).collect(),
+        seed: sheet.seed,
+    })
+}
+
+fn row(r: &rolling::Row) -> Row {
+    Row {
+        value: r.value,
+        mean: words::plain(r.error.mean().to_degrees()),
+        spread: r.error.spread.to_degrees(),
+        swing: r.error.spread_linear.to_degrees(),
+        products: r.error.spread_quadratic.to_degrees(),
+        margin: (!r.is_exact()).then(|| r.error.rectified_margin.to_degrees()),
+        measured: r.measured.map(|m| words::plain(m.to_degrees())),
+    }
+}
+
+fn pictured<'a>(a: &'a Analysis, says: &'a str) -> Recorded<'a> {
+    let to2 = |x: f64| x.to_degrees().to_degrees();
+    let step = a.samples.step;
+    let at_lags = |k: &[f64]| k.iter().enumerate().map(|(i, v)| [i as f64 * step, to2(*v)]).collect();
+    let spectrum = || a.spectrum.omega.iter().zip(&a.spectrum.density).skip(1);
+    let rolled = a.samples.values.iter().enumerate();
+    Recorded {
+        name: &a.name,
+        roll: rolled.map(|(i, v)| [a.start + i as f64 * step, v.to_degrees()]).collect(),
+        correlation: at_lags(&a.fit.measured),
+        correlation_fit: at_lags(&a.fit.fitted),
+        spectrum: spectrum().map(|(w, s)| [*w, to2(*s)]).collect(),
+        spectrum_fit: spectrum().map(|(w, _)| [*w, to2(a.fit.roll.density(*w))]).collect(),
+        says,
+    }
+}
+
+fn drawn(r: &Rolling<'_>) -> String {
     let program = concat!("gyrospec ", env!("CARGO_PKG_VERSION"));
     let page = Page {
         kind: format!("Rolling error of a gyrocompass: {}", r.instrument),
@@ -86,11 +156,7 @@ pub fn page(r: &Rolling<'_>) -> String {
             Section::new("roll", "The recorded roll", r.recorded.as_ref().map_or(String::new(), recorded)),
             Section::new("table", "The numbers", rows(r)),
             Section::new("trust", "What to trust", paragraphs(r.trust)),
-            Section::new(
-                "formula",
-                "The mean as a formula",
-                r.formula.as_deref().map_or(String::new(), formula),
-            ),
+            Section::new("formula", "The mean as a formula", r.formula.map_or(String::new(), formula)),
             page::made(program, r.seed, r.inputs.iter().copied()),
         ],
     };

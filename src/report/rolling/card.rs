@@ -1,0 +1,24 @@
+//! The table around the compass card.
+
+use super::words;
+use crate::report::polar::{Point, Polar};
+use crate::rolling::{Against, Table};
+
+/// The compass card of a table whose rows run over headings; `None` for any other.
+pub fn card(table: &Table) -> Option<Polar> {
+    if !matches!(table.against, Against::Heading(_)) {
+        return None;
+    }
+    let points = table.rows.iter().map(|r| Point {
+        heading: r.heading,
+        mean: table.mean(r).to_degrees(),
+        spread: r.error.spread.to_degrees(),
+    });
+    let by = if table.is_by_spectrum() { "; the mean is that by the measured spectrum" } else { "" };
+    Some(Polar {
+        title: format!("Heading error, {}", table.compass.part.elastic().name()),
+        subtitle: format!("{}{by}", words::motion(table)),
+        warning: words::beyond(&table.smallness),
+        points: points.collect(),
+    })
+}

@@ -1,0 +1,63 @@
+//! The closed form of the mean error, with its values.
+
+use super::json::smallness;
+use super::words;
+use crate::gyro::{SIGN, side};
+use crate::rolling::{ClosedValues, Compass, Excitation};
+use crate::symbolic::Derived;
+use std::fmt::Write;
+
+/// The closed form and its values as text.
+pub fn formula_text(
+    compass: &Compass,
+    excitation: &Excitation,
+    derived: &Derived,
+    values: &ClosedValues,
+) -> String {
+    let mut out = format!(
+        "Mean heading error on irregular roll K(τ) = A e^(−μ|τ|)(cos ετ + (μ/ε) sin ε|τ|), b² = μ² + ε²:\n\n{}\n\n\
+         derived from I_{}; agrees with the numeric engine at {} random points\n\n\
+         Here ({}; {}; latitude {:.1}°, h = {} m):\n",
+        derived.formula.text(),
+        derived.order,
+        derived.points,
+        words::origin(&compass.origin),
+        words::excitation(excitation, None, false),
+        compass.sphere.latitude.to_degrees(),
+        compass.sphere.lever
+    );
+    for (heading, mean) in &values.means {
+        let _ = writeln!(
+            out,
+            "  heading {:>6.1}°   {:>10.5}°  ({})",
+            heading.to_degrees(),
+            mean.to_degrees(),
+            side(*mean)
+        );
+    }
+    let beyond = words::beyond(&values.smallness);
+    if !beyond.is_empty() {
+        let _ = writeln!(out, "\n{beyond}");
+    }
+    let unjudged = words::unjudged(&values.smallness);
+    if !unjudged.is_empty() {
+        let _ = write!(out, "\n{unjudged}");
+    }
+    out
+}
+
+/// The same as one JSON object, by `docs/schemas/roll-error-formula.json`.
+pub fn formula_json(excitation: &Excitation, derived: &Derived, values: &ClosedValues) -> String {
+    let row = |(heading, mean): &(f64, f64)| serde_json::json!({ "heading_deg": heading.to_degrees(), "mean_deg": mean.to_degrees() });
+    let value = serde_json::json!({
+        "schema": "gyrospec.roll-error-formula/1",
+        "formula": derived.formula.text(),
+        "order": derived.order,
+        "points_checked": derived.points,
+        "motion": words::excitation(excitation, None, false),
+        "sign": SIGN,
+        "validity": values.smallness.iter().map(smallness).collect::<Vec<_>>(),
+        "values": values.means.iter().map(row).collect::<Vec<_>>(),
+    });
+    format!("{value:#}\n")
+}

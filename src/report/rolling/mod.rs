@@ -1,0 +1,18 @@
+//! The rolling error of a gyrocompass as text, as JSON, as a card and as a page with pictures.
+
+mod card;
+mod formula;
+mod free;
+mod json;
+mod page;
+mod recorded;
+mod tail;
+mod text;
+mod words;
+
+pub use card::card;
+pub use formula::{formula_json, formula_text};
+pub use free::free_text;
+pub use json::json;
+pub use page::{Sheet, page};
+pub use text::text;

@@ -1,0 +1,121 @@
+//! What is said of a recorded roll and its fit.
+
+use crate::report::terminal::{Trace, picture};
+use crate::rolling::{Analysis, Measured};
+use crate::spectrum::{Interval, RollIntervals};
+use std::f64::consts::TAU;
+
+/// The recorded roll and its fit in words, with a picture of the correlation.
+pub fn told(a: &Analysis) -> String {
+    let degrees2 = |k: &f64| k.to_degrees().to_degrees();
+    let measured: Vec<f64> = a.fit.measured.iter().map(degrees2).collect();
+    let fitted: Vec<f64> = a.fit.fitted.iter().map(degrees2).collect();
+    let last = format!("{:.0} s", (measured.len() - 1) as f64 * a.samples.step);
+    format!(
+        "{}\nK(τ), deg²: o measured, · fitted\n{}\n",
+        words(a),
+        picture(
+            &[Trace { mark: 'o', values: &measured }, Trace { mark: '·', values: &fitted }],
+            (64, 13),
+            ("τ = 0", &last)
+        )
+    )
+}
+
+/// The recorded roll and its fit in words.
+pub fn words(a: &Analysis) -> String {
+    let (n, step) = (a.samples.values.len(), a.samples.step);
+    let roll = a.fit.roll;
+    let sigma = a.deviation.to_degrees();
+    let slow = match 100.0 * a.slow_share {
+        s if s < 1.0 => String::new(),
+        s => format!(
+            "{s:.0} % of the variance is heel slower than 31 s, left out of the fit: it hardly accelerates\n"
+        ),
+    };
+    let verdict = match a.fit.misfit {
+        m if m < Measured::FAIR => "a good fit",
+        m if m < 0.15 => "a fair fit: trust the column of the measured spectrum more",
+        _ => "a poor fit: this roll is not of the form (3.3); use the column of the measured spectrum",
+    };
+    format!(
+        "Roll of `{}`: {n} samples {step:.4} s apart, {:.1} min; standard deviation {sigma:.3}°\n\
+         {slow}highest spectral point of the roll at {:.3} rad/s (period {:.1} s), from {} segments\n\n\
+         Fit of K(τ) = A e^(−μ|τ|) (cos ετ + (μ/ε) sin ε|τ|) to the correlation function, lags 0 … {:.0} s\n\
+         \x20 A = {:.4e} rad² ({:.3}°)²,  μ = {:.4} 1/s,  ε = {:.4} rad/s (period {:.1} s)\n\
+         {}\x20 explains {:.1} % of it; misfit {:.1} % of K(0): {verdict}\n",
+        a.name,
+        n as f64 * step / 60.0,
+        a.peak,
+        TAU / a.peak,
+        a.spectrum.segments,
+        (a.fit.measured.len() - 1) as f64 * step,
+        roll.variance,
+        roll.variance.sqrt().to_degrees(),
+        roll.decay,
+        roll.frequency,
+        TAU / roll.frequency,
+        trusted(a.intervals.as_ref()),
+        100.0 * a.fit.r_squared,
+        100.0 * a.fit.misfit,
+    )
+}
+
+/// The intervals in words.
+fn trusted(intervals: Option<&RollIntervals>) -> String {
+    let Some(i) = intervals else {
+        return "\u{20} no intervals: the recording is shorter than 30 periods of roll\n".into();
+    };
+    let between = |i: &Interval, f: fn(f64) -> f64| format!("{:.4} … {:.4}", f(i.low), f(i.high));
+    let decay = match &i.decay {
+        Some(mu) => format!("{} 1/s", between(mu, |v| v)),
+        None => "not known: too little decay to see".into(),
+    };
+    format!(
+        "\u{20} 95 % intervals (ten blocks left out in turn): standard deviation {}°, ε {} rad/s, μ {decay}\n",
+        between(&i.variance, |v| v.sqrt().to_degrees()),
+        between(&i.frequency, |v| v)
+    )
+}
+
+/// So much larger or smaller, in words.
+fn than(part: f64) -> String {
+    format!("{:.0} % {}", 100.0 * part.abs(), if part < 0.0 { "larger" } else { "smaller" })
+}
+
+/// What of the answer depends on frequencies that nobody measured.
+fn unmeasured(above: f64) -> String {
+    let tail = |end: &str| {
+        let tail = ", where (3.3) gives the\nacceleration a white tail of infinite variance";
+        if above.abs() >= Measured::MUCH { format!("{tail}{end}") } else { String::new() }
+    };
+    if above < -0.005 {
+        let tail = tail(" that nothing measured supports,");
+        return format!(
+            "Without the frequencies above the measured band{tail} the mean by the fit would be {}.\n",
+            than(above)
+        );
+    }
+    format!(
+        "{:.0} % of the mean by the fit comes from frequencies above the measured band{}.\n",
+        100.0 * above.max(0.0),
+        tail(": nothing measured supports it")
+    )
+}
+
+/// Why the two means differ, and which to trust.
+pub fn differs(measured: &Measured) -> String {
+    let m = &measured.mean;
+    let mut text = unmeasured(m.above());
+    text.push_str(&format!(
+        "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\
+         {} since inside the band the roll is not quite of the form (3.3), or the recording is short.\n",
+        than(1.0 - m.ratio()),
+        than(m.above()),
+        than(m.form())
+    ));
+    if measured.is_surer() {
+        text.push_str("The measured spectrum has no form forced upon it: trust the last column more.\n");
+    }
+    text
+}

@@ -1,0 +1,166 @@
+//! What is said of a compass, its motion and its figures, in words that all reports share.
+
+use super::{recorded, tail};
+use crate::gyro::IDLE;
+use crate::gyro::validity::{LARGEST_MEAN, Smallness};
+use crate::rolling::{Against, Excitation, Origin, Source, Table, Waves};
+use crate::spectrum::{RationalFit, Sea};
+use std::f64::consts::{PI, TAU};
+
+/// Where the numbers of a compass come from.
+pub fn origin(o: &Origin) -> String {
+    let base =
+        o.builtin.as_ref().map_or_else(|| "the paper".into(), |name| format!("the built-in model {name}"));
+    let mut text = if o.given.is_empty() {
+        format!("numbers of {base}")
+    } else {
+        format!("{} as given, the rest of {base}", o.given.join(", "))
+    };
+    if !o.unused.is_empty() {
+        text.push_str("; not used here: ");
+        text.push_str(&o.unused.join(", "));
+    }
+    text
+}
+
+/// The motion of a table.
+pub fn motion(table: &Table) -> String {
+    match (&table.excitation, &table.recorded) {
+        (Some(e), _) => excitation(e, table.fit.as_ref(), matches!(table.against, Against::Height { .. })),
+        (None, Some(r)) => format!(
+            "the recorded roll by its fit, and the last column by its measured spectrum to {:.2} rad/s",
+            PI / r.analysis.samples.step
+        ),
+        (None, None) => String::new(),
+    }
+}
+
+/// An excitation, and how far the rational spectrum of its sea is off; over all heights of the sea, or of its own.
+pub fn excitation(e: &Excitation, fit: Option<&RationalFit>, heights: bool) -> String {
+    let mut text = match &e.source {
+        Source::Irregular(roll) => format!(
+            "irregular roll, standard deviation {:.2}°, μ = {} 1/s, ε = {} rad/s",
+            roll.variance.sqrt().to_degrees(),
+            roll.decay,
+            roll.frequency
+        ),
+        Source::Regular(roll) => format!(
+            "regular roll, amplitude {:.2}°, frequency {} rad/s",
+            roll.amplitude.to_degrees(),
+            roll.frequency
+        ),
+        Source::Sea(waves) => waves_in_words(waves, fit, heights),
+    };
+    if let Some(corner) = e.band {
+        text.push_str(&format!("; behind two low-passes at {corner} rad/s"));
+    }
+    text
+}
+
+fn waves_in_words(waves: &Waves, fit: Option<&RationalFit>, heights: bool) -> String {
+    let sea = &waves.sea;
+    let (name, grown) = match sea {
+        Sea::PiersonMoskowitz { .. } => ("Pierson-Moskowitz", true),
+        Sea::Bretschneider { .. } => ("Bretschneider", false),
+        Sea::Jonswap { .. } => ("JONSWAP", false),
+    };
+    let period = format!("peak period {:.1} s", TAU / sea.peak());
+    let size = match (heights, grown) {
+        (false, _) => format!("significant height {:.2} m, {period}", sea.height()),
+        (true, true) => "of each significant height in turn, with the peak period that goes with it".into(),
+        (true, false) => format!("of each significant height in turn, {period}"),
+    };
+    let off = fit.map_or_else(String::new, |fit| {
+        format!(
+            "; rational spectrum within {:.1} % (its slope's power within {:.1} %)",
+            100.0 * fit.error,
+            100.0 * fit.power_error.abs()
+        )
+    });
+    format!("{name} sea from {:03.0}° off the bow, {size}{off}", waves.from.to_degrees())
+}
+
+/// What of the numbers to trust, in lines.
+pub fn note(table: &Table) -> String {
+    let mut out = match (&table.recorded, &table.tail) {
+        (Some(measured), _) => recorded::differs(measured),
+        (None, Some(t)) => tail::text(t),
+        (None, None) => not_linear(table),
+    };
+    out.push_str(&asides(table));
+    out.push_str(unjudged(&table.smallness));
+    if !table.left_out.is_empty() {
+        let left: Vec<String> = table.left_out.iter().map(ToString::to_string).collect();
+        out.push_str(&format!(
+            "Left out, since the linear theory would give a mean error beyond {:.0}°: {}.\n",
+            LARGEST_MEAN.to_degrees(),
+            left.join(", ")
+        ));
+    }
+    out
+}
+
+/// What else is to be said of what was asked for.
+fn asides(table: &Table) -> String {
+    let waves = table.excitation.as_ref().and_then(Excitation::waves);
+    let heaves = waves.is_some_and(|w| w.also.contains(&crate::gyro::Axis::Heave));
+    let vertical = table.compass.part.is_vertical();
+    let mut out = String::new();
+    if heaves || vertical {
+        let what = if vertical { "compliance along the vertical" } else { "heave" };
+        out.push_str(&format!("{what} changes no mean: {IDLE}.\n"));
+    }
+    if table.compass.speed != 0.0 && waves.is_some_and(|w| w.slopes().1 != 0.0) {
+        out.push_str(
+            "The waves are met at their own frequency: the ship's speed through them is not counted.\n",
+        );
+    }
+    out
+}
+
+/// How the figures of a part that is not linear come about.
+fn not_linear(table: &Table) -> String {
+    let part = table.compass.part;
+    if part.is_linear() {
+        return String::new();
+    }
+    let name = part.elastic().name();
+    let (first, rest) = name.split_at(1);
+    let regular = matches!(table.excitation, Some(Excitation { source: Source::Regular(_), .. }));
+    let beside = if regular {
+        "the mean is right within the margin of its step.\n"
+    } else {
+        "the mean is right within the margin told\n\
+         (99 %, with the error of the step). The linearised mean (Booton, Caughey) stands beside it, with what it is off by.\n"
+    };
+    format!(
+        "{}{rest} is not linear: mean and spread come from following it in time as it is; {beside}",
+        first.to_uppercase()
+    )
+}
+
+/// What of the linear theory does not hold; empty where all of it does.
+pub fn beyond(smallness: &[Smallness]) -> String {
+    let broken = smallness.iter().filter(|s| s.is_judged() && !s.holds());
+    let broken: Vec<String> = broken.map(Smallness::told).collect();
+    if broken.is_empty() {
+        return String::new();
+    }
+    format!(
+        "BEYOND THE LINEAR THEORY where the mean is largest: {}. The figures are a guide at best.",
+        broken.join(", ")
+    )
+}
+
+/// What of the linear theory cannot be judged.
+pub fn unjudged(smallness: &[Smallness]) -> &'static str {
+    if smallness.iter().all(Smallness::is_judged) {
+        return "";
+    }
+    "The acceleration at the compass is infinite without a band, so it is not held against gravity: --band gives it an end.\n"
+}
+
+/// A number without a sign on its zero.
+pub fn plain(degrees: f64) -> f64 {
+    if degrees.abs() < 5e-6 { 0.0 } else { degrees }
+}

@@ -1,0 +1,85 @@
+//! A recorded roll: its spectrum, its correlation function and the fit of (3.3).
+
+use crate::record::{Recording, Source};
+use crate::spectrum::{
+    CorrelationFit, EvenSamples, Measured, RollIntervals, autocovariance, even_samples, fit_correlation,
+    roll_intervals, welch, without_slow,
+};
+use crate::units::Unit;
+use crate::{Error, ErrorKind, Result};
+use std::f64::consts::TAU;
+
+/// Heel slower than this is no roll and accelerates nothing, rad/s: periods over 31 s.
+pub const SLOW: f64 = 0.2;
+
+/// A recorded roll with its spectrum and the fit of (3.3).
+#[derive(Debug, Clone)]
+pub struct Analysis {
+    /// The recording's name.
+    pub name: String,
+    /// Its files.
+    pub sources: Vec<Source>,
+    /// Time of the first sample, s.
+    pub start: f64,
+    /// The roll at equal steps, rad.
+    pub samples: EvenSamples,
+    /// The spectrum of all of it.
+    pub spectrum: Measured,
+    /// A, μ and ε.
+    pub fit: CorrelationFit,
+    /// 95 % intervals of its numbers, where the recording is long enough.
+    pub intervals: Option<RollIntervals>,
+    /// Frequency of the highest spectral point of the roll proper, rad/s.
+    pub peak: f64,
+    /// Standard deviation of all samples, rad.
+    pub deviation: f64,
+    /// Part of the variance that is slower than [`SLOW`].
+    pub slow_share: f64,
+}
+
+/// Analyses a channel of a recording as roll.
+///
+/// # Errors
+/// `BadInput` for a channel that is not there, stands still or is too short; `Units` for one that is no angle.
+pub fn analyse(recording: &Recording, channel: &str) -> Result<Analysis> {
+    let roll = recording.channel(channel)?;
+    if roll.unit.dimension() != Unit::parse("rad")?.dimension() {
+        let text = format!("channel `{channel}` is in {}, which is no angle", roll.unit);
+        return Err(Error::new(ErrorKind::Units, text));
+    }
+    let samples = even_samples(&roll.time, &roll.values)?;
+    let length = (samples.values.len() / 4).clamp(16, 4096);
+    let spectrum = welch(&samples.values, samples.step, length)?;
+    let rolling = without_slow(&samples, SLOW)?;
+    moves(&samples.values, &rolling.values)?;
+    let peak = welch(&rolling.values, samples.step, length)?.peak();
+    // lags over about six periods of the peak, at most a quarter of the recording
+    let lags = ((6.0 * TAU / peak / samples.step) as usize).clamp(8, (samples.values.len() / 4).max(8));
+    let all = autocovariance(&samples.values, 0)[0];
+    let measured = autocovariance(&rolling.values, lags);
+    let fit = fit_correlation(&measured, samples.step, peak, SLOW)?;
+    let intervals = roll_intervals(&rolling.values, &fit);
+    Ok(Analysis {
+        name: recording.name.clone(),
+        sources: recording.sources.clone(),
+        start: roll.samples().next().map_or(0.0, |s| s.0),
+        samples,
+        spectrum,
+        fit,
+        intervals,
+        peak,
+        deviation: all.sqrt(),
+        slow_share: (1.0 - measured[0] / all).max(0.0),
+    })
+}
+
+/// Refuses a recording that shows no roll: nothing above the rounding of its own numbers.
+fn moves(all: &[f64], rolling: &[f64]) -> Result<()> {
+    let largest = |v: &[f64]| v.iter().filter(|x| x.is_finite()).fold(0.0f64, |m, x| m.max(x.abs()));
+    let heel = largest(all);
+    if largest(rolling) > 1e-9 * heel {
+        return Ok(());
+    }
+    Err(Error::bad_input(format!("there is no motion: the roll stands still at {:.3}°", heel.to_degrees()))
+        .with_hint("without roll there is no rolling error; a frozen channel looks like this too"))
+}

@@ -1,0 +1,73 @@
+//! The mean error on irregular roll with letters, by the symbols' own derivation, and its values.
+
+use super::{Compass, Excitation, Part};
+use crate::gyro::validity::{Smallness, bounded};
+use crate::symbolic::{Derived, FormulaRequest, formula, irregular_roll};
+use crate::{Error, Result};
+
+/// The mean error on irregular roll of the form (3.3), with letters.
+///
+/// ```
+/// use gyrospec::rolling::{Part, closed_form};
+/// assert_eq!(closed_form(Part::Lag)?.order, 3);           // from I₃
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+///
+/// # Errors
+/// `Usage` for a part of which no formula is kept.
+pub fn closed_form(part: Part) -> Result<Derived> {
+    let request = request(part)?;
+    formula(&request.derivation()?, &request.simplifier()?)
+}
+
+/// How W₁ moves x, in letters.
+fn request(part: Part) -> Result<FormulaRequest> {
+    let mut request = irregular_roll();
+    let second = match part {
+        Part::Lag => return Ok(request),
+        // m ẍ + r ẋ + C₀ x = m W₁
+        Part::Inertia => "-m*h*cos(K)/(m*s^2 + r*s + C0)",
+        // two relaxations side by side
+        Part::Flow(_) => "-P/(g*C0)*h*cos(K)*(1/(T*s + 1) + kappa/(T_2*s + 1))",
+        _ => {
+            return Err(Error::usage("no closed form is kept for this part")
+                .with_hint("there are those of the lag, of the lag with inertia and of liquid flow"));
+        }
+    };
+    request.second = Some(second.into());
+    request.printed = None;
+    request.keep.clear();
+    if matches!(part, Part::Inertia) {
+        request.order = "P m h A mu b H U g r C0".into();
+    }
+    Ok(request)
+}
+
+/// What the closed form gives.
+#[derive(Debug, Clone)]
+pub struct ClosedValues {
+    /// Heading and mean, rad.
+    pub means: Vec<(f64, f64)>,
+    /// What the linear theory takes for small, where the mean is largest.
+    pub smallness: Vec<Smallness>,
+}
+
+/// The value of the mean error on each heading, rad.
+///
+/// # Errors
+/// `BadInput` without headings; as [`Instrument::error`](crate::gyro::Instrument::error); `OutOfRange` beyond what the
+/// linear theory gives.
+pub fn closed_values(compass: &Compass, excitation: &Excitation, headings: &[f64]) -> Result<ClosedValues> {
+    let (motion, instrument) = (excitation.motion()?.motion, compass.instrument());
+    let value = |heading: &f64| -> Result<(f64, f64)> {
+        let mean = instrument.rectified_error(&motion, *heading)?;
+        bounded(mean)?;
+        Ok((*heading, mean))
+    };
+    let means: Vec<(f64, f64)> = headings.iter().map(value).collect::<Result<_>>()?;
+    let worst = means.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    let (worst, _) = *worst.ok_or_else(|| Error::bad_input("a mean error has a heading"))?;
+    let error = instrument.error(&motion, worst)?;
+    let smallness = instrument.smallness(&motion, worst, &error)?;
+    Ok(ClosedValues { means, smallness })
+}

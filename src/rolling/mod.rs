@@ -1,0 +1,46 @@
+//! The rolling error as it is asked for: a compass, what moves the ship, and the rows wanted.
+//!
+//! `gyrospec roll-error` parses words into these types and prints what comes back; programs in Rust and Python call
+//! the same.
+//!
+//! ```
+//! use gyrospec::estimate::fit::Silent;
+//! use gyrospec::gyro::seed;
+//! use gyrospec::rolling::{Against, Compass, Excitation, Request};
+//! // Example 3.1 of the paper
+//! let (sphere, roll, heading) = seed::example_3_1();
+//! let request = Request {
+//!     compass: Compass { sphere, ..Compass::paper() },
+//!     excitation: Excitation::irregular(roll),
+//!     against: Against::Heading(vec![heading]),
+//!     days: None,
+//! };
+//! let table = request.table(&Silent)?;
+//! assert!((table.rows[0].error.mean().to_degrees() + 4.497).abs() < 5e-4);
+//! # Ok::<(), gyrospec::Error>(())
+//! ```
+
+mod analysis;
+mod case;
+mod closed_form;
+mod compass;
+mod equations;
+mod excitation;
+mod free;
+mod obstacle;
+mod part;
+mod recorded;
+mod request;
+mod table;
+
+pub use analysis::{Analysis, SLOW, analyse};
+pub use case::{Days, Row};
+pub use closed_form::{ClosedValues, closed_form, closed_values};
+pub use compass::{Compass, Origin};
+pub use excitation::{Excitation, ShipMotion, Source, Waves};
+pub use free::{LeftAlone, left_alone};
+pub use obstacle::Obstacle;
+pub use part::Part;
+pub use recorded::Recorded;
+pub use request::{Against, Prepared, Request};
+pub use table::{Measured, Table};

@@ -1,0 +1,132 @@
+//! The table of errors.
+
+use super::case::{Case, Moments};
+use super::{Against, Analysis, Compass, Days, Excitation, Row, closed_form};
+use crate::Result;
+use crate::estimate::fit::Progress;
+use crate::gyro::validity::{Smallness, bounded, steepness};
+use crate::gyro::{BySpectrum, Tail};
+use crate::spectrum::{RationalFit, Roll};
+use crate::symbolic::Derived;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Mean and spread of the heading error, row by row, with what is to be known of them.
+#[derive(Debug, Clone)]
+pub struct Table {
+    /// The compass.
+    pub compass: Compass,
+    /// What moves the ship; `None` where its roll was recorded.
+    pub excitation: Option<Excitation>,
+    /// How far the rational spectrum of a sea is off.
+    pub fit: Option<RationalFit>,
+    /// The recorded roll.
+    pub recorded: Option<Measured>,
+    /// What the rows run over.
+    pub against: Against,
+    /// The errors.
+    pub rows: Vec<Row>,
+    /// Values of rows that no linear theory reaches.
+    pub left_out: Vec<f64>,
+    /// What the linear theory takes for small, where the mean is largest.
+    pub smallness: Vec<Smallness>,
+    /// The mean by frequencies far above the motion's own, where it depends on them.
+    pub tail: Option<Tail>,
+}
+
+/// A recorded roll with the mean error by it.
+#[derive(Debug, Clone)]
+pub struct Measured {
+    /// The roll.
+    pub analysis: Analysis,
+    /// The mean by its fit and by its spectrum.
+    pub mean: BySpectrum,
+}
+
+impl Measured {
+    /// Part of the mean by the fit from which on its form, or its tail, counts.
+    pub const MUCH: f64 = 0.1;
+    /// Misfit of the correlation function from which on the fit is no longer good.
+    pub const FAIR: f64 = 0.05;
+
+    /// Whether the mean by the measured spectrum is the one to trust.
+    pub fn is_surer(&self) -> bool {
+        let (m, fit) = (&self.mean, &self.analysis.fit);
+        m.above().abs() >= Self::MUCH || m.form().abs() >= Self::MUCH || fit.misfit >= Self::FAIR
+    }
+}
+
+impl Table {
+    /// Whether the mean to trust is that by the measured spectrum.
+    pub fn is_by_spectrum(&self) -> bool {
+        self.recorded.as_ref().is_some_and(Measured::is_surer)
+    }
+
+    /// The mean of a row to trust, rad.
+    pub fn mean(&self, row: &Row) -> f64 {
+        row.measured.filter(|_| self.is_by_spectrum()).unwrap_or_else(|| row.error.mean())
+    }
+
+    /// Irregular roll of the form (3.3), where the motion is one or was fitted by one.
+    pub fn roll(&self) -> Option<Roll> {
+        let fitted = self.recorded.as_ref().map(|r| r.analysis.fit.roll);
+        fitted.or_else(|| self.excitation.as_ref().and_then(Excitation::roll))
+    }
+
+    /// The mean with letters, where the motion is a roll and a form is kept of the part.
+    pub fn closed_form(&self) -> Option<Derived> {
+        let sea = self.excitation.as_ref().is_some_and(|e| e.waves().is_some());
+        closed_form(self.compass.part).ok().filter(|_| !sea)
+    }
+
+    /// The same with each `step`-th row alone.
+    #[must_use]
+    pub fn every(&self, step: usize) -> Self {
+        let rows = self.rows.iter().step_by(step.max(1)).copied().collect();
+        Self { rows, ..self.clone() }
+    }
+
+    /// The rows of the cases, judged.
+    pub(super) fn filled(
+        mut self,
+        cases: &[Case],
+        days: Option<Days>,
+        progress: &dyn Progress,
+    ) -> Result<Self> {
+        let judged: Vec<(&Case, Row, Result<()>)> = cases
+            .iter()
+            .zip(rows(cases, days, progress)?)
+            .map(|(case, row)| (case, row, bounded(self.mean(&row))))
+            .collect();
+        let reached = judged.iter().filter(|j| j.2.is_ok());
+        let worst = reached.max_by(|a, b| self.mean(&a.1).abs().total_cmp(&self.mean(&b.1).abs()));
+        let beyond: Vec<f64> = judged.iter().filter(|j| j.2.is_err()).map(|j| j.1.value).collect();
+        let over_headings = matches!(self.against, Against::Heading(_));
+        let Some((case, row, _)) = worst.filter(|_| beyond.is_empty() || !over_headings) else {
+            self.rows =
+                judged.into_iter().map(|(_, row, reached)| reached.map(|()| row)).collect::<Result<_>>()?;
+            return Ok(self);
+        };
+        let (motion, instrument) = (&case.motion.motion, &case.instrument);
+        self.smallness = match case.motion.regular {
+            Some(_) => instrument.regular_smallness(motion, case.heading, &row.error)?,
+            None => instrument.smallness(motion, case.heading, &row.error)?,
+        };
+        self.smallness.extend(case.sea.as_ref().map(steepness));
+        self.rows = judged.into_iter().filter(|j| j.2.is_ok()).map(|j| j.1).collect();
+        self.left_out = beyond;
+        Ok(self)
+    }
+}
+
+/// The rows, whatever the theory reaches.
+fn rows(cases: &[Case], days: Option<Days>, progress: &dyn Progress) -> Result<Vec<Row>> {
+    let (moments, done) = (Moments::of(cases, progress)?, AtomicUsize::new(0));
+    let row = |case: &Case| {
+        let row = case.row(days, &moments)?;
+        let share = (1 + done.fetch_add(1, Ordering::Relaxed)) as f64 / cases.len() as f64;
+        progress.says("rows of the table", Some(share));
+        Ok(row)
+    };
+    cases.par_iter().map(row).collect()
+}
