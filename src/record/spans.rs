@@ -39,7 +39,7 @@ impl Span {
     }
 
     /// The error of a span that would be `used` twice: "fitted", "held out".
-    pub(crate) fn twice(&self, used: &str) -> Error {
+    pub fn twice(&self, used: &str) -> Error {
         Error::bad_input(format!("{} to {} would be {used} twice", self.from, self.to))
             .with_hint("it tells nothing new the second time: give it once")
     }
