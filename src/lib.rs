@@ -58,7 +58,7 @@ pub mod record;
 #[cfg(feature = "diagnose")]
 #[doc(hidden)]
 pub mod report;
-#[cfg(all(feature = "diagnose", feature = "symbolic"))]
+#[cfg(feature = "diagnose")]
 pub mod rolling;
 #[cfg(feature = "diagnose")]
 pub mod simulate;

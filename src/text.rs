@@ -79,6 +79,7 @@ pub fn in_quotes(text: &str) -> Cow<'_, str> {
 /// assert_eq!(toml_string("a b"), "\"a b\"");
 /// assert_eq!(toml_string("a\nb\u{e0041}"), r#""a\nb\U000e0041""#);
 /// ```
+#[cfg(feature = "diagnose")]
 pub fn toml_string(text: &str) -> String {
     if !text.contains(|c| steers(c) || c == '\n') {
         return toml::Value::String(text.to_owned()).to_string();

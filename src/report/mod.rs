@@ -5,7 +5,6 @@ pub mod diagnosis;
 pub mod fit;
 pub mod page;
 pub mod polar;
-#[cfg(feature = "symbolic")]
 pub mod rolling;
 pub mod simulated;
 pub mod svg;

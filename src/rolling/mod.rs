@@ -22,6 +22,7 @@
 
 mod analysis;
 mod case;
+#[cfg(feature = "symbolic")]
 mod closed_form;
 mod compass;
 mod equations;
@@ -35,6 +36,7 @@ mod table;
 
 pub use analysis::{Analysis, SLOW, analyse};
 pub use case::{Days, Row};
+#[cfg(feature = "symbolic")]
 pub use closed_form::{ClosedValues, closed_form, closed_values};
 pub use compass::{Compass, Origin};
 pub use excitation::{Excitation, ShipMotion, Source, Waves};

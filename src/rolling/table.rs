@@ -1,13 +1,12 @@
 //! The table of errors.
 
 use super::case::{Case, Moments};
-use super::{Against, Analysis, Compass, Days, Excitation, Row, closed_form};
+use super::{Against, Analysis, Compass, Days, Excitation, Row};
 use crate::Result;
 use crate::estimate::fit::Progress;
 use crate::gyro::validity::{Smallness, bounded, steepness};
 use crate::gyro::{BySpectrum, Tail};
 use crate::spectrum::{RationalFit, Roll};
-use crate::symbolic::Derived;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -73,10 +72,11 @@ impl Table {
         fitted.or_else(|| self.excitation.as_ref().and_then(Excitation::roll))
     }
 
-    /// The mean with letters, where the motion is a roll and a form is kept of the part.
-    pub fn closed_form(&self) -> Option<Derived> {
+    /// The mean with letters (feature `symbolic`), where the motion is a roll and a form is kept of the part.
+    #[cfg(feature = "symbolic")]
+    pub fn closed_form(&self) -> Option<crate::symbolic::Derived> {
         let sea = self.excitation.as_ref().is_some_and(|e| e.waves().is_some());
-        closed_form(self.compass.part).ok().filter(|_| !sea)
+        super::closed_form(self.compass.part).ok().filter(|_| !sea)
     }
 
     /// The same with each `step`-th row alone.

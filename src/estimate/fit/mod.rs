@@ -84,7 +84,7 @@ fn coarse_alone(coarse: Fit, e: &Error, options: &FitOptions<'_>) -> Fit {
     if ended_early.is_none() {
         warnings.push(Warning { says });
     }
-    Fit { ended_early, warnings, ..coarse }
+    Fit { warnings, ended_early, ..coarse }
 }
 
 /// One fit at one tolerance, the tolerance that its noise asks for, and what its search met with.

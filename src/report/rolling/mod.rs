@@ -1,6 +1,7 @@
 //! The rolling error of a gyrocompass as text, as JSON, as a card and as a page with pictures.
 
 mod card;
+#[cfg(feature = "symbolic")]
 mod formula;
 mod free;
 mod json;
@@ -11,6 +12,7 @@ mod text;
 mod words;
 
 pub use card::card;
+#[cfg(feature = "symbolic")]
 pub use formula::{formula_json, formula_text};
 pub use free::free_text;
 pub use json::json;
