@@ -222,7 +222,6 @@ impl Angles {
 }
 
 /// Whether a number as a factor may turn turns into radians or back: 2π, π/30 and the like, as people round them.
-#[cfg(feature = "diagnose")]
 pub(crate) fn turns(x: f64) -> bool {
     let near = |y: f64| (y - 1.0).abs() < 1e-3;
     let known = [PI, 2.0 * PI, 4.0 * PI, PI / 30.0, PI / 180.0];

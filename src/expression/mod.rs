@@ -36,6 +36,7 @@ mod turning;
 mod walk;
 
 pub use angle::Angles;
+#[cfg(feature = "diagnose")]
 pub(crate) use angle::turns;
 pub use dimension::Scope;
 pub use function::Function;
