@@ -41,7 +41,7 @@ impl Effort {
         1.25 * self.length() / self.step * self.parts as f64
     }
 
-    /// How many replicates [`BUDGET`] holds, up to [`MOST`].
+    /// How many replicates [`BUDGET`] holds, up to `MOST`.
     ///
     /// ```
     /// let effort = gyrospec::gyro::Effort { step: 0.05, parts: 1, memory: 10.0, lag: 0.4 };
