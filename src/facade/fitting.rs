@@ -25,7 +25,8 @@ use std::time::Duration;
 ///     "name = \"decay\"\n[parameters]\nT = { value = 1.0, unit = \"s\", min = 0.1, max = 10.0, fit = true }\n\
 ///      [states]\nx = { unit = \"1\", rate = \"-x/T\", initial = 1.0 }\n[outputs]\ny = { unit = \"1\", equals = \"x\" }\n",
 /// )?;
-/// let fitted = fit(&model, &[Recording::read(&file)?]).seed(1).run()?;
+/// let recordings = [Recording::read(&file)?];
+/// let fitted = fit(&model, &recordings).seed(1).run()?;
 /// assert!((fitted.parameter("T").unwrap().value - 2.0).abs() < 1e-3);
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
