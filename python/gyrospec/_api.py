@@ -121,6 +121,7 @@ def roll_error(
     gamma: float | None = None,
     sea_from: Quantity | None = None,
     ship: Quantities | None = None,
+    ship_length: Quantity | None = None,
     also: str | Sequence[str] | None = None,
     band: Quantity | None = None,
     inertia: bool = False,
@@ -144,6 +145,7 @@ def roll_error(
     model: a file with [parameters], a built-in model's name, or a Model; without it the paper's compass.
     recording: a recorded roll, in place of irregular, regular or sea; `roll` names its channel.
     sea_from: where the sea comes from, off the bow: 0 ahead, 90 from abeam to starboard (as if absent).
+    ship_length: the length of the ship's waterline; six beams if absent.
 
     Each quantity has a range, and what lies outside is refused; `validity` of the result says where the
     linear theory ends. The sign of an error: + is west: the compass's north lies west of true north, and
@@ -152,7 +154,7 @@ def roll_error(
     texts = {
         "latitude": latitude, "lever": lever, "speed": speed, "irregular": irregular, "regular": regular,
         "sea": sea, "height": height, "period": period, "gamma": gamma, "sea-from": sea_from,
-        "ship": ship, "also": also, "band": band,
+        "ship": ship, "ship-length": ship_length, "also": also, "band": band,
         "flow": flow, "meridian": meridian, "vertical": vertical, "friction": friction,
         "free-play": free_play, "against": against, "simulate": simulate, "seed": seed, "roll": roll,
     }  # fmt: skip

@@ -80,6 +80,8 @@ pub const ROLL_DAMPING: Range = range("a damping ratio of roll", "1", [1e-4, 5.0
 pub const WAVE_SLOPE: Range = range("an effective part of the wave's slope", "1", [1e-3, 2.0]);
 /// B.
 pub const BEAM: Range = range("a ship's beam", "m", [0.2, 100.0]);
+/// L.
+pub const SHIP_LENGTH: Range = range("a ship's length", "m", [0.5, 600.0]);
 /// Of the low-passes on a motion.
 pub const BAND: Range = range("a band of motion", "rad/s", [0.01, 1e4]);
 /// ω_c of a gimbal's demodulator.
@@ -238,8 +240,17 @@ mod tests {
     #[test]
     fn every_range_has_units_and_holds_something() {
         let named = COMPASS.iter().chain(&ROLL).chain(&FLOW).chain(&GIMBAL).map(|(_, r)| r);
-        let lone =
-            [&HEADING, &SEA_FROM, &SPEED, &ROLL_DEVIATION, &ROLL_AMPLITUDE, &WAVE_HEIGHT, &BEAM, &BAND];
+        let lone = [
+            &HEADING,
+            &SEA_FROM,
+            &SPEED,
+            &ROLL_DEVIATION,
+            &ROLL_AMPLITUDE,
+            &WAVE_HEIGHT,
+            &BEAM,
+            &SHIP_LENGTH,
+            &BAND,
+        ];
         for r in named.chain(lone) {
             let dimension = |text: &str| Unit::parse(text).unwrap().dimension();
             for text in r.meant.iter().chain([&r.shown]) {

@@ -5,6 +5,7 @@
 
 mod correlation;
 mod even;
+mod hull;
 mod jackknife;
 mod least_squares;
 mod rational;
@@ -14,9 +15,10 @@ mod welch;
 
 pub use correlation::{CorrelationFit, autocovariance, fit_correlation};
 pub use even::{EvenSamples, even_samples, without_slow};
+pub use hull::Hull;
 pub use jackknife::{Interval, RollIntervals, roll_intervals};
 pub use least_squares::{LeastSquares, least_squares};
 pub use rational::{RationalFit, fit_rational};
 pub use roll::Roll;
-pub use sea::{Hull, Sea};
+pub use sea::Sea;
 pub use welch::{Measured, welch};

@@ -1,10 +1,10 @@
-//! Wind seas and a ship's roll in them.
+//! Wind seas.
 
-use crate::lti::TransferFunction;
 use crate::{Error, Result};
 use std::f64::consts::PI;
 
-const GRAVITY: f64 = 9.81;
+/// g, m/s².
+pub(super) const GRAVITY: f64 = 9.81;
 
 /// The spectrum of a wind sea's surface.
 ///
@@ -129,103 +129,4 @@ impl Sea {
         };
         PI * bretschneider * enhanced
     }
-}
-
-/// How a ship moves in a long-crested sea: its slope athwart drives a damped resonance of roll, its slope along the
-/// ship drives pitch, and waves shorter than the ship is long or wide along their travel are averaged out.
-///
-/// | field | symbol | unit |
-/// |---|---|---|
-/// | `frequency` | ω_φ, natural roll frequency | rad/s |
-/// | `damping` | ζ_φ, ratio of critical damping | 1 |
-/// | `slope` | χ, effective part of the wave slope | 1 |
-/// | `beam` | B | m |
-///
-/// A sea from the bearing ν off the bow (clockwise: 0 ahead, π/2 from abeam to starboard) has the slope
-/// σ = (−s²/g)ζ along its travel, of which −σ sin ν acts athwart and +σ cos ν along the ship; positive turns carry the
-/// mast to port and forward. Heave is given the phase of the slope. Waves come at their own frequency: the speed of the
-/// ship through them is not counted.
-///
-/// References: M. St. Denis, W. J. Pierson, Trans. SNAME 61 (1953) 280–357; E. V. Lewis (ed.), Principles of Naval
-/// Architecture III (SNAME 1989), ch. VIII.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Hull {
-    /// ω_φ, rad/s.
-    pub frequency: f64,
-    /// ζ_φ.
-    pub damping: f64,
-    /// χ.
-    pub slope: f64,
-    /// B, m.
-    pub beam: f64,
-}
-
-impl Default for Hull {
-    /// A freighter of 15 m beam that rolls with a period of 9 s.
-    fn default() -> Self {
-        Self { frequency: 0.7, damping: 0.08, slope: 0.7, beam: 15.0 }
-    }
-}
-
-impl Hull {
-    /// The parts of a wave's slope athwart and along the ship, (−sin ν, cos ν); no part is a rounding error of 0.
-    pub fn slopes(from: f64) -> (f64, f64) {
-        let clean = |x: f64| if x.abs() < 1e-9 { 0.0 } else { x };
-        (clean(-from.sin()), clean(from.cos()))
-    }
-
-    /// θ/ζ: φ̈ + 2ζ_φω_φφ̇ + ω_φ²φ = ω_φ² χ (−sin ν)(−s²/g) ζ/(1 + s/ω_L)², rad/m, in a sea from the bearing ν
-    /// (rad, clockwise off the bow).
-    ///
-    /// # Errors
-    /// `BadInput` when a number is not positive, or nothing of the slope lies athwart.
-    pub fn roll_response(&self, from: f64) -> Result<TransferFunction> {
-        let values = [self.frequency, self.damping, self.slope];
-        if values.iter().any(|v| !(v.is_finite() && *v > 0.0)) {
-            return Err(Error::bad_input("frequency, damping, slope and beam of a ship must be positive"));
-        }
-        let w2 = self.frequency * self.frequency;
-        let resonance = TransferFunction::new(
-            &[-excited(Self::slopes(from).0, "roll")? * w2 * self.slope / GRAVITY, 0.0, 0.0],
-            &[1.0, 2.0 * self.damping * self.frequency, w2],
-        )?;
-        Ok(resonance.then(&self.averaged(from)?))
-    }
-
-    /// Pitch/ζ = cos ν (−s²/g)/(1 + s/ω_L)²: the wave's slope along the ship, rad/m.
-    ///
-    /// # Errors
-    /// `BadInput` when the beam is not positive, or nothing of the slope lies along the ship.
-    pub fn pitch_response(&self, from: f64) -> Result<TransferFunction> {
-        let along = excited(Self::slopes(from).1, "pitch")?;
-        TransferFunction::new(&[-along / GRAVITY, 0.0, 0.0], self.averaged(from)?.denominator())
-    }
-
-    /// Heave/ζ = 1/(1 + s/ω_L)²: the wave's height, m/m.
-    ///
-    /// # Errors
-    /// `BadInput` when the beam is not positive.
-    pub fn heave_response(&self, from: f64) -> Result<TransferFunction> {
-        self.averaged(from)
-    }
-
-    /// 1/(1 + s/ω_L)², ω_L² = 2g/L: waves shorter than the ship's extent L = B|sin ν| + 6B|cos ν| along their travel
-    /// averaged out, of a ship of six beams.
-    fn averaged(&self, from: f64) -> Result<TransferFunction> {
-        if !(self.beam.is_finite() && self.beam > 0.0) {
-            return Err(Error::bad_input("frequency, damping, slope and beam of a ship must be positive"));
-        }
-        let (athwart, along) = Self::slopes(from);
-        let extent = self.beam * (athwart.abs() + 6.0 * along.abs());
-        let corner = (2.0 * GRAVITY / extent).sqrt();
-        TransferFunction::new(&[1.0], &[1.0 / (corner * corner), 2.0 / corner, 1.0])
-    }
-}
-
-/// A part of the slope that is there.
-fn excited(part: f64, what: &str) -> Result<f64> {
-    if part != 0.0 {
-        return Ok(part);
-    }
-    Err(Error::bad_input(format!("a sea from there has no slope that excites {what}")))
 }

@@ -114,11 +114,62 @@ fn a_slope_acts_by_its_parts_on_roll_and_pitch() {
     let hull = Hull::default();
     assert!(hull.pitch_response(FRAC_PI_2).is_err() && hull.pitch_response(-FRAC_PI_2).is_err());
     assert!(hull.roll_response(0.0).is_err() && hull.roll_response(2.0 * FRAC_PI_2).is_err());
-    // the slope along the ship falls as the cosine, but for what the ship's extent averages out
+    // the slope along the ship falls as the cosine, but for what the waterplane averages out
     let slow = num_complex::Complex64::new(0.0, 1e-3);
     let ratio =
         hull.pitch_response(1.0).unwrap().at(slow).norm() / hull.pitch_response(0.0).unwrap().at(slow).norm();
     assert_relative_eq!(ratio, 1f64.cos(), max_relative = 1e-3);
+}
+
+/// The mean over a rectangle of the height of a plane wave of height 1 and number k, by a grid of midpoints.
+fn averaged(k: f64, from: f64, length: f64, beam: f64) -> f64 {
+    let (n, m) = (400, 100);
+    let place = |i: usize, of: usize, size: f64| size * ((i as f64 + 0.5) / of as f64 - 0.5);
+    let wave = |i, j| (k * (place(i, n, length) * from.cos() + place(j, m, beam) * from.sin())).cos();
+    (0..n).map(|i| (0..m).map(|j| wave(i, j)).sum::<f64>()).sum::<f64>() / (n * m) as f64
+}
+
+#[test]
+fn the_slope_averaged_over_a_hull_is_that_of_a_grid_of_points() {
+    let hull = Hull { length: 70.0, beam: 12.0, ..Hull::default() };
+    for from in [0.0f64, 30.0, 60.0, 80.0, 89.0, 90.0, 91.0, 100.0, 150.0, 270.0, 285.0] {
+        let from = from.to_radians();
+        let extent = (70.0 * from.cos()).hypot(12.0 * from.sin());
+        for half in [0.1f64, 0.3, 0.6, 1.0] {
+            let k = 2.0 * half / extent;
+            let s = num_complex::Complex64::new(0.0, (9.81 * k).sqrt());
+            let power = hull.heave_response(from).unwrap().at(s).norm_sqr();
+            let direct = averaged(k, from, 70.0, 12.0).powi(2);
+            // what is cut off begins with 2u⁶/189 of 1/S²; the grid is good to 1e-5
+            let cut = 2.0 * half.powi(6) / 189.0;
+            assert!((power - direct).abs() < 1.5 * cut + 2e-5, "{from} {half}: {power} {direct}");
+        }
+    }
+}
+
+#[test]
+fn the_error_is_even_and_smooth_about_a_sea_from_abeam() {
+    let at = |from: f64, more: &str| {
+        mean(format!("roll-error --sea jonswap --sea-from {from} --heading 45 {more}").trim_end())
+    };
+    // waves of twice the peak's frequency and above hardly count: what they lose bounds what the mean loses
+    let k = 4.0 * (std::f64::consts::TAU / 8.0).powi(2) / 9.81;
+    let kept = |from: f64, length: f64| {
+        (averaged(k, from.to_radians(), length, 15.0) * from.to_radians().sin()).powi(2)
+    };
+    for (more, length) in [("", 90.0), ("--ship-length 150m", 150.0)] {
+        let abeam = at(90.0, more);
+        let fall = |away: f64| 1.0 - at(90.0 + away, more) / abeam;
+        let bound = |away: f64| 1.0 - kept(90.0 + away, length) / kept(90.0, length);
+        assert!(fall(1.0) > 0.0 && fall(1.0) < bound(1.0), "{} {}", fall(1.0), bound(1.0));
+        assert_relative_eq!(fall(1.0), fall(-1.0), max_relative = 1e-6);
+        // second order: half the angle, a quarter of the fall
+        assert_relative_eq!(fall(1.0) / fall(0.5), 4.0, max_relative = 0.02);
+    }
+    let told = called("roll-error --sea jonswap --heading 45", &std::env::temp_dir()).1;
+    assert!(told.contains("a ship of 90 m (six beams) by 15 m"), "{told}");
+    let told = called("roll-error --sea jonswap --ship-length 100m --heading 45", &std::env::temp_dir()).1;
+    assert!(told.contains("a ship of 100 m by 15 m"), "{told}");
 }
 
 #[test]

@@ -113,7 +113,7 @@ fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {
 }
 
 /// Values that no argument has by default.
-const ROLL_ERROR: [(&str, &str); 29] = [
+const ROLL_ERROR: [(&str, &str); 30] = [
     ("model_or_parameters", "compass.toml"),
     ("recording", "compass.toml roll.csv"),
     ("roll", "--roll starboard"),
@@ -134,6 +134,7 @@ const ROLL_ERROR: [(&str, &str); 29] = [
     ("gamma", "--gamma 2"),
     ("sea_from", "--sea-from 60"),
     ("ship", "--ship 10s,0.1,0.8,12m"),
+    ("ship_length", "--ship-length 70m"),
     ("also", "--also heave"),
     ("band", "--band 2.5"),
     ("against", "--against latitude"),

@@ -168,6 +168,9 @@ struct SeaOptions {
     /// The ship: roll period, damping ratio, effective wave slope, beam.
     #[arg(long, requires = "sea", value_name = "PERIOD,DAMPING,SLOPE,BEAM")]
     ship: Option<String>,
+    /// Length of the ship's waterline; six beams if absent.
+    #[arg(long, requires = "sea", value_name = "LENGTH", allow_hyphen_values = true)]
+    ship_length: Option<String>,
     /// Other motions in the same sea; heave changes the spread alone, not the mean.
     #[arg(long, requires = "sea", value_enum, value_delimiter = ',')]
     also: Vec<Also>,
@@ -257,10 +260,17 @@ impl SeaOptions {
     }
 
     fn hull(&self) -> Result<Hull> {
-        let Some(text) = &self.ship else { return Ok(Hull::default()) };
-        let ranges = [&range::ROLL_PERIOD, &range::ROLL_DAMPING, &range::WAVE_SLOPE, &range::BEAM];
-        let v = quantities("ship", text, &ranges)?;
-        Ok(Hull { frequency: std::f64::consts::TAU / v[0], damping: v[1], slope: v[2], beam: v[3] })
+        let mut hull = Hull::default();
+        if let Some(text) = &self.ship {
+            let ranges = [&range::ROLL_PERIOD, &range::ROLL_DAMPING, &range::WAVE_SLOPE, &range::BEAM];
+            let v = quantities("ship", text, &ranges)?;
+            let frequency = std::f64::consts::TAU / v[0];
+            hull = Hull { frequency, damping: v[1], slope: v[2], beam: v[3], length: Hull::BEAMS * v[3] };
+        }
+        if let Some(text) = &self.ship_length {
+            hull.length = quantity("ship-length", text, &range::SHIP_LENGTH)?;
+        }
+        Ok(hull)
     }
 }
 

@@ -4,7 +4,8 @@ use super::{recorded, tail};
 use crate::gyro::IDLE;
 use crate::gyro::validity::{LARGEST_MEAN, Smallness};
 use crate::rolling::{Against, Excitation, Origin, Source, Table, Waves};
-use crate::spectrum::{RationalFit, Sea};
+use crate::spectrum::{Hull, RationalFit, Sea};
+use crate::units::figure;
 use std::f64::consts::{PI, TAU};
 
 /// Where the numbers of a compass come from.
@@ -77,7 +78,15 @@ fn waves_in_words(waves: &Waves, fit: Option<&RationalFit>, heights: bool) -> St
             100.0 * fit.power_error.abs()
         )
     });
-    format!("{name} sea from {:03.0}° off the bow, {size}{off}", waves.from.to_degrees())
+    let hull = hull_in_words(&waves.hull);
+    format!("{name} sea from {:03.0}° off the bow, {size}; {hull}{off}", waves.from.to_degrees())
+}
+
+/// The waterplane over which the waves are averaged.
+fn hull_in_words(hull: &Hull) -> String {
+    let [length, beam] = [hull.length, hull.beam].map(figure);
+    let assumed = if hull.length == Hull::BEAMS * hull.beam { " (six beams)" } else { "" };
+    format!("slope averaged over a ship of {length} m{assumed} by {beam} m")
 }
 
 /// What of the numbers to trust, in lines.

@@ -1,0 +1,135 @@
+//! A ship's motion in a sea, by the slope of the waves averaged over her waterplane.
+
+use super::sea::GRAVITY;
+use crate::lti::TransferFunction;
+use crate::{Error, Result};
+
+/// How a ship moves in a long-crested sea: its slope athwart drives a damped resonance of roll, its slope along the
+/// ship drives pitch, each averaged over the waterplane.
+///
+/// | field | symbol | unit |
+/// |---|---|---|
+/// | `frequency` | ω_φ, natural roll frequency | rad/s |
+/// | `damping` | ζ_φ, ratio of critical damping | 1 |
+/// | `slope` | χ, effective part of the wave slope | 1 |
+/// | `beam` | B, width of the waterplane | m |
+/// | `length` | L, length of the waterplane | m |
+///
+/// A sea from the bearing ν off the bow (clockwise: 0 ahead, π/2 from abeam to starboard) has the slope
+/// σ = (−s²/g)ζ along its travel, of which −σ sin ν acts athwart and +σ cos ν along the ship; positive turns carry the
+/// mast to port and forward. Heave is given the phase of the slope. Waves come at their own frequency: the speed of the
+/// ship through them is not counted.
+///
+/// A plane wave of the number k = ω²/g (deep water) has, averaged over a rectangle of L by B, its slope and its height
+/// times
+///
+/// ```text
+/// S = (1/LB) ∫∫ cos(k(x cos ν + y sin ν)) dx dy = sinc(½kL cos ν) · sinc(½kB sin ν),   sinc u = sin u/u,
+/// ```
+///
+/// which is even and of second order about abeam and about ahead. With α = (L cos ν/2g)², β = (B sin ν/2g)² the series
+///
+/// ```text
+/// 1/S² = 1 + (α + β)/3 · ω⁴ + ((α² + β²)/15 + αβ/9) · ω⁸ + …
+/// ```
+///
+/// is cut there, so that a filter of order four has the power S². It is within 1 % of S² up to ½k√(L²cos²ν + B²sin²ν)
+/// = 1, that is for waves longer than three times the ship's extent along their travel; of shorter ones, which hardly
+/// move her, it leaves more than the rectangle does and has not its zeros, as a pointed waterplane has none.
+///
+/// References: M. St. Denis, W. J. Pierson, Trans. SNAME 61 (1953) 280–357; E. V. Lewis (ed.), Principles of Naval
+/// Architecture III (SNAME 1989), ch. VIII; the average of a plane wave over a rectangle is its Fourier transform
+/// (R. N. Bracewell, The Fourier Transform and Its Applications).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hull {
+    /// ω_φ, rad/s.
+    pub frequency: f64,
+    /// ζ_φ.
+    pub damping: f64,
+    /// χ.
+    pub slope: f64,
+    /// B, m.
+    pub beam: f64,
+    /// L, m.
+    pub length: f64,
+}
+
+impl Default for Hull {
+    /// A freighter of 15 m beam and 90 m length that rolls with a period of 9 s.
+    fn default() -> Self {
+        Self { frequency: 0.7, damping: 0.08, slope: 0.7, beam: 15.0, length: Self::BEAMS * 15.0 }
+    }
+}
+
+impl Hull {
+    /// L/B of a ship of whose length nothing is said.
+    pub const BEAMS: f64 = 6.0;
+
+    /// The parts of a wave's slope athwart and along the ship, (−sin ν, cos ν); no part is a rounding error of 0.
+    pub fn slopes(from: f64) -> (f64, f64) {
+        let clean = |x: f64| if x.abs() < 1e-9 { 0.0 } else { x };
+        (clean(-from.sin()), clean(from.cos()))
+    }
+
+    /// θ/ζ: φ̈ + 2ζ_φω_φφ̇ + ω_φ²φ = ω_φ² χ (−sin ν)(−s²/g) S ζ, rad/m, in a sea from the bearing ν (rad, clockwise off
+    /// the bow).
+    ///
+    /// # Errors
+    /// `BadInput` when a number is not positive, or nothing of the slope lies athwart.
+    pub fn roll_response(&self, from: f64) -> Result<TransferFunction> {
+        self.check()?;
+        let w2 = self.frequency * self.frequency;
+        let resonance = TransferFunction::new(
+            &[-excited(Self::slopes(from).0, "roll")? * w2 * self.slope / GRAVITY, 0.0, 0.0],
+            &[1.0, 2.0 * self.damping * self.frequency, w2],
+        )?;
+        Ok(resonance.then(&self.averaged(from)?))
+    }
+
+    /// Pitch/ζ = cos ν (−s²/g) S: the mean slope along the ship, rad/m.
+    ///
+    /// # Errors
+    /// `BadInput` when a number is not positive, or nothing of the slope lies along the ship.
+    pub fn pitch_response(&self, from: f64) -> Result<TransferFunction> {
+        let along = excited(Self::slopes(from).1, "pitch")?;
+        TransferFunction::new(&[-along / GRAVITY, 0.0, 0.0], self.averaged(from)?.denominator())
+    }
+
+    /// Heave/ζ = S: the mean height of the wave, m/m.
+    ///
+    /// # Errors
+    /// `BadInput` when a number is not positive.
+    pub fn heave_response(&self, from: f64) -> Result<TransferFunction> {
+        self.averaged(from)
+    }
+
+    /// S, by a filter of order four whose power is 1/(1 + pω⁴ + qω⁸).
+    fn averaged(&self, from: f64) -> Result<TransferFunction> {
+        self.check()?;
+        let (athwart, along) = Self::slopes(from);
+        // α = (L cos ν/2g)², β = (B sin ν/2g)², s⁴
+        let [a, b] = [self.length * along, self.beam * athwart].map(|x| (0.5 * x / GRAVITY).powi(2));
+        let (p, q) = ((a + b) / 3.0, (a * a + b * b) / 15.0 + a * b / 9.0);
+        // ρ = q^(−1/8), cos 4η = −p/(2√q), u = s/ρ:  H = (1 + 2 sin η u + u²)(1 + 2 cos η u + u²)
+        let (corner, eta) = (q.powf(-0.125), 0.25 * (-0.5 * p / q.sqrt()).acos());
+        let pair = |damping: f64| [1.0 / (corner * corner), 2.0 * damping / corner, 1.0];
+        let first = TransferFunction::new(&[1.0], &pair(eta.sin()))?;
+        Ok(first.then(&TransferFunction::new(&[1.0], &pair(eta.cos()))?))
+    }
+
+    fn check(&self) -> Result<()> {
+        let values = [self.frequency, self.damping, self.slope, self.beam, self.length];
+        if values.iter().all(|v| v.is_finite() && *v > 0.0) {
+            return Ok(());
+        }
+        Err(Error::bad_input("frequency, damping, slope, beam and length of a ship must be positive"))
+    }
+}
+
+/// A part of the slope that is there.
+fn excited(part: f64, what: &str) -> Result<f64> {
+    if part != 0.0 {
+        return Ok(part);
+    }
+    Err(Error::bad_input(format!("a sea from there has no slope that excites {what}")))
+}
