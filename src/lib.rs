@@ -10,6 +10,7 @@
 //! | print I_n with letters | [`print_tables`], [`Table`] | `symbolic` |
 //! | derive a mean or a variance in symbols | [`formula`](fn@formula) | `symbolic` |
 //! | describe a compass and the roll that disturbs it | [`Gyrosphere`], [`Instrument`], [`Roll`] | `instruments` |
+//! | ask for the rolling error | [`roll_error`] of a [`Compass`] | `diagnose` |
 //! | read a recording | [`Recording::read`] | `instruments` |
 //! | read a model, and run it on a recording | [`Model::read`], [`simulate`](fn@simulate) | `diagnose` |
 //! | fit its parameters | [`fit`](fn@fit) | `diagnose` |
@@ -102,10 +103,12 @@ pub use spectrum::Roll;
 pub use diagnose::answer::{Finding, Proof, Verdict};
 #[cfg(feature = "diagnose")]
 pub use facade::{
-    Diagnosed, Diagnosing, Estimated, Fitted, Fitting, Simulated, SimulatedOutput, Simulating, diagnose, fit,
-    simulate,
+    Asking, Diagnosed, Diagnosing, Estimated, Fitted, Fitting, Rolled, Rolling, Simulated, SimulatedOutput,
+    Simulating, diagnose, fit, roll_error, simulate,
 };
 #[cfg(feature = "diagnose")]
 pub use model::Model;
+#[cfg(feature = "diagnose")]
+pub use rolling::Compass;
 #[cfg(any(feature = "symbolic", feature = "instruments"))]
 pub use units::Unit;

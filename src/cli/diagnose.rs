@@ -2,7 +2,6 @@
 
 use super::colour::paint;
 use super::output::print;
-use super::progress::Meter;
 use super::task::Task;
 use super::{Outcome, warn};
 use crate::Result;
@@ -29,13 +28,8 @@ pub struct Call {
 pub fn run(call: &Call) -> Result<Outcome> {
     let outputs = call.task.open()?;
     let inputs = call.task.read(&outputs)?;
-    let asked = crate::diagnose(&inputs.model, &inputs.recordings)
-        .holdout(&inputs.separate)
-        .seed(call.task.seed)
-        .source(&inputs.source)
-        .progress(&Meter)
-        .time_limit(call.task.time_limit);
-    let found = asked.run()?;
+    let asked = crate::diagnose(&inputs.model, &inputs.recordings);
+    let found = call.task.said(asked, &inputs).run()?;
     if outputs.take_stdout() {
         found.notes().iter().for_each(|note| warn(note));
     } else {

@@ -1,7 +1,6 @@
 //! `gyrospec fit`: a model fitted to recordings.
 
 use super::output::words;
-use super::progress::Meter;
 use super::task::Task;
 use super::{Outcome, warn};
 use crate::Result;
@@ -25,13 +24,8 @@ pub struct Call {
 pub fn run(call: &Call) -> Result<Outcome> {
     let outputs = call.task.open()?;
     let inputs = call.task.read(&outputs)?;
-    let asked = crate::fit(&inputs.model, &inputs.recordings)
-        .holdout(&inputs.separate)
-        .seed(call.task.seed)
-        .source(&inputs.source)
-        .progress(&Meter)
-        .time_limit(call.task.time_limit);
-    let fitted = asked.run()?;
+    let asked = crate::fit(&inputs.model, &inputs.recordings);
+    let fitted = call.task.said(asked, &inputs).run()?;
     fitted.warnings().for_each(warn);
     if !outputs.take_stdout() {
         words(&fitted.text())?;

@@ -2,10 +2,10 @@
 
 use super::Outcome;
 use super::output;
+use crate::Result;
 use crate::model::Model;
 use crate::record::{Channel, Recording, read_once};
 use crate::simulate::Options;
-use crate::{Error, Result};
 use std::path::PathBuf;
 const HELP: &str = "\
 Examples:
@@ -25,15 +25,18 @@ pub struct Call {
     #[arg(long, value_name = "CSV")]
     out: Option<PathBuf>,
     /// How far halving the step may move an output, as a share of its spread.
-    #[arg(long, default_value_t = Options::default().tolerance)]
+    #[arg(long, default_value_t = Options::default().tolerance, value_parser = share)]
     tolerance: f64,
 }
 
+/// A tolerance.
+fn share(text: &str) -> std::result::Result<f64, String> {
+    let share: f64 =
+        text.trim().parse().map_err(|_| "give a number between 0 and 1, such as 1e-5".to_string())?;
+    Options::default().with_tolerance(share).map(|o| o.tolerance).map_err(|e| e.to_string())
+}
+
 pub fn run(call: &Call) -> Result<Outcome> {
-    if !(call.tolerance > 0.0 && call.tolerance < 1.0) {
-        return Err(Error::usage(format!("--tolerance {}: this is no share of a spread", call.tolerance))
-            .with_hint("give a number between 0 and 1, such as 1e-5"));
-    }
     read_once([call.model.as_path(), &call.recording])?;
     let [place] = output::open([call.out.as_deref()])?;
     output::spare(&place, [&call.model, &call.recording])?;

@@ -1,9 +1,10 @@
 //! What `fit` and `diagnose` take and give: a model, recordings, and files for the results.
 
 use super::output::{self, Place};
-use crate::Result;
+use super::progress::Meter;
 use crate::model::Model;
 use crate::record::{Recording, Source, read_once};
+use crate::{Asking, Result};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -29,11 +30,11 @@ pub struct Task {
     model_out: Option<PathBuf>,
     /// Seed of all that is drawn at random.
     #[arg(long, default_value_t = 1)]
-    pub seed: u64,
+    seed: u64,
     /// Wall time after which the search ends with the best so far; the same inputs then no longer give the
     /// same bytes.
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
-    pub time_limit: Option<Duration>,
+    time_limit: Option<Duration>,
 }
 
 /// A wall time.
@@ -62,6 +63,12 @@ pub struct Outputs {
 }
 
 impl Task {
+    /// What is asked, with all that the options say of it.
+    pub fn said<'a, R>(&self, asked: Asking<'a, R>, inputs: &'a Inputs) -> Asking<'a, R> {
+        let asked = asked.holdout(&inputs.separate).source(&inputs.source);
+        asked.seed(self.seed).time_limit(self.time_limit).progress(&Meter)
+    }
+
     /// Opens the places for the results.
     pub fn open(&self) -> Result<Outputs> {
         let [json, html, model] =

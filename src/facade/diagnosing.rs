@@ -1,13 +1,12 @@
 //! A model diagnosed against recordings.
 
+use super::asking::Asking;
 use crate::diagnose::answer::{Answer, DataFault, Finding, Proof, Verdict};
-use crate::diagnose::{self as search, Diagnosis, Request};
-use crate::estimate::fit::{Progress, Silent};
+use crate::diagnose::{self as search, Diagnosis};
 use crate::model::Model;
-use crate::record::{Recording, Source};
+use crate::record::Recording;
 use crate::report::diagnosis;
 use crate::{Error, Result};
-use std::time::Duration;
 
 /// Asks what a model leaves out: fits it to recordings, locates the mismatch, names what was left out, and proves it
 /// on what was held out.
@@ -26,63 +25,19 @@ use std::time::Duration;
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn diagnose<'a>(model: &'a Model, recordings: &'a [Recording]) -> Diagnosing<'a> {
-    let request = Request {
-        model,
-        source: None,
-        recordings,
-        separate: &[],
-        seed: 1,
-        time_limit: None,
-        progress: &Silent,
-    };
-    Diagnosing(request)
+    Asking::new(model, recordings)
 }
 
 /// A diagnosis that is asked for; see [`diagnose`].
-pub struct Diagnosing<'a>(Request<'a>);
+pub type Diagnosing<'a> = Asking<'a, Diagnosed>;
 
-impl<'a> Diagnosing<'a> {
-    /// Recordings that are held out whole; the others are then fitted whole, unless they say otherwise.
-    #[must_use]
-    pub fn holdout(mut self, recordings: &'a [Recording]) -> Self {
-        self.0.separate = recordings;
-        self
-    }
-
-    /// Seed of everything random; 1 unless told.
-    #[must_use]
-    pub fn seed(mut self, seed: u64) -> Self {
-        self.0.seed = seed;
-        self
-    }
-
-    /// Wall time after which the search ends with the best so far, and says so.
-    #[must_use]
-    pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
-        self.0.time_limit = limit.into();
-        self
-    }
-
-    /// Who hears how far it has come.
-    #[must_use]
-    pub fn progress(mut self, progress: &'a dyn Progress) -> Self {
-        self.0.progress = progress;
-        self
-    }
-
-    /// The file of the model, for the list of inputs in a report.
-    #[must_use]
-    pub fn source(mut self, source: &'a Source) -> Self {
-        self.0.source = Some(source);
-        self
-    }
-
+impl Diagnosing<'_> {
     /// Diagnoses the model.
     ///
     /// # Errors
     /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated or fitted at all.
     pub fn run(self) -> Result<Diagnosed> {
-        Ok(Diagnosed(search::diagnose(&self.0)?))
+        Ok(Diagnosed(search::diagnose(&self.request)?))
     }
 }
 

@@ -1,15 +1,16 @@
 //! A model fitted to recordings.
 
-use super::unread;
+use super::asking::Asking;
 use crate::Result;
+use crate::diagnose::Request;
 use crate::estimate::fit::{
-    self as estimate, Fit, FitOptions, HeldOut, Progress, ResidualSpectrum, Silent, Status, residual_spectra,
+    self as estimate, Fit, FitOptions, HeldOut, ResidualSpectrum, Status, residual_spectra,
 };
 use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::report::fit::{FitReport, json, page, text};
 use crate::simulate::Budget;
-use std::time::Duration;
+use std::path::Path;
 
 /// Asks for a fit of a model's free parameters and initial states to recordings, by simulation.
 ///
@@ -31,79 +32,37 @@ use std::time::Duration;
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn fit<'a>(model: &'a Model, recordings: &'a [Recording]) -> Fitting<'a> {
-    Fitting { model, source: None, recordings, separate: &[], seed: 1, time_limit: None, progress: &Silent }
+    Asking::new(model, recordings)
 }
 
 /// A fit that is asked for; see [`fit`].
-#[derive(Clone)]
-pub struct Fitting<'a> {
-    model: &'a Model,
-    source: Option<Source>,
-    recordings: &'a [Recording],
-    separate: &'a [Recording],
-    seed: u64,
-    time_limit: Option<Duration>,
-    progress: &'a dyn Progress,
-}
+pub type Fitting<'a> = Asking<'a, Fitted<'a>>;
 
 impl<'a> Fitting<'a> {
-    /// Recordings that are held out whole; the others are then fitted whole, unless they say otherwise.
-    #[must_use]
-    pub fn holdout(mut self, recordings: &'a [Recording]) -> Self {
-        self.separate = recordings;
-        self
-    }
-
-    /// Seed of the starts that are drawn; 1 unless told.
-    #[must_use]
-    pub fn seed(mut self, seed: u64) -> Self {
-        self.seed = seed;
-        self
-    }
-
-    /// Wall time after which the fit ends with the best so far, and says so.
-    #[must_use]
-    pub fn time_limit(mut self, limit: impl Into<Option<Duration>>) -> Self {
-        self.time_limit = limit.into();
-        self
-    }
-
-    /// Who hears how far it has come.
-    #[must_use]
-    pub fn progress(mut self, progress: &'a dyn Progress) -> Self {
-        self.progress = progress;
-        self
-    }
-
-    /// The file of the model, for the list of inputs in a report.
-    #[must_use]
-    pub fn source(mut self, source: &Source) -> Self {
-        self.source = Some(source.clone());
-        self
-    }
-
     /// Fits the model.
     ///
     /// # Errors
     /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated.
     pub fn run(self) -> Result<Fitted<'a>> {
-        estimate::setup::keep_apart(self.model, self.recordings, self.separate)?;
+        let Request { model, source, recordings, separate, seed, time_limit, progress } = self.request;
+        estimate::setup::keep_apart(model, recordings, separate)?;
         let options = FitOptions {
-            seed: self.seed,
-            separate_holdout: !self.separate.is_empty(),
-            budget: Budget::new(u64::MAX, self.time_limit),
-            progress: self.progress,
+            seed,
+            separate_holdout: !separate.is_empty(),
+            budget: Budget::new(u64::MAX, time_limit),
+            progress,
             ..FitOptions::default()
         };
-        let mut fit = estimate::fit(self.model, self.recordings, &options)?;
+        let mut fit = estimate::fit(model, recordings, &options)?;
         let unlimited = options.without_limit();
         if fit.ended_early.is_none() {
-            estimate::ascertain(&mut fit, self.recordings, &unlimited)?;
+            estimate::ascertain(&mut fit, recordings, &unlimited)?;
         }
-        let held_out = estimate::holdout(&fit, self.recordings, self.separate, &unlimited)?;
-        let source = self.source.unwrap_or_else(|| unread(self.model));
+        let held_out = estimate::holdout(&fit, recordings, separate, &unlimited)?;
         let spectra = residual_spectra(&fit);
-        let (recordings, separate, seed) = (self.recordings, self.separate, self.seed);
+        // a model that was not read from a file: its own text stands among the inputs
+        let source =
+            source.cloned().unwrap_or_else(|| Source::of(Path::new("model"), model.to_toml().as_bytes()));
         Ok(Fitted { fit, source, held_out, spectra, recordings, separate, seed })
     }
 }
@@ -214,11 +173,5 @@ impl Fitted<'_> {
             spectra: &self.spectra,
             seed: self.seed,
         }
-    }
-
-    /// The fit with its internals.
-    #[doc(hidden)]
-    pub fn details(&self) -> &Fit {
-        &self.fit
     }
 }

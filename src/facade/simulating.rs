@@ -4,8 +4,7 @@ use crate::Result;
 use crate::model::Model;
 use crate::record::{Kind, Recording};
 use crate::report::simulated;
-use crate::simulate::{Options, Simulator, Trajectory, warnings};
-use crate::{Error, ErrorKind};
+use crate::simulate::{Options, OutputSignal, Simulator, Trajectory, warnings};
 
 /// Asks for a run of a model on the inputs of a recording, at the values of the model file.
 ///
@@ -21,7 +20,7 @@ use crate::{Error, ErrorKind};
 /// let recording = Recording::read(&file)?;
 /// let run = simulate(&model, &recording).run()?;
 /// let y = run.output("y").unwrap();
-/// assert!((y.predicted[1] - (1.0 - (-1.0_f64).exp())).abs() < 1e-4); // x(t) = 1 − exp(−t/T)
+/// assert!((y.predicted().nth(1).unwrap() - (1.0 - (-1.0_f64).exp())).abs() < 1e-4); // x(t) = 1 − exp(−t/T)
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn simulate<'a>(model: &'a Model, recording: &'a Recording) -> Simulating<'a> {
@@ -50,13 +49,7 @@ impl Simulating<'_> {
     /// `Usage` for a tolerance that is no share; `BadInput` where a channel is missing; `NotComputed` where the run
     /// needs more steps than can be taken.
     pub fn run(self) -> Result<Simulated> {
-        if !(self.tolerance > 0.0 && self.tolerance < 1.0) {
-            let says = format!("the tolerance {} is no share of a standard deviation", self.tolerance);
-            return Err(
-                Error::new(ErrorKind::Usage, says).with_hint("give a number between 0 and 1, such as 1e-5")
-            );
-        }
-        let options = Options { tolerance: self.tolerance, ..Options::default() };
+        let options = Options::default().with_tolerance(self.tolerance)?;
         let simulator = Simulator::new(self.model, self.recording, &options)?;
         let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
         Ok(Simulated { simulator, ran, kind: self.recording.kind })
@@ -71,46 +64,60 @@ pub struct Simulated {
 }
 
 /// One output of a run, in the unit of the model file.
-#[derive(Debug, Clone, PartialEq)]
-#[non_exhaustive]
-pub struct SimulatedOutput {
+#[derive(Debug, Clone, Copy)]
+pub struct SimulatedOutput<'a> {
+    signal: &'a OutputSignal,
+    predicted: &'a [f64],
+}
+
+impl<'a> SimulatedOutput<'a> {
     /// Its name.
-    pub name: String,
+    pub fn name(&self) -> &'a str {
+        &self.signal.name
+    }
+
     /// Its unit.
-    pub unit: String,
+    pub fn unit(&self) -> &'a str {
+        self.signal.unit.text()
+    }
+
     /// Times of its samples, s; row numbers of steady trials.
-    pub time: Vec<f64>,
+    pub fn time(&self) -> &'a [f64] {
+        &self.signal.time
+    }
+
     /// What was measured; NaN where nothing was.
-    pub measured: Vec<f64>,
+    pub fn measured(&self) -> impl Iterator<Item = f64> + 'a {
+        self.in_unit(&self.signal.measured)
+    }
+
     /// What the model predicts; NaN where its inputs are missing.
-    pub predicted: Vec<f64>,
-    /// Root mean square of measured less predicted.
-    pub rms_error: f64,
-    /// The largest of measured less predicted.
-    pub worst_error: f64,
+    pub fn predicted(&self) -> impl Iterator<Item = f64> + 'a {
+        self.in_unit(self.predicted)
+    }
+
+    /// Root mean square of measured less predicted, and the largest of them; NaN where nothing can be compared.
+    pub fn errors(&self) -> (f64, f64) {
+        let (_, rms, worst) = self.signal.errors(self.predicted);
+        (rms, worst)
+    }
+
+    fn in_unit(&self, si: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        let unit = &self.signal.unit;
+        si.iter().map(|v| unit.from_si(*v))
+    }
 }
 
 impl Simulated {
     /// Every output that the recording measured.
-    pub fn outputs(&self) -> impl Iterator<Item = SimulatedOutput> {
-        self.simulator.outputs().iter().zip(&self.ran.outputs).map(|(o, predicted)| {
-            let (_, rms_error, worst_error) = o.errors(predicted);
-            let in_unit = |si: &[f64]| si.iter().map(|v| o.unit.from_si(*v)).collect();
-            SimulatedOutput {
-                name: o.name.clone(),
-                unit: o.unit.text().to_owned(),
-                time: o.time.to_vec(),
-                measured: in_unit(&o.measured),
-                predicted: in_unit(predicted),
-                rms_error,
-                worst_error,
-            }
-        })
+    pub fn outputs(&self) -> impl Iterator<Item = SimulatedOutput<'_>> {
+        let pairs = self.simulator.outputs().iter().zip(&self.ran.outputs);
+        pairs.map(|(signal, predicted)| SimulatedOutput { signal, predicted })
     }
 
     /// The output of a name.
-    pub fn output(&self, name: &str) -> Option<SimulatedOutput> {
-        self.outputs().find(|o| o.name == name)
+    pub fn output(&self, name: &str) -> Option<SimulatedOutput<'_>> {
+        self.outputs().find(|o| o.name() == name)
     }
 
     /// The solver's error as a share of an output's standard deviation, by halving the step; NaN where not known.

@@ -26,7 +26,7 @@ pub(crate) use input::{is_stream, read_once};
 pub use recording::{Channel, Constant, Hold, Kind, Note, Origin, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 pub use summary::{Peak, Summary, summaries, summary};
-pub use wrap::unwrap;
+pub use wrap::{principal, unwrap};
 
 use crate::Result;
 use crate::text::in_line;

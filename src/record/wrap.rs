@@ -24,3 +24,14 @@ pub fn unwrap(angles: &mut [f64]) {
         *angle = raw + turns * TAU;
     }
 }
+
+/// The angle less whole turns, from −π to π, rad: how far two headings lie apart, say.
+///
+/// ```
+/// use std::f64::consts::TAU;
+/// assert!((gyrospec::record::principal(0.1 - 6.2) - (0.1 - 6.2 + TAU)).abs() < 1e-15);
+/// assert_eq!(gyrospec::record::principal(3.0), 3.0);
+/// ```
+pub fn principal(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}

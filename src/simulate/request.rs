@@ -2,6 +2,7 @@
 
 use super::budget::Budget;
 use super::steps::Method;
+use crate::{Error, Result};
 
 /// How to simulate.
 #[derive(Debug, Clone)]
@@ -17,6 +18,20 @@ pub struct Options {
     pub waits: bool,
     /// What the runs may spend; unlimited.
     pub budget: Budget,
+}
+
+impl Options {
+    /// The options with another tolerance.
+    ///
+    /// # Errors
+    /// `Usage` for what is no share: not between 0 and 1.
+    pub fn with_tolerance(self, share: f64) -> Result<Self> {
+        if share > 0.0 && share < 1.0 {
+            return Ok(Self { tolerance: share, ..self });
+        }
+        let says = format!("the tolerance {share} is no share of a standard deviation");
+        Err(Error::usage(says).with_hint("give a number between 0 and 1, such as 1e-5"))
+    }
 }
 
 impl Default for Options {

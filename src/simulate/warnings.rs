@@ -1,6 +1,7 @@
 //! What the user should know about a run though it went on.
 
 use super::{OutputSignal, Simulator, Trajectory};
+use crate::record::principal;
 
 /// What the user should know about the run though it went on.
 pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
@@ -41,19 +42,13 @@ pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
     out
 }
 
-/// Measured less predicted, modulo a turn where the angle wraps.
-fn residual(measured: f64, predicted: f64, wraps: bool) -> f64 {
-    let e = measured - predicted;
-    if wraps { e - std::f64::consts::TAU * (e / std::f64::consts::TAU).round() } else { e }
-}
-
 impl OutputSignal {
     /// The number of samples that can be compared with what is predicted for them, and the root mean square and the
     /// largest of measured less predicted, in the output's unit.
     pub fn errors(&self, predicted: &[f64]) -> (usize, f64, f64) {
         let pairs = self.measured.iter().zip(predicted).filter(|(y, f)| y.is_finite() && f.is_finite());
-        let errors: Vec<f64> =
-            pairs.map(|(y, f)| self.unit.difference_from_si(residual(*y, *f, self.wraps))).collect();
+        let residual = |(y, f): (&f64, &f64)| if self.wraps { principal(y - f) } else { y - f };
+        let errors: Vec<f64> = pairs.map(|pair| self.unit.difference_from_si(residual(pair))).collect();
         let rms = (errors.iter().map(|e| e * e).sum::<f64>() / errors.len() as f64).sqrt();
         (errors.len(), rms, errors.iter().fold(f64::NAN, |m, e| m.max(e.abs())))
     }

@@ -10,7 +10,10 @@ use std::sync::Arc;
 
 /// One run, in the units of the model.
 #[pyclass(frozen, module = "gyrospec._gyrospec")]
-pub struct Simulated(gyrospec::Simulated);
+pub struct Simulated {
+    ran: gyrospec::Simulated,
+    warnings: Vec<String>,
+}
 
 /// Time, measured, predicted, rms error and worst error of one output.
 type Output<'py> =
@@ -24,39 +27,42 @@ impl Simulated {
     /// Names and units of the outputs that the recording measured.
     #[getter]
     fn outputs(&self) -> Vec<(String, String)> {
-        self.0.outputs().map(|o| (o.name, o.unit)).collect()
+        self.ran.outputs().map(|o| (o.name().to_owned(), o.unit().to_owned())).collect()
     }
 
     #[getter]
     fn warnings(&self) -> Vec<String> {
-        self.0.warnings()
+        self.warnings.clone()
     }
 
     #[getter]
     fn solver_error(&self) -> f64 {
-        self.0.solver_error()
+        self.ran.solver_error()
     }
 
     #[getter]
     fn text(&self) -> String {
-        self.0.text()
+        self.ran.text()
     }
 
     fn output<'py>(&self, py: Python<'py>, number: usize) -> PyResult<Output<'py>> {
         let unknown = || Error::usage(format!("there is no output {number}"));
-        let o = self.0.outputs().nth(number).ok_or_else(unknown)?;
+        let o = self.ran.outputs().nth(number).ok_or_else(unknown)?;
+        let (rms, worst) = o.errors();
+        let measured: Vec<f64> = o.measured().collect();
+        let predicted: Vec<f64> = o.predicted().collect();
         Ok((
-            o.time.into_pyarray(py),
-            o.measured.into_pyarray(py),
-            o.predicted.into_pyarray(py),
-            o.rms_error,
-            o.worst_error,
+            o.time().to_vec().into_pyarray(py),
+            measured.into_pyarray(py),
+            predicted.into_pyarray(py),
+            rms,
+            worst,
         ))
     }
 
     /// States and definitions at the given times: name, unit, values.
     fn trace<'py>(&self, py: Python<'py>, time: Vec<f64>) -> PyResult<Vec<Signal<'py>>> {
-        let s = self.0.simulator();
+        let s = self.ran.simulator();
         let trace = py.detach(|| s.trace(&s.parameters(), &s.initials(), time.into()))?;
         let m = s.model();
         let names = m.states.iter().map(|x| (&x.name, &x.unit));
@@ -80,9 +86,7 @@ pub fn simulate(
     tolerance: f64,
 ) -> PyResult<Simulated> {
     let (model, recording) = (Arc::clone(&model.0), Arc::clone(&recording.0));
-    if tolerance.is_nan() || tolerance <= 0.0 {
-        return Err(Error::usage("the tolerance must be a positive number, such as 1e-5").into());
-    }
     let work = || gyrospec::simulate(&model, &recording).tolerance(tolerance).run();
-    Ok(Simulated(py.detach(work)?))
+    let ran = py.detach(work)?;
+    Ok(Simulated { warnings: ran.warnings(), ran })
 }

@@ -26,7 +26,7 @@ use crate::estimate::fit::{Effort, setup};
 use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
 use crate::model::Model;
-use crate::record::Channel;
+use crate::record::{Channel, principal};
 use crate::units::Unit;
 
 /// Samples that are looked at.
@@ -142,7 +142,7 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     for (row, (t, v)) in rows.iter().enumerate() {
         let Some(m) = measured.get(times.partition_point(|x| x < t)) else { continue };
         let (x, factor, rest, whole) = (of_x(v[0]), v[1], v[2], v[3]);
-        let difference = if channel.wraps { turned(m[1] - rest) } else { m[1] - rest };
+        let difference = if channel.wraps { principal(m[1] - rest) } else { m[1] - rest };
         let pulls: Vec<f64> = v[4..].iter().map(|b| (b - whole) / factor).collect();
         let deviation = of_y(spread.of(&pulls)).abs();
         data.push(Sample { x, y: of_y(difference / factor), deviation: 0.0, row });
@@ -156,10 +156,6 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
         formula: target.formula,
     };
     Some(law(p, words, &data, &curve))
-}
-
-fn turned(x: f64) -> f64 {
-    x - std::f64::consts::TAU * (x / std::f64::consts::TAU).round()
 }
 
 /// An output of the first recording without and with a finding, both running free.

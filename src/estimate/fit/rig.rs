@@ -1,6 +1,7 @@
 //! What a fit needs of a simulation, and what it knows about one recording.
 
 use crate::estimate::coordinates::Range;
+use crate::record::principal;
 use crate::simulate::OutputSignal;
 pub use crate::simulate::Unknown;
 use crate::{Error, Result};
@@ -72,15 +73,8 @@ impl Track {
 
     /// Measured less predicted, modulo a turn where the output wraps.
     pub fn residual(&self, predicted: &[f64]) -> Vec<f64> {
-        let turn = std::f64::consts::TAU;
-        self.measured
-            .iter()
-            .zip(predicted)
-            .map(|(y, f)| {
-                let e = y - f;
-                if self.wraps { e - turn * (e / turn).round() } else { e }
-            })
-            .collect()
+        let pairs = self.measured.iter().zip(predicted);
+        pairs.map(|(y, f)| if self.wraps { principal(y - f) } else { y - f }).collect()
     }
 }
 
