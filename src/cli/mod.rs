@@ -1,29 +1,29 @@
 //! The command line: one file a subcommand.
 #![allow(clippy::print_stdout, clippy::print_stderr, missing_docs)]
 
-pub mod audit;
-pub mod colour;
-pub mod completions;
-pub mod diagnose;
-pub mod explain;
-pub mod fit;
-pub mod formula;
-pub mod gimbal;
-pub mod input;
-pub mod integral;
-pub mod laboratory;
-pub mod models;
-pub mod new;
-pub mod output;
-pub mod progress;
-pub mod quantity;
-pub mod record;
+mod audit;
+mod colour;
+mod completions;
+mod diagnose;
+mod explain;
+mod fit;
+mod formula;
+mod gimbal;
+mod input;
+mod integral;
+mod laboratory;
+mod models;
+mod new;
+mod output;
+mod progress;
+mod quantity;
+mod record;
 pub mod roll_error;
-pub mod signals;
-pub mod simulate;
-pub mod table;
-pub mod task;
-pub mod threads;
+mod signals;
+mod simulate;
+mod table;
+mod task;
+mod threads;
 
 use crate::text::{in_line, shown};
 use crate::{Error, ErrorKind, Result};

@@ -6,7 +6,7 @@
 pub mod answer;
 mod apart;
 mod assemble;
-pub mod bench;
+pub(crate) mod bench;
 pub mod catalogue;
 mod choose;
 mod company;
@@ -15,15 +15,17 @@ mod cut;
 mod faults;
 mod few;
 mod forgotten;
+#[doc(hidden)]
 pub mod laboratory;
 mod locate;
 mod located;
 mod measure;
 mod next;
 mod paragraph;
+#[doc(hidden)]
 pub mod pictures;
 mod propose;
-pub mod prove;
+pub(crate) mod prove;
 mod race;
 mod response;
 mod rest;

@@ -8,7 +8,7 @@ mod identify;
 mod least_squares;
 pub mod noise;
 mod saddle;
-pub mod smooth;
+pub(crate) mod smooth;
 mod triangle;
 
 pub use bootstrap::{Interval, improvement};

@@ -16,12 +16,13 @@ mod monte_carlo;
 mod motion;
 mod nonlinear;
 mod path;
+#[doc(hidden)]
 pub mod range;
-pub mod rectified;
+pub(crate) mod rectified;
 pub mod seed;
 mod sweep;
 mod tail;
-pub mod validity;
+pub(crate) mod validity;
 
 pub use by_spectrum::BySpectrum;
 pub use effort::{BUDGET, Effort, FEWEST};

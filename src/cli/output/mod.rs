@@ -5,7 +5,7 @@ mod place;
 mod put;
 
 pub use place::{Place, open, spare};
-pub use put::{Ready, put};
+pub use put::put;
 
 use super::progress::aside;
 use crate::text::{in_quotes, shown};

@@ -5,7 +5,7 @@
 //! function that proposes extended models: the mechanism placed at each site that admits it.
 
 mod draft;
-pub mod edit;
+pub(crate) mod edit;
 mod scene;
 
 pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind};
