@@ -31,7 +31,6 @@
 //! | [`gyro`] | gyrospheres and the rotating gimbal |
 //! | [`model`] | model files |
 //! | [`simulate`](mod@simulate) | a model on a recording |
-//! | [`estimate`] | noise models and fits |
 //! | [`diagnose`](mod@diagnose) | what is missing |
 //! | [`rolling`] | the rolling error as it is asked for: compass, motion, rows |
 
@@ -39,6 +38,7 @@
 pub mod diagnose;
 pub mod error;
 #[cfg(feature = "diagnose")]
+#[doc(hidden)]
 pub mod estimate;
 #[doc(hidden)]
 pub mod exact;
@@ -85,7 +85,7 @@ pub struct Readme;
 
 pub use error::{Error, ErrorKind, Result};
 pub use integral::crosscheck::{Crosscheck, crosscheck};
-pub use integral::{Answer, Estimate, Integrand, evaluate, evaluate_fast};
+pub use integral::{Estimate, Integral, Integrand, evaluate, evaluate_fast};
 
 #[cfg(feature = "symbolic")]
 pub use symbolic::{Formula, FormulaRequest, Table, TableFormat, formula, print_tables};
@@ -101,6 +101,8 @@ pub use spectrum::Roll;
 
 #[cfg(feature = "diagnose")]
 pub use diagnose::answer::{Finding, Proof, Verdict};
+#[cfg(feature = "diagnose")]
+pub use estimate::fit::{Progress, Silent};
 #[cfg(feature = "diagnose")]
 pub use facade::{
     Asking, Diagnosed, Diagnosing, Estimated, Fitted, Fitting, Rolled, Rolling, Simulated, SimulatedOutput,

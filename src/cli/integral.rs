@@ -4,7 +4,7 @@ use super::progress::{Meter, aside, rest};
 use super::{Outcome, output};
 use crate::estimate::fit::Progress;
 use crate::integral::crosscheck::{Crosscheck, crosscheck};
-use crate::integral::{Answer, Integrand, evaluate};
+use crate::integral::{Integral, Integrand, evaluate};
 use crate::text::in_quotes;
 use crate::units::counted;
 use crate::{Error, ErrorKind, Result};
@@ -54,7 +54,7 @@ pub struct Arguments {
 enum Reply {
     Ok {
         #[serde(flatten)]
-        answer: Answer,
+        answer: Integral,
         #[serde(skip_serializing_if = "Option::is_none")]
         crosscheck: Option<Box<Crosscheck>>,
     },
@@ -71,7 +71,7 @@ enum Reply {
 }
 
 impl Reply {
-    fn new(result: Result<Answer>, check: impl FnOnce() -> Option<Box<Crosscheck>>) -> Self {
+    fn new(result: Result<Integral>, check: impl FnOnce() -> Option<Box<Crosscheck>>) -> Self {
         match result {
             Ok(answer) => Self::Ok { answer, crosscheck: check() },
             Err(e) => match e.kind() {

@@ -16,18 +16,8 @@
 //! Sums over blocks come from running totals: a draw costs the number of blocks, not of samples.
 
 use super::noise::correlation_time;
+use crate::spectrum::Interval;
 use rand::{RngExt, SeedableRng};
-
-/// A value with a 95 % interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Interval {
-    /// The value.
-    pub value: f64,
-    /// Lower end.
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
-}
 
 /// The fall of the root mean square from `before` to `after`, with its interval; the residuals of one
 /// model beside the other's, stretch by stretch. NaN without samples.

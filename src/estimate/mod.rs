@@ -11,7 +11,7 @@ mod saddle;
 pub(crate) mod smooth;
 mod triangle;
 
-pub use bootstrap::{Interval, improvement};
+pub use bootstrap::improvement;
 pub use coordinates::{Range, Side};
 pub use covariance::{Stretch, coloured_covariance, half_width, independent_samples, inverse_square};
 pub use fit::{Fit, FitOptions, fit, holdout};

@@ -11,7 +11,7 @@
 //! measured spectrum is summed by trapezoids. One heading serves all: the mean is in proportion to sin 2K.
 
 use super::{Instrument, Motion};
-use crate::spectrum::{Measured, Roll};
+use crate::spectrum::{MeasuredSpectrum, Roll};
 use crate::{Error, ErrorKind, Result};
 use std::f64::consts::{FRAC_PI_4, PI};
 
@@ -64,7 +64,7 @@ impl Instrument {
     ///
     /// # Errors
     /// `OutOfRange` for a part that is not linear; else as [`Instrument::error`].
-    pub fn mean_by_spectrum(&self, roll: &Roll, spectrum: &Measured) -> Result<BySpectrum> {
+    pub fn mean_by_spectrum(&self, roll: &Roll, spectrum: &MeasuredSpectrum) -> Result<BySpectrum> {
         if !self.is_linear()? {
             let text = format!("no spectrum gives the mean by {}, which is not linear", self.elastic.name());
             return Err(Error::new(ErrorKind::OutOfRange, text));

@@ -15,7 +15,7 @@
 
 use super::Gyrosphere;
 use super::seed::{Regular, regular_error};
-use crate::spectrum::{LeastSquares, least_squares};
+use crate::spectrum::{Interval, LeastSquares, least_squares};
 use crate::{Error, Result};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -34,24 +34,13 @@ pub struct Trial {
     pub error: f64,
 }
 
-/// A number with its 95 % interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Estimate {
-    /// The estimate.
-    pub value: f64,
-    /// Lower end.
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
-}
-
 /// What the trials say.
 #[derive(Debug, Clone, Copy)]
 pub struct Identified {
     /// T, s.
-    pub lag: Estimate,
+    pub lag: Interval,
     /// C₀, N/m.
-    pub stiffness: Estimate,
+    pub stiffness: Interval,
     /// Standard deviation of the residuals, rad.
     pub residual: f64,
 }
@@ -142,8 +131,8 @@ fn told(found: &LeastSquares, count: usize) -> Result<Identified> {
             .with_hint("trials at more than one frequency do"));
     }
     Ok(Identified {
-        lag: Estimate { value: lag, low: (lag - margin(1)).max(0.0), high: lag + margin(1) },
-        stiffness: Estimate {
+        lag: Interval { value: lag, low: (lag - margin(1)).max(0.0), high: lag + margin(1) },
+        stiffness: Interval {
             value: log_c0.exp(),
             low: (log_c0 - margin(0)).exp(),
             high: (log_c0 + margin(0)).exp(),

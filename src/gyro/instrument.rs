@@ -11,7 +11,7 @@
 
 use super::elastic::Elastic;
 use super::rectified::{LinearPush, Moments, ProductPush, SlowFast};
-use super::{Axis, Gyrosphere, Motion, Signal, range};
+use super::{Axis, Gyrosphere, LinearSignal, Motion, range};
 use crate::lti::StateSpace;
 use crate::{Error, Result};
 use faer::Mat;
@@ -78,11 +78,11 @@ impl HeadingError {
 pub(super) struct Signals {
     pub(super) fast: Mat<f64>,
     pub(super) noise: Mat<f64>,
-    w: [Signal; 3],
+    w: [LinearSignal; 3],
     /// dW/dK of the horizontal accelerations.
-    turned: Signal,
-    yaw: Option<Signal>,
-    pub(super) shift: [Option<Signal>; 3],
+    turned: LinearSignal,
+    yaw: Option<LinearSignal>,
+    pub(super) shift: [Option<LinearSignal>; 3],
 }
 
 impl Instrument {
@@ -249,7 +249,7 @@ impl Instrument {
         let n = system.fast.nrows();
         let resting = rest(&system.slow, &system.constant);
         join_compass(system);
-        let widened = |x: &Signal| widen(x, 3);
+        let widened = |x: &LinearSignal| widen(x, 3);
         let swing = |row: usize| unit_signal(n + row, n + 3, system.noise.ncols());
         let heavier = [(BETA, s.pendulous), (LAMBDA, s.damper)];
         let w3 = widened(&signals.w[2]);
@@ -297,9 +297,9 @@ impl Instrument {
     fn with_elastic(
         &self,
         motion: &Motion,
-        w: [Signal; 3],
-        turned: &Signal,
-        yaw: Option<Signal>,
+        w: [LinearSignal; 3],
+        turned: &LinearSignal,
+        yaw: Option<LinearSignal>,
     ) -> Result<Signals> {
         let base = motion.system();
         let (n, m) = (base.order(), base.inputs());
@@ -315,7 +315,7 @@ impl Instrument {
         let shift = [0, 1, 2].map(|axis| {
             let state: Vec<f64> = (0..joint.order()).map(|j| joint.c[(axis, j)]).collect();
             let noise: Vec<f64> = (0..m).map(|j| joint.d[(axis, j)]).collect();
-            state.iter().any(|v| *v != 0.0).then_some(Signal { state, noise })
+            state.iter().any(|v| *v != 0.0).then_some(LinearSignal { state, noise })
         });
         Ok(Signals {
             fast: joint.a,
@@ -328,25 +328,25 @@ impl Instrument {
     }
 }
 
-fn zero(motion: &Motion) -> Signal {
-    Signal { state: vec![0.0; motion.system().order()], noise: vec![0.0; motion.system().inputs()] }
+fn zero(motion: &Motion) -> LinearSignal {
+    LinearSignal { state: vec![0.0; motion.system().order()], noise: vec![0.0; motion.system().inputs()] }
 }
 
-fn add(to: &mut Signal, factor: f64, x: &Signal) {
+fn add(to: &mut LinearSignal, factor: f64, x: &LinearSignal) {
     to.state.iter_mut().zip(&x.state).for_each(|(a, b)| *a += factor * b);
     to.noise.iter_mut().zip(&x.noise).for_each(|(a, b)| *a += factor * b);
 }
 
-fn widen(x: &Signal, more: usize) -> Signal {
+fn widen(x: &LinearSignal, more: usize) -> LinearSignal {
     let mut state = x.state.clone();
     state.resize(state.len() + more, 0.0);
-    Signal { state, noise: x.noise.clone() }
+    LinearSignal { state, noise: x.noise.clone() }
 }
 
-fn unit_signal(at: usize, states: usize, noises: usize) -> Signal {
+fn unit_signal(at: usize, states: usize, noises: usize) -> LinearSignal {
     let mut state = vec![0.0; states];
     state[at] = 1.0;
-    Signal { state, noise: vec![0.0; noises] }
+    LinearSignal { state, noise: vec![0.0; noises] }
 }
 
 fn rest(slow: &Mat<f64>, constant: &[f64]) -> Vec<f64> {

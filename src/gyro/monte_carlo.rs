@@ -50,7 +50,7 @@ pub struct MonteCarlo {
 
 /// What the simulation gives for the heading error, with 99 % intervals.
 #[derive(Debug, Clone, Copy)]
-pub struct Simulated {
+pub struct SimulatedError {
     /// Mean over time and replicates, rad.
     pub mean: f64,
     /// Half the width of its 99 % interval.
@@ -67,7 +67,7 @@ impl MonteCarlo {
     /// # Errors
     /// `BadInput` for times or counts that are not positive; `OutOfRange` for a motion that has no such
     /// path; else as the covariance of the motion.
-    pub fn run(&self, instrument: &Instrument, drive: &Drive, heading: f64) -> Result<Simulated> {
+    pub fn run(&self, instrument: &Instrument, drive: &Drive, heading: f64) -> Result<SimulatedError> {
         let sound = self.step > 0.0 && self.duration > 2.0 * self.step && self.settle >= 0.0;
         if !(sound && self.duration.is_finite() && self.settle.is_finite()) || self.runs < 2 {
             return Err(Error::bad_input("a simulation needs a step, a longer duration and two replicates"));
@@ -216,14 +216,14 @@ impl Compass {
 }
 
 /// The means of all replicates; squares are about `about` and are moved to the mean of all.
-fn pooled(results: &[[f64; 2]], about: f64) -> Simulated {
+fn pooled(results: &[[f64; 2]], about: f64) -> SimulatedError {
     let (mean, mean_margin, own) = interval(&results.iter().map(|r| r[0]).collect::<Vec<_>>());
     // ⟨(α − ᾱ)²⟩ = ⟨(α − a)²⟩ − 2(αᵢ − a)(ᾱ − a) + (ᾱ − a)², and what ᾱ itself takes of it
     let off = mean - about;
     let squares: Vec<f64> =
         results.iter().map(|r| r[1] - 2.0 * (r[0] - about) * off + off * off + own * own).collect();
     let (variance, variance_margin, _) = interval(&squares);
-    Simulated { mean, mean_margin, variance, variance_margin }
+    SimulatedError { mean, mean_margin, variance, variance_margin }
 }
 
 /// Mean of replicates, half the width of its 99 % interval, and its standard error.

@@ -40,14 +40,14 @@ pub struct Motion {
 
 /// A signal c·z + d·w over the states and the white noises of a linear system.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Signal {
+pub struct LinearSignal {
     /// Its part of each state.
     pub state: Vec<f64>,
     /// Its part of each white noise.
     pub noise: Vec<f64>,
 }
 
-impl Signal {
+impl LinearSignal {
     /// Whether it holds white noise, so that its variance is infinite.
     pub fn is_white(&self) -> bool {
         self.noise.iter().any(|d| *d != 0.0)
@@ -153,11 +153,11 @@ impl Motion {
     ///
     /// # Errors
     /// `OutOfRange` when it would be the derivative of white noise.
-    pub fn derivative(&self, axis: Axis, order: usize) -> Result<Signal> {
+    pub fn derivative(&self, axis: Axis, order: usize) -> Result<LinearSignal> {
         let (a, b) = (&self.system.a, &self.system.b);
         let (n, m) = (self.system.order(), self.system.inputs());
         let Some(row) = self.axes.iter().position(|x| *x == axis) else {
-            return Ok(Signal { state: vec![0.0; n], noise: vec![0.0; m] });
+            return Ok(LinearSignal { state: vec![0.0; n], noise: vec![0.0; m] });
         };
         let mut c: Vec<f64> = (0..n).map(|j| self.system.c[(row, j)]).collect();
         let mut d: Vec<f64> = (0..m).map(|j| self.system.d[(row, j)]).collect();
@@ -173,7 +173,7 @@ impl Motion {
             d = (0..m).map(|k| (0..n).map(|i| c[i] * b[(i, k)]).sum()).collect();
             c = (0..n).map(|k| (0..n).map(|i| c[i] * a[(i, k)]).sum()).collect();
         }
-        Ok(Signal { state: c, noise: d })
+        Ok(LinearSignal { state: c, noise: d })
     }
 }
 

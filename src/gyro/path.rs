@@ -12,7 +12,7 @@
 
 use super::instrument::Instrument;
 use super::seed::Regular;
-use super::{Axis, Motion, Signal};
+use super::{Axis, LinearSignal, Motion};
 use crate::lti::{Discrete, Gaussian, StateSpace, stationary_covariance};
 use crate::{Error, ErrorKind, Result};
 use faer::Mat;
@@ -60,7 +60,7 @@ impl Drive {
         }
         let system = self.motion.system();
         let x = stationary_covariance(&system.a, &(&system.b * system.b.transpose()))?.matrix;
-        let power = |s: &Signal| -> f64 {
+        let power = |s: &LinearSignal| -> f64 {
             let n = s.state.len();
             (0..n).map(|i| (0..n).map(|j| s.state[i] * x[(i, j)] * s.state[j]).sum::<f64>()).sum()
         };
@@ -126,7 +126,7 @@ impl Path {
         let lever = instrument.sphere.lever;
         let (speed, w) = (along(motion, lever, heading, 1)?, along(motion, lever, heading, 2)?);
         let linear = instrument.elastic.in_time(&instrument.sphere, step)?.is_none();
-        let white = |s: &[Signal; 3]| s.iter().any(Signal::is_white);
+        let white = |s: &[LinearSignal; 3]| s.iter().any(LinearSignal::is_white);
         if white(&speed) || (!linear && white(&w)) {
             return Err(without_band());
         }
@@ -138,7 +138,7 @@ impl Path {
         }
         let start = drive.regular.is_none().then(|| stationary(&joint)).transpose()?;
         let n = joint.order();
-        let wide = |s: Signal| {
+        let wide = |s: LinearSignal| {
             let mut row = s.state;
             row.resize(n, 0.0);
             row
@@ -197,14 +197,14 @@ fn without_band() -> Error {
 }
 
 /// The `order`-th derivatives of the compass's place along the parallel, the meridian and the vertical.
-fn along(motion: &Motion, lever: f64, heading: f64, order: usize) -> Result<[Signal; 3]> {
+fn along(motion: &Motion, lever: f64, heading: f64, order: usize) -> Result<[LinearSignal; 3]> {
     let (sin, cos) = heading.sin_cos();
     let of = |axis| motion.derivative(axis, order);
     let (roll, pitch) = (of(Axis::Roll)?, of(Axis::Pitch)?);
     let (sway, surge) = (of(Axis::Sway)?, of(Axis::Surge)?);
     // abeam: hθ + sway;  forward: h·pitch + surge
-    let sum = |abeam: f64, forward: f64| -> Signal {
-        let each = |f: fn(&Signal) -> &Vec<f64>| -> Vec<f64> {
+    let sum = |abeam: f64, forward: f64| -> LinearSignal {
+        let each = |f: fn(&LinearSignal) -> &Vec<f64>| -> Vec<f64> {
             (0..f(&roll).len())
                 .map(|i| {
                     abeam * (lever * f(&roll)[i] + f(&sway)[i])
@@ -212,13 +212,13 @@ fn along(motion: &Motion, lever: f64, heading: f64, order: usize) -> Result<[Sig
                 })
                 .collect()
         };
-        Signal { state: each(|s| &s.state), noise: each(|s| &s.noise) }
+        LinearSignal { state: each(|s| &s.state), noise: each(|s| &s.noise) }
     };
     Ok([sum(-cos, sin), sum(sin, cos), of(Axis::Heave)?])
 }
 
 /// The motion with (W₁, W₂, W₃) as its outputs.
-fn accelerated(motion: &Motion, w: &[Signal; 3]) -> Result<StateSpace> {
+fn accelerated(motion: &Motion, w: &[LinearSignal; 3]) -> Result<StateSpace> {
     let base = motion.system();
     StateSpace::new(
         base.a.clone(),

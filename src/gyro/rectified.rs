@@ -19,7 +19,7 @@
 //! sides (Stratonovich); where both do, its mean is infinite and is refused. The system for M
 //! has k·n(n+1)/2 unknowns and is solved by elimination; its residual is checked.
 
-use super::Signal;
+use super::LinearSignal;
 use crate::lti::stationary_covariance;
 use crate::{Error, ErrorKind, Result};
 use faer::linalg::solvers::Solve;
@@ -33,7 +33,7 @@ pub struct LinearPush {
     /// Rate a unit of the signal.
     pub gain: f64,
     /// The fast signal.
-    pub signal: Signal,
+    pub signal: LinearSignal,
 }
 
 /// A push in proportion to the product of two fast signals.
@@ -44,9 +44,9 @@ pub struct ProductPush {
     /// Rate a unit of the product.
     pub gain: f64,
     /// One signal; the only one that may hold white noise.
-    pub left: Signal,
+    pub left: LinearSignal,
     /// The other.
-    pub right: Signal,
+    pub right: LinearSignal,
 }
 
 /// Fast Gaussian states z (n of them, m white noises) that push slow states y (k of them).
@@ -147,7 +147,7 @@ impl SlowFast {
         let shifted =
             Mat::from_fn(n, n, |i, j| c64::new(-self.fast[(i, j)], if i == j { omega } else { 0.0 }));
         let z = shifted.partial_piv_lu().solve(&Mat::from_fn(n, m, |i, k| c64::new(self.noise[(i, k)], 0.0)));
-        let of = |s: &Signal, k: usize| -> c64 {
+        let of = |s: &LinearSignal, k: usize| -> c64 {
             (0..n).map(|i| z[(i, k)] * s.state[i]).sum::<c64>() + c64::new(s.noise[k], 0.0)
         };
         let mut pushes = vec![0.0; self.slow.nrows()];

@@ -11,7 +11,7 @@
 
 use super::Gyrosphere;
 use crate::Result;
-use crate::integral::Answer;
+use crate::integral::Integral;
 use crate::lti::{TransferFunction, cross_moment};
 use crate::spectrum::Roll;
 use std::f64::consts::PI;
@@ -45,7 +45,7 @@ pub fn regular_error(sphere: &Gyrosphere, roll: &Regular, heading: f64) -> f64 {
 ///
 /// # Errors
 /// `OutOfRange` for T = 0 on this roll, whose acceleration has infinite variance.
-pub fn rectified_moment(roll: &Roll, lag: f64) -> Result<Answer> {
+pub fn rectified_moment(roll: &Roll, lag: f64) -> Result<Integral> {
     let acceleration = roll.shaping().differentiated()?.differentiated()?;
     let yielding = TransferFunction::new(&[1.0], &[lag, 1.0])?;
     cross_moment(&acceleration, &TransferFunction::constant(1.0), &yielding)

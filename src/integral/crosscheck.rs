@@ -32,7 +32,7 @@ pub enum Outcome {
         error_bound: f64,
     },
     /// A value with an estimate of its error.
-    Estimated(quadrature::Estimate),
+    Estimated(quadrature::Quadrature),
     /// A value alone.
     Value {
         /// The value.

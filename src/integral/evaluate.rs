@@ -18,7 +18,7 @@ use super::moments::{self, Bounded, Weight};
 use super::real::{Pair, Real, Single};
 use super::recursion::{self, Work};
 use super::scale::Scale;
-use super::{Answer, Integrand, Method, Numerator, exact};
+use super::{Integral, Integrand, Method, Numerator, exact};
 use crate::Result;
 use crate::exact::ldexp;
 use std::cell::RefCell;
@@ -38,7 +38,7 @@ use std::cell::RefCell;
 /// # Errors
 /// `Unstable` with the number of right-half-plane roots, `ImaginaryAxis`, `OutOfRange` with the
 /// value in decimal; see [`exact::Refusal`] for these as data.
-pub fn evaluate(p: &Integrand<'_>) -> Result<Answer> {
+pub fn evaluate(p: &Integrand<'_>) -> Result<Integral> {
     match dispatch(Double(p)) {
         Some(answer) => Ok(answer),
         None => exact::evaluate(p),
@@ -121,9 +121,9 @@ impl Kernel for Plain<'_> {
 struct Double<'a>(&'a Integrand<'a>);
 
 impl Kernel for Double<'_> {
-    type Output = Option<Answer>;
+    type Output = Option<Integral>;
     #[inline(always)]
-    fn run<const FMA: bool>(self) -> Option<Answer> {
+    fn run<const FMA: bool>(self) -> Option<Integral> {
         PAIR.with_borrow_mut(|w| if FMA { pair(self.0, &mut w.0) } else { pair(self.0, &mut w.1) })
     }
 }
@@ -166,7 +166,7 @@ fn single<const F: bool>(p: &Integrand<'_>, work: &mut Work<Single<F>>) -> Optio
 }
 
 #[inline(always)]
-fn pair<const F: bool>(p: &Integrand<'_>, work: &mut Work<Pair<F>>) -> Option<Answer> {
+fn pair<const F: bool>(p: &Integrand<'_>, work: &mut Work<Pair<F>>) -> Option<Integral> {
     let (scale, weight, r) = attempt(p, work)?;
     let hi = r.value.hi;
     // half a unit in the last place is at least 2⁻⁵⁴ of the value
@@ -176,7 +176,7 @@ fn pair<const F: bool>(p: &Integrand<'_>, work: &mut Work<Pair<F>>) -> Option<An
     }
     let (value, error_bound) = rescale(&scale, hi, r.value.lo.abs() + r.bound)?;
     let condition = adjoint::condition(p, &scale, weight, work, hi);
-    Some(Answer { value, error_bound, condition, method: Method::RecursionDoubleDouble })
+    Some(Integral { value, error_bound, condition, method: Method::RecursionDoubleDouble })
 }
 
 /// Puts the powers of two back; nothing where the value is then no normal double.

@@ -18,7 +18,7 @@
 //! One rounding at the very end. The integers grow with the order: n²/2 products of n·53 bits for
 //! coefficients of like exponents.
 
-use super::{Answer, Integrand, Method, Numerator};
+use super::{Integral, Integrand, Method, Numerator};
 use crate::exact::{IBig, RBig, Rounded, integers, integers_time_shift, round_ratio};
 use crate::poly::routh::{self, Array, Stability};
 use crate::{Error, ErrorKind, Result};
@@ -95,7 +95,7 @@ struct Ratio {
 ///
 /// # Errors
 /// As [`super::evaluate`].
-pub fn evaluate(p: &Integrand<'_>) -> Result<Answer> {
+pub fn evaluate(p: &Integrand<'_>) -> Result<Integral> {
     let ratio = ratio(p)?;
     let (value, whole) = match round_ratio(&ratio.numerator, &ratio.denominator, ratio.exponent) {
         Rounded::Value(value, whole) => (value, whole),
@@ -104,7 +104,7 @@ pub fn evaluate(p: &Integrand<'_>) -> Result<Answer> {
     let half_ulp = (value.abs() * f64::EPSILON / 2.0).max(f64::from_bits(1));
     let error_bound = if whole { 0.0 } else { half_ulp };
     let condition = super::adjoint::condition_of_exact(p, &ratio.array, ratio.of_h, value);
-    Ok(Answer { value, error_bound, condition, method: Method::Exact })
+    Ok(Integral { value, error_bound, condition, method: Method::Exact })
 }
 
 fn ratio(p: &Integrand<'_>) -> Result<Ratio> {
@@ -176,6 +176,7 @@ fn eliminate(mut b: Vec<IBig>, array: &Array) -> (IBig, IBig) {
 ///
 /// # Errors
 /// `BadInput` for wrong lengths, `Unstable` or `ImaginaryAxis`.
+#[doc(hidden)]
 pub fn rational(h: &[RBig], g: &[RBig]) -> Result<RBig> {
     if h.len() < 2 || g.len() + 1 != h.len() || h[0] == RBig::ZERO {
         return Err(Error::bad_input("h needs n + 1 coefficients with a0 ≠ 0, and g needs n"));

@@ -176,7 +176,7 @@ pub enum Method {
 /// A value of I_n with what is known of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
-pub struct Answer {
+pub struct Integral {
     /// The integral.
     pub value: f64,
     /// |value − exact| ≤ error_bound for the doubles given, guaranteed.

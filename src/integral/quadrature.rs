@@ -28,7 +28,7 @@ use std::cell::Cell;
 /// A value by numeric integration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
-pub struct Estimate {
+pub struct Quadrature {
     /// The integral.
     pub value: f64,
     /// Estimated absolute error.
@@ -49,7 +49,7 @@ pub struct Estimate {
 /// # Errors
 /// `Unstable`, `ImaginaryAxis` as decided exactly; `NotComputed` where the estimate exceeds the
 /// target or the integrand is not finite somewhere.
-pub fn evaluate(p: &Integrand<'_>, target: f64) -> Result<Estimate> {
+pub fn evaluate(p: &Integrand<'_>, target: f64) -> Result<Quadrature> {
     super::exact::require_stable(p.h)?;
     let density = Density::new(p)?;
     let cuts = density.cuts();
@@ -59,7 +59,7 @@ pub fn evaluate(p: &Integrand<'_>, target: f64) -> Result<Estimate> {
     let back = |x: f64| ldexp(x, density.exponent);
     let asked = target * fine.value.abs();
     // each piece stops where its own estimate, which is optimistic, falls below its target
-    let estimate = Estimate {
+    let estimate = Quadrature {
         value: back(fine.value),
         error_estimate: back(fine.error_estimate.max(asked)),
         evaluations,
@@ -172,7 +172,7 @@ impl Density {
     }
 
     /// All pieces, each to the absolute error `target`.
-    fn integrate(&self, cuts: &[f64], target: f64) -> Result<(Estimate, u32)> {
+    fn integrate(&self, cuts: &[f64], target: f64) -> Result<(Quadrature, u32)> {
         let (odd, rounding, weight) = (Cell::new(false), Cell::new(0.0f64), Cell::new(0.0f64));
         let watch = |(value, error): (f64, f64)| {
             odd.set(odd.get() || !value.is_finite());
@@ -209,6 +209,6 @@ impl Density {
             return Err(Error::not_computed("the integrand is not finite at some frequency"));
         }
         let pi = std::f64::consts::PI;
-        Ok((Estimate { value: value / pi, error_estimate: (error + noise) / pi, evaluations }, evaluations))
+        Ok((Quadrature { value: value / pi, error_estimate: (error + noise) / pi, evaluations }, evaluations))
     }
 }

@@ -17,7 +17,7 @@
 //! part that does not fall off at least as 1/ω² has no finite integral and is refused.
 
 use super::TransferFunction;
-use crate::integral::{self, Answer, Integrand};
+use crate::integral::{self, Integral, Integrand};
 use crate::poly::{even_part_of_product, product};
 use crate::{Error, ErrorKind, Result};
 
@@ -82,7 +82,7 @@ pub fn cross_moment(
     shaping: &TransferFunction,
     first: &TransferFunction,
     second: &TransferFunction,
-) -> Result<Answer> {
+) -> Result<Integral> {
     let CrossIntegral { h, g } = cross_integrand(shaping, first, second)?;
     integral::evaluate(&Integrand::new(&h, &g)?)
 }

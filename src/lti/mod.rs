@@ -10,9 +10,12 @@ mod gaussian;
 mod state_space;
 mod transfer;
 
+#[doc(hidden)]
 pub use covariance::{Covariance, stationary_covariance};
 pub use cross::{CrossIntegral, cross_integrand, cross_moment};
+#[doc(hidden)]
 pub use discrete::Discrete;
+#[doc(hidden)]
 pub use gaussian::Gaussian;
 pub use state_space::StateSpace;
 pub use transfer::TransferFunction;

@@ -12,26 +12,55 @@ use num_complex::Complex64;
 /// use gyrospec::lti::{StateSpace, TransferFunction};
 /// // white noise of unit intensity through 1/(T s + 1): variance 1/(2T)
 /// let lag = TransferFunction::new(&[1.0], &[0.5, 1.0]).unwrap();
-/// let cov = StateSpace::from_transfer(&lag).output_covariance().unwrap();
-/// assert!((cov[(0, 0)] - 1.0).abs() < 1e-14);
+/// let cov = StateSpace::from_transfer(&lag).covariance().unwrap();
+/// assert!((cov[0][0] - 1.0).abs() < 1e-14);
 /// ```
 #[derive(Debug, Clone)]
 pub struct StateSpace {
     /// n × n.
+    #[doc(hidden)]
     pub a: Mat<f64>,
     /// n × m.
+    #[doc(hidden)]
     pub b: Mat<f64>,
     /// k × n.
+    #[doc(hidden)]
     pub c: Mat<f64>,
     /// k × m.
+    #[doc(hidden)]
     pub d: Mat<f64>,
 }
 
 impl StateSpace {
+    /// A system from the rows of A (n × n), B (n × m), C (k × n) and D (k × m).
+    ///
+    /// ```
+    /// use gyrospec::StateSpace;
+    /// // ẍ + 0.4 ẋ + 4 x = w: the variance of x is 1/(2·0.4·4)
+    /// let rows = |m: &[&[f64]]| m.iter().map(|r| r.to_vec()).collect::<Vec<_>>();
+    /// let (a, b) = (rows(&[&[0.0, 1.0], &[-4.0, -0.4]]), rows(&[&[0.0], &[1.0]]));
+    /// let oscillator = StateSpace::from_rows(&a, &b, &rows(&[&[1.0, 0.0]]), &rows(&[&[0.0]]))?;
+    /// assert!((oscillator.covariance()?[0][0] - 1.0 / 3.2).abs() < 1e-14);
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `BadInput` when the sizes do not agree or a number is not finite.
+    pub fn from_rows(a: &[Vec<f64>], b: &[Vec<f64>], c: &[Vec<f64>], d: &[Vec<f64>]) -> Result<Self> {
+        let [a, b, c, d] = [a, b, c, d].map(|rows| {
+            let width = rows.first().map_or(0, Vec::len);
+            let even = rows.iter().all(|row| row.len() == width);
+            even.then(|| Mat::from_fn(rows.len(), width, |i, j| rows[i][j]))
+                .ok_or_else(|| Error::bad_input("the rows of a matrix differ in length"))
+        });
+        Self::new(a?, b?, c?, d?)
+    }
+
     /// A system from its four matrices.
     ///
     /// # Errors
     /// `BadInput` when the sizes do not agree or a number is not finite.
+    #[doc(hidden)]
     pub fn new(a: Mat<f64>, b: Mat<f64>, c: Mat<f64>, d: Mat<f64>) -> Result<Self> {
         let fits = a.nrows() == a.ncols()
             && b.nrows() == a.nrows()
@@ -106,6 +135,7 @@ impl StateSpace {
     }
 
     /// W(s) = C (sI − A)⁻¹ B + D, k × m, at a complex frequency that is no pole.
+    #[doc(hidden)]
     pub fn at(&self, s: Complex64) -> Mat<c64> {
         let n = self.order();
         let lift = |m: &Mat<f64>| Mat::from_fn(m.nrows(), m.ncols(), |i, j| c64::new(m[(i, j)], 0.0));
@@ -117,11 +147,23 @@ impl StateSpace {
         lift(&self.c) * inner + lift(&self.d)
     }
 
+    /// The stationary covariance of the outputs when the inputs are independent white noises of unit intensity, row
+    /// by row.
+    ///
+    /// # Errors
+    /// `OutOfRange` when an output holds white noise (D ≠ 0): its variance is infinite; `Unstable` and
+    /// `ImaginaryAxis` where the states have none; `NotComputed` where rounding leaves less than six digits.
+    pub fn covariance(&self) -> Result<Vec<Vec<f64>>> {
+        let covariance = self.output_covariance()?;
+        Ok(covariance.row_iter().map(|row| row.iter().copied().collect()).collect())
+    }
+
     /// The stationary covariance of the states when the inputs are independent white noises
     /// of unit intensity: A X + X Aᵀ + B Bᵀ = 0.
     ///
     /// # Errors
     /// As [`stationary_covariance`].
+    #[doc(hidden)]
     pub fn state_covariance(&self) -> Result<Covariance> {
         stationary_covariance(&self.a, &(&self.b * self.b.transpose()))
     }
@@ -131,6 +173,7 @@ impl StateSpace {
     /// # Errors
     /// `OutOfRange` when an output holds white noise (D ≠ 0): its variance is infinite;
     /// else as [`stationary_covariance`].
+    #[doc(hidden)]
     pub fn output_covariance(&self) -> Result<Mat<f64>> {
         if self.d.col_iter().any(|col| col.iter().any(|v| *v != 0.0)) {
             return Err(Error::new(

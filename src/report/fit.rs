@@ -9,7 +9,7 @@ pub use text::render as text;
 use crate::diagnose::pictures::closer;
 use crate::estimate::Direction;
 use crate::estimate::fit::{
-    Beside, Combination, Estimate, Fit, HeldOut, InitialEstimate, ResidualSpectrum, Series, Status,
+    Beside, Combination, Fit, HeldOut, InitialEstimate, ParameterEstimate, ResidualSpectrum, Series, Status,
 };
 use crate::model::Output;
 use crate::record::{Kind, Recording, Source};
@@ -222,7 +222,7 @@ fn parameters(r: &FitReport<'_>) -> String {
     table(&["parameter", "#value", "#95 % interval"], &rows)
 }
 
-fn parameter(p: &Estimate) -> Vec<String> {
+fn parameter(p: &ParameterEstimate) -> Vec<String> {
     let remark = match p.status {
         Status::Fitted => None,
         Status::AtBound(_) => Some("at its bound"),

@@ -2,8 +2,8 @@
 
 use crate::record::{Recording, Source};
 use crate::spectrum::{
-    CorrelationFit, EvenSamples, Measured, RollIntervals, autocovariance, even_samples, fit_correlation,
-    roll_intervals, welch, without_slow,
+    CorrelationFit, EvenSamples, MeasuredSpectrum, RollIntervals, autocovariance, even_samples,
+    fit_correlation, roll_intervals, welch, without_slow,
 };
 use crate::units::Unit;
 use crate::{Error, ErrorKind, Result};
@@ -24,7 +24,7 @@ pub struct Analysis {
     /// The roll at equal steps, rad.
     pub samples: EvenSamples,
     /// The spectrum of all of it.
-    pub spectrum: Measured,
+    pub spectrum: MeasuredSpectrum,
     /// A, μ and ε.
     pub fit: CorrelationFit,
     /// 95 % intervals of its numbers, where the recording is long enough.

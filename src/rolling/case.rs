@@ -3,7 +3,7 @@
 use super::ShipMotion;
 use crate::Result;
 use crate::estimate::fit::Progress;
-use crate::gyro::{Drive, HeadingError, Instrument, Moment, MonteCarlo, Simulated, folded};
+use crate::gyro::{Drive, HeadingError, Instrument, Moment, MonteCarlo, SimulatedError, folded};
 use crate::spectrum::Sea;
 use std::collections::BTreeMap;
 
@@ -28,7 +28,7 @@ pub struct Row {
     /// The mean by quadrature over a measured spectrum, rad.
     pub measured: Option<f64>,
     /// The simulation beside it.
-    pub simulated: Option<Simulated>,
+    pub simulated: Option<SimulatedError>,
 }
 
 impl Row {
@@ -68,7 +68,7 @@ impl Case {
         Ok(Row { heading, value, error, measured, simulated })
     }
 
-    fn simulated(&self, days: Days) -> Result<Simulated> {
+    fn simulated(&self, days: Days) -> Result<SimulatedError> {
         let irregular = || Ok(Drive::irregular(&self.motion.motion));
         let drive = self.motion.regular.as_ref().map_or_else(irregular, Drive::regular)?;
         let (step, settle) = (drive.step()?, 6.0 * 3600.0);

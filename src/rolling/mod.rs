@@ -4,7 +4,7 @@
 //! the same.
 //!
 //! ```
-//! use gyrospec::estimate::fit::Silent;
+//! use gyrospec::Silent;
 //! use gyrospec::gyro::seed;
 //! use gyrospec::rolling::{Against, Compass, Excitation, Request};
 //! // Example 3.1 of the paper
@@ -45,4 +45,4 @@ pub use obstacle::Obstacle;
 pub use part::Part;
 pub use recorded::Recorded;
 pub use request::{Against, Prepared, Request};
-pub use table::{Measured, Table};
+pub use table::{MeasuredRoll, Table};

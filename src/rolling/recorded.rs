@@ -2,7 +2,7 @@
 //! spectrum beside it.
 
 use super::case::Case;
-use super::table::{Measured, Table};
+use super::table::{MeasuredRoll, Table};
 use super::{Against, Analysis, Compass, Days, Excitation, Obstacle};
 use crate::Result;
 use crate::estimate::fit::Progress;
@@ -55,7 +55,7 @@ impl Recorded {
             compass: self.compass.clone(),
             excitation: None,
             fit: None,
-            recorded: Some(Measured { analysis: self.analysis.clone(), mean }),
+            recorded: Some(MeasuredRoll { analysis: self.analysis.clone(), mean }),
             against: Against::Heading(self.headings.clone()),
             rows: Vec::new(),
             left_out: Vec::new(),

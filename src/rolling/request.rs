@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::obstacle::too_long;
-use super::table::{Measured, Table};
+use super::table::{MeasuredRoll, Table};
 use super::{Compass, Days, Excitation, Obstacle, ShipMotion};
 use crate::estimate::fit::Progress;
 use crate::gyro::Tail;
@@ -142,7 +142,7 @@ impl Prepared<'_> {
             compass: r.compass.clone(),
             excitation: Some(r.excitation.clone()),
             fit: self.motion.fit,
-            recorded: None::<Measured>,
+            recorded: None::<MeasuredRoll>,
             against: r.against.clone(),
             rows: Vec::new(),
             left_out: Vec::new(),

@@ -20,7 +20,7 @@ pub struct Table {
     /// How far the rational spectrum of a sea is off.
     pub fit: Option<RationalFit>,
     /// The recorded roll.
-    pub recorded: Option<Measured>,
+    pub recorded: Option<MeasuredRoll>,
     /// What the rows run over.
     pub against: Against,
     /// The errors.
@@ -35,14 +35,14 @@ pub struct Table {
 
 /// A recorded roll with the mean error by it.
 #[derive(Debug, Clone)]
-pub struct Measured {
+pub struct MeasuredRoll {
     /// The roll.
     pub analysis: Analysis,
     /// The mean by its fit and by its spectrum.
     pub mean: BySpectrum,
 }
 
-impl Measured {
+impl MeasuredRoll {
     /// Part of the mean by the fit from which on its form, or its tail, counts.
     pub const MUCH: f64 = 0.1;
     /// Misfit of the correlation function from which on the fit is no longer good.
@@ -58,7 +58,7 @@ impl Measured {
 impl Table {
     /// Whether the mean to trust is that by the measured spectrum.
     pub fn is_by_spectrum(&self) -> bool {
-        self.recorded.as_ref().is_some_and(Measured::is_surer)
+        self.recorded.as_ref().is_some_and(MeasuredRoll::is_surer)
     }
 
     /// The mean of a row to trust, rad.

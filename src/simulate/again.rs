@@ -12,7 +12,7 @@ use super::probe::Clock;
 use super::request::Unknown;
 use super::run::{Course, Ran, run};
 use super::simulator::Simulator;
-use super::steps::Method;
+use super::steps::Solver;
 use super::{static_run, stiff};
 use crate::Result;
 use crate::model::Scalar;
@@ -55,7 +55,7 @@ impl Simulator {
         let mesh = self.mesh_at(&case.parameters);
         let allowance = self.budget.one_run();
         let mut plan = self.plan;
-        let mut last: Option<(Ran<T>, Method)> = None;
+        let mut last: Option<(Ran<T>, Solver)> = None;
         loop {
             let course = Course { clocks: case.clocks, ..self.course(&mesh, plan, &steady, &allowance) };
             let ran = run(&course, &parameters, &given)?;
@@ -88,11 +88,11 @@ impl Simulator {
     ) -> Result<Option<Plan>> {
         let excess = plan.foretold(ran.roughness) / (SLACK * self.tolerance.max(self.plan.error));
         let blew_up = ran.blew_up.is_some();
-        let was_sought = plan.method == Method::Stiff && self.plan.method != Method::Stiff;
+        let was_sought = plan.method == Solver::Stiff && self.plan.method != Solver::Stiff;
         if was_sought || self.plan.error.is_nan() || !(blew_up || excess > 1.0) {
             return Ok(None);
         }
-        if plan.method == Method::Heun {
+        if plan.method == Solver::Heun {
             return Ok(self.careful);
         }
         let finer = plan.finer(excess.powf(0.25));
@@ -100,7 +100,7 @@ impl Simulator {
         if !blew_up && finer.substeps <= most.min(MOST_FINER * self.plan.substeps) {
             return Ok(Some(finer));
         }
-        if plan.method == Method::Stiff {
+        if plan.method == Solver::Stiff {
             return Ok(None);
         }
         Search { course, parameters, given, tolerance: self.tolerance }.stiff_if_it_converges()

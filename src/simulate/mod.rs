@@ -33,6 +33,6 @@ pub use mesh::GAP_STEPS;
 pub use request::{Options, Trajectory, Unknown};
 pub use signals::{OutputSignal, coverage};
 pub use simulator::Simulator;
-pub use steps::Method;
+pub use steps::Solver;
 pub use trace::Trace;
 pub use warnings::warnings;

@@ -15,14 +15,14 @@
 use super::budget::Allowance;
 use super::probe::Clock;
 use super::run::{Course, Ran, run};
-use super::steps::Method;
+use super::steps::Solver;
 use crate::Result;
 use crate::model::Scalar;
 
-/// Method, steps, and the error that they leave.
+/// Solver, steps, and the error that they leave.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Plan {
-    pub method: Method,
+    pub method: Solver,
     pub substeps: usize,
     /// Share of the outputs' spread by which halving the step moved them.
     pub error: f64,
@@ -59,8 +59,8 @@ fn limit((least, in_a_run): (usize, usize), intervals: usize) -> usize {
 }
 
 /// The most steps in an interval that a method may take.
-pub(super) fn most_substeps(method: Method, intervals: usize) -> usize {
-    limit(if method == Method::Stiff { MOST_STIFF } else { MOST_EXPLICIT }, intervals)
+pub(super) fn most_substeps(method: Solver, intervals: usize) -> usize {
+    limit(if method == Solver::Stiff { MOST_STIFF } else { MOST_EXPLICIT }, intervals)
 }
 
 impl Plan {
@@ -73,7 +73,7 @@ impl Plan {
     pub fn foretold(&self, roughness: f64) -> f64 {
         let grown = if self.roughness > 0.0 { roughness / self.roughness } else { 1.0 };
         // The embedded errors are of order 3 where the methods are of order 4; both of Heun's are of order 2.
-        self.error * if self.method == Method::Heun { grown } else { grown.powf(4.0 / 3.0) }
+        self.error * if self.method == Solver::Heun { grown } else { grown.powf(4.0 / 3.0) }
     }
 
     /// The same with the next power of two times more steps.
@@ -94,9 +94,9 @@ impl Plan {
 /// The plan for a model at its own parameters, and the one to take where that does not do if it is
 /// not of order 4.
 pub(super) fn plan(search: &Search<'_>) -> Result<(Plan, Option<Plan>)> {
-    let explicit = search.refine(Method::Explicit, limit(MANY, search.course.mesh.intervals()))?;
+    let explicit = search.refine(Solver::Explicit, limit(MANY, search.course.mesh.intervals()))?;
     if explicit.substeps == 1 && explicit.meets(MORE_THAN_NEEDED * search.tolerance) {
-        let heun = search.refine(Method::Heun, 2)?;
+        let heun = search.refine(Solver::Heun, 2)?;
         if heun.meets(WITH_A_MARGIN * search.tolerance) && heun.roughness <= SMOOTH {
             return Ok((heun, Some(explicit)));
         }
@@ -113,7 +113,7 @@ fn of_order_four(search: &Search<'_>, explicit: Plan) -> Result<Plan> {
     if stiff.meets(tolerance) {
         return Ok(stiff);
     }
-    let longer = search.refine(Method::Explicit, limit(MOST_EXPLICIT, intervals))?;
+    let longer = search.refine(Solver::Explicit, limit(MOST_EXPLICIT, intervals))?;
     // Where the stiff method does not converge either, the model itself blows up; the stiff method
     // damps even that.
     let longer_is_better =
@@ -130,7 +130,7 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn run(&self, (method, substeps): (Method, usize), allowance: &Allowance<'_>) -> Result<Ran<f64>> {
+    fn run(&self, (method, substeps): (Solver, usize), allowance: &Allowance<'_>) -> Result<Ran<f64>> {
         let Course { program, mesh, clocks, steady, .. } = *self.course;
         let course = Course { program, mesh, clocks, steady, method, substeps, allowance };
         run(&course, self.parameters, self.given)
@@ -142,12 +142,12 @@ impl Search<'_> {
     }
 
     fn stiff(&self) -> Result<Plan> {
-        self.refine(Method::Stiff, limit(MOST_STIFF, self.course.mesh.intervals()))
+        self.refine(Solver::Stiff, limit(MOST_STIFF, self.course.mesh.intervals()))
     }
 
     /// The fewest steps whose halving moves the outputs by less than the tolerance; the best so far where one
     /// simulation may spend no more.
-    fn refine(&self, method: Method, most: usize) -> Result<Plan> {
+    fn refine(&self, method: Solver, most: usize) -> Result<Plan> {
         let allowance = self.course.allowance.budget().one_run();
         let mut coarse = self.run((method, 1), &allowance)?;
         let plan = |substeps, error, ran: &Ran<f64>| Plan {
@@ -174,7 +174,7 @@ impl Search<'_> {
             }
             let gains = error < 0.5 * last;
             let settled = error < CONVERGING && !gains;
-            let hopeless = this.blew_up && (settled || (method == Method::Stiff && substeps > 2));
+            let hopeless = this.blew_up && (settled || (method == Solver::Stiff && substeps > 2));
             if this.meets(self.tolerance) || (hopeless && fine.blew_up.is_some()) {
                 break;
             }

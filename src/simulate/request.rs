@@ -1,7 +1,7 @@
 //! What is asked of a run, and what it gives.
 
 use super::budget::Budget;
-use super::steps::Method;
+use super::steps::Solver;
 use crate::{Error, Result};
 
 /// How to simulate.
@@ -12,7 +12,7 @@ pub struct Options {
     /// Simulate from here to there only, s; the initial states then stand at the first.
     pub window: Option<(f64, f64)>,
     /// Fixed method and number of steps in a usual interval of the inputs; no check then.
-    pub fixed: Option<(Method, usize)>,
+    pub fixed: Option<(Solver, usize)>,
     /// Whether what follows a gap of an input is left out until the model, at its own parameters, has
     /// forgotten the gap; else the gap alone is.
     pub waits: bool,

@@ -5,7 +5,7 @@ use super::machine::Machine;
 use super::mesh::Mesh;
 use super::probe::{Clock, Probe, Stretch};
 use super::start::start;
-use super::steps::{Method, Stepper};
+use super::steps::{Solver, Stepper};
 use crate::Result;
 use crate::model::Scalar;
 use crate::model::program::{Program, Switching};
@@ -30,7 +30,7 @@ pub(super) struct Course<'a> {
     pub clocks: &'a [Clock],
     /// States that start where the model is steady.
     pub steady: &'a [usize],
-    pub method: Method,
+    pub method: Solver,
     /// Steps in a usual interval of the mesh.
     pub substeps: usize,
     /// What the run may spend.
@@ -152,7 +152,7 @@ impl<T: Scalar> Runner<'_, T> {
         for i in 0..mesh.intervals() {
             let (from, to) = (mesh.time[i], mesh.time[i + 1]);
             self.enter(i, from, to);
-            let is_layer = i == 0 && course.method == Method::Stiff;
+            let is_layer = i == 0 && course.method == Solver::Stiff;
             let pieces = substeps(course.substeps, to - from, mesh.usual);
             let steps = pieces + if is_layer { LAYER as usize } else { 0 };
             if !course.allowance.spend((steps * work) as u64, T::TANGENTS) {

@@ -9,7 +9,7 @@ use super::probe::Clock;
 use super::request::{Options, Trajectory, Unknown};
 use super::run::Course;
 use super::signals::{self, OutputSignal};
-use super::steps::Method;
+use super::steps::Solver;
 use super::{faults, gaps};
 use crate::model::program::Program;
 use crate::model::{Dual, Initial, Model, Scalar};
@@ -92,7 +92,7 @@ impl Simulator {
             span,
             blanks,
             mesh: None,
-            plan: Plan { method: Method::Explicit, substeps: 1, error: 0.0, roughness: 0.0, blew_up: false },
+            plan: Plan { method: Solver::Explicit, substeps: 1, error: 0.0, roughness: 0.0, blew_up: false },
             careful: None,
             tolerance: options.tolerance,
             budget: options.budget.clone(),
@@ -185,7 +185,7 @@ impl Simulator {
     }
 
     /// The method, and the steps in a usual interval of the inputs.
-    pub fn steps(&self) -> (Method, usize) {
+    pub fn steps(&self) -> (Solver, usize) {
         (self.plan.method, self.plan.substeps)
     }
 

@@ -23,7 +23,7 @@ use crate::model::Scalar;
 
 /// Which solver a run uses.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Method {
+pub enum Solver {
     /// Classical Runge-Kutta, order 4.
     Explicit,
     /// Heun's method, order 2, for recordings that sample far faster than the model moves.
@@ -32,7 +32,7 @@ pub enum Method {
     Stiff,
 }
 
-impl Method {
+impl Solver {
     /// Time that a step takes with n states, in explicit ones of the same model, roughly.
     pub(super) fn work(self, n: usize) -> usize {
         if self == Self::Stiff { 3 + n } else { 1 }
@@ -41,7 +41,7 @@ impl Method {
 
 /// Room for the stages of a step.
 pub(super) struct Stepper<T> {
-    method: Method,
+    method: Solver,
     stage: Vec<T>,
     k: Vec<Vec<T>>,
     jacobian: Vec<T>,
@@ -52,12 +52,12 @@ pub(super) struct Stepper<T> {
 }
 
 impl<T: Scalar> Stepper<T> {
-    pub fn new(method: Method, n: usize) -> Self {
+    pub fn new(method: Solver, n: usize) -> Self {
         let zeros = |n: usize| vec![T::constant(0.0); n];
         let (stages, square) = match method {
-            Method::Explicit => (3, 0),
-            Method::Heun => (1, 0),
-            Method::Stiff => (6, n * n),
+            Solver::Explicit => (3, 0),
+            Solver::Heun => (1, 0),
+            Solver::Stiff => (6, n * n),
         };
         Self {
             method,
@@ -74,9 +74,9 @@ impl<T: Scalar> Stepper<T> {
     /// Steps from x with rates k1 at t over h; the new state goes to `out`.
     pub fn step(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
         match self.method {
-            Method::Explicit => self.explicit(m, (t, h), (x, k1), out),
-            Method::Heun => self.heun(m, (t, h), (x, k1), out),
-            Method::Stiff => self.stiff(m, (t, h), (x, k1), out),
+            Solver::Explicit => self.explicit(m, (t, h), (x, k1), out),
+            Solver::Heun => self.heun(m, (t, h), (x, k1), out),
+            Solver::Stiff => self.stiff(m, (t, h), (x, k1), out),
         }
     }
 
@@ -86,10 +86,10 @@ impl<T: Scalar> Stepper<T> {
         let last = self.k[self.k.len() - 1].iter().map(|k| k.value());
         let weight = match self.method {
             // h·(k₄ − k₅)/6
-            Method::Explicit => h / 6.0,
+            Solver::Explicit => h / 6.0,
             // h·(k₂ − k₃)/2
-            Method::Heun => h / 2.0,
-            Method::Stiff => {
+            Solver::Heun => h / 2.0,
+            Solver::Stiff => {
                 sums.iter_mut().zip(last).for_each(|(sum, u)| *sum += u.abs());
                 return;
             }

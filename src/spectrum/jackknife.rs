@@ -15,24 +15,13 @@
 //! The products of each block are summed once; leaving a block out is a subtraction.
 
 use super::correlation::fit_from;
-use super::{CorrelationFit, Roll};
+use super::{CorrelationFit, Interval, Roll};
 use rayon::prelude::*;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 const BLOCKS: usize = 10;
 
-/// A fitted number freed of its bias, with its 95 % interval.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Interval {
-    /// The estimate less its bias.
-    pub value: f64,
-    /// Lower end.
-    pub low: f64,
-    /// Upper end.
-    pub high: f64,
-}
-
-/// Intervals of the three numbers of a roll.
+/// The three numbers of a roll freed of their bias, with their intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollIntervals {
     /// A, rad².

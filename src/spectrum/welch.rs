@@ -17,7 +17,7 @@ use std::f64::consts::TAU;
 
 /// A measured two-sided density on the frequencies 0 … Nyquist.
 #[derive(Debug, Clone)]
-pub struct Measured {
+pub struct MeasuredSpectrum {
     /// ω, rad/s, equally spaced from 0.
     pub omega: Vec<f64>,
     /// S(ω), unit²·s.
@@ -28,7 +28,7 @@ pub struct Measured {
     pub step: f64,
 }
 
-impl Measured {
+impl MeasuredSpectrum {
     /// (1/2π)∫ S(ω) weight(ω) dω over the measured band, both signs of ω, by trapezoids.
     pub fn integral(&self, weight: impl Fn(f64) -> f64) -> f64 {
         let points: Vec<f64> = self.omega.iter().zip(&self.density).map(|(w, s)| s * weight(*w)).collect();
@@ -50,7 +50,7 @@ impl Measured {
 /// # Errors
 /// `BadInput` when no stretch without a gap is as long as a segment, or the step is not
 /// positive.
-pub fn welch(values: &[f64], step: f64, length: usize) -> Result<Measured> {
+pub fn welch(values: &[f64], step: f64, length: usize) -> Result<MeasuredSpectrum> {
     if !(step.is_finite() && step > 0.0) || length < 8 {
         return Err(Error::bad_input("a spectrum needs a positive step and segments of at least 8 samples"));
     }
@@ -88,7 +88,7 @@ pub fn welch(values: &[f64], step: f64, length: usize) -> Result<Measured> {
         *s /= segments as f64;
     }
     let omega = (0..density.len()).map(|k| TAU * k as f64 / (length as f64 * step)).collect();
-    Ok(Measured { omega, density, segments, step })
+    Ok(MeasuredSpectrum { omega, density, segments, step })
 }
 
 /// Level and slope a sample of the least-squares line.

@@ -31,10 +31,15 @@ pub use formula::{
     CodeLanguage, Derivation, Derived, Formula, FormulaRequest, LAPLACE, Mean, Relation, Sampler, Simplifier,
     Source, Values, completed, derivative, formula, irregular_roll, known_letter, numeric, symbols, value,
 };
+#[doc(hidden)]
 pub use fraction::Fraction;
+#[doc(hidden)]
 pub use integer::Integer;
-pub use minors::{HIGHEST_ORDER, Letter, Product, Program};
+pub use minors::HIGHEST_ORDER;
+#[doc(hidden)]
+pub use minors::{Letter, Product, Program};
 pub use polynomial::Polynomial;
 pub use print::{FolderFile, HIGHEST_EXPANDED, TableFormat, folder, print_tables, read_orders};
+#[doc(hidden)]
 pub use ring::{Monomial, Ring};
 pub use table::Table;

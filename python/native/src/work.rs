@@ -1,7 +1,7 @@
 //! Long work: in a thread of its own, while the calling one answers to Ctrl-C.
 
 use super::fault::PyResult;
-use gyrospec::estimate::fit::Progress;
+use gyrospec::Progress;
 use gyrospec::{Error, Result};
 use pyo3::prelude::*;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};

@@ -1,6 +1,6 @@
 //! From a minimum to a [`Fit`]: residuals, noise, intervals, what is not seen.
 
-use super::outcome::{Estimate, Fit, InitialEstimate, RecordFit, Series, Status, Warning};
+use super::outcome::{Fit, InitialEstimate, ParameterEstimate, RecordFit, Series, Status, Warning};
 use super::problem::FreeRun;
 use super::warnings;
 use crate::Result;
@@ -233,7 +233,7 @@ impl Assembly<'_> {
         }
     }
 
-    fn estimates(&self, values: &[f64], covariance: &Mat<f64>, reach: f64) -> Vec<Estimate> {
+    fn estimates(&self, values: &[f64], covariance: &Mat<f64>, reach: f64) -> Vec<ParameterEstimate> {
         let parameters = self.model.parameters.iter().enumerate();
         parameters
             .map(|(k, p)| {
@@ -249,7 +249,14 @@ impl Assembly<'_> {
                     None => Status::Fixed,
                 };
                 let (low, high) = at.map_or((f64::NAN, f64::NAN), |at| self.interval(at, covariance, reach));
-                Estimate { name: p.name.clone(), value: values[k], low, high, unit: p.unit.clone(), status }
+                ParameterEstimate {
+                    name: p.name.clone(),
+                    value: values[k],
+                    low,
+                    high,
+                    unit: p.unit.clone(),
+                    status,
+                }
             })
             .collect()
     }

@@ -25,7 +25,9 @@ mod warnings;
 pub use certain::ascertain;
 pub use combination::Combination;
 pub use options::{Effort, FitOptions, Progress, Silent, Weighting};
-pub use outcome::{Beside, Estimate, Fit, HeldOut, InitialEstimate, RecordFit, Series, Status, Warning};
+pub use outcome::{
+    Beside, Fit, HeldOut, InitialEstimate, ParameterEstimate, RecordFit, Series, Status, Warning,
+};
 pub use spectra::{ResidualSpectrum, residual_spectra};
 
 use crate::estimate::least_squares::{End, Minimum, minimise};

@@ -26,7 +26,7 @@ pub enum Status {
 
 /// A parameter after the fit; SI.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Estimate {
+pub struct ParameterEstimate {
     /// The parameter's name.
     pub name: String,
     /// Its value.
@@ -146,7 +146,7 @@ pub struct Fit {
     /// The model with the fitted values in place.
     pub model: Model,
     /// All its parameters, in its order.
-    pub parameters: Vec<Estimate>,
+    pub parameters: Vec<ParameterEstimate>,
     /// The fitted initial states, by recording.
     pub initials: Vec<InitialEstimate>,
     /// Names of the unknowns, in the order of sensitivities and covariance: parameters, then initial

@@ -2,7 +2,7 @@
 
 use super::FitReport;
 use crate::estimate::Side;
-use crate::estimate::fit::{Combination, Estimate, Fit, Status};
+use crate::estimate::fit::{Combination, Fit, ParameterEstimate, Status};
 use crate::estimate::independent_samples;
 use crate::units::Unit;
 use crate::{Error, Result};
@@ -46,7 +46,7 @@ pub fn render(told: &FitReport<'_>) -> Result<String> {
     Ok(text)
 }
 
-fn parameter(p: &Estimate, fit: &Fit) -> Value {
+fn parameter(p: &ParameterEstimate, fit: &Fit) -> Value {
     let status = match p.status {
         Status::Fitted => "fitted",
         Status::AtBound(Side::Lower) => "at-lower-bound",

@@ -1,7 +1,7 @@
 //! The result of a fit in words and a table.
 
 use super::{FitReport, untold};
-use crate::estimate::fit::{Estimate, Status};
+use crate::estimate::fit::{ParameterEstimate, Status};
 use crate::units::{Unit, digits_within, significant};
 use std::fmt::Write;
 
@@ -35,7 +35,7 @@ pub fn render(told: &FitReport<'_>) -> String {
     text
 }
 
-fn parameter(p: &Estimate) -> String {
+fn parameter(p: &ParameterEstimate) -> String {
     let remark = match p.status {
         Status::Fitted => None,
         Status::AtBound(_) => Some("at its bound"),

@@ -1,7 +1,7 @@
 //! What is said of a recorded roll and its fit.
 
 use crate::report::terminal::{Trace, picture};
-use crate::rolling::{Analysis, Measured};
+use crate::rolling::{Analysis, MeasuredRoll};
 use crate::spectrum::{Interval, RollIntervals};
 use std::f64::consts::TAU;
 
@@ -34,7 +34,7 @@ pub fn words(a: &Analysis) -> String {
         ),
     };
     let verdict = match a.fit.misfit {
-        m if m < Measured::FAIR => "a good fit",
+        m if m < MeasuredRoll::FAIR => "a good fit",
         m if m < 0.15 => "a fair fit: trust the column of the measured spectrum more",
         _ => "a poor fit: this roll is not of the form (3.3); use the column of the measured spectrum",
     };
@@ -87,7 +87,7 @@ fn than(part: f64) -> String {
 fn unmeasured(above: f64) -> String {
     let tail = |end: &str| {
         let tail = ", where (3.3) gives the\nacceleration a white tail of infinite variance";
-        if above.abs() >= Measured::MUCH { format!("{tail}{end}") } else { String::new() }
+        if above.abs() >= MeasuredRoll::MUCH { format!("{tail}{end}") } else { String::new() }
     };
     if above < -0.005 {
         let tail = tail(" that nothing measured supports,");
@@ -104,7 +104,7 @@ fn unmeasured(above: f64) -> String {
 }
 
 /// Why the two means differ, and which to trust.
-pub fn differs(measured: &Measured) -> String {
+pub fn differs(measured: &MeasuredRoll) -> String {
     let m = &measured.mean;
     let mut text = unmeasured(m.above());
     text.push_str(&format!(

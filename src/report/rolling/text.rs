@@ -1,14 +1,14 @@
 //! The table of errors as text.
 
 use super::{recorded, words};
-use crate::gyro::{HeadingError, SIGN, Simulated};
+use crate::gyro::{HeadingError, SIGN, SimulatedError};
 use crate::rolling::{Against, Row, Table};
 use std::fmt::Write;
 
 /// The table as text, with what of it to trust.
 ///
 /// ```
-/// use gyrospec::estimate::fit::Silent;
+/// use gyrospec::Silent;
 /// use gyrospec::rolling::{Against, Compass, Excitation, Request};
 /// let (_, roll, _) = gyrospec::gyro::seed::example_3_1();
 /// let request = Request {
@@ -110,7 +110,7 @@ fn within(e: &HeadingError) -> String {
     format!("{margin}  {mean:>10.5}°{off}")
 }
 
-fn beside(m: &Simulated) -> String {
+fn beside(m: &SimulatedError) -> String {
     let spread = m.variance.max(0.0).sqrt();
     let margin = if spread > 0.0 { 0.5 * m.variance_margin / spread } else { 0.0 };
     format!(

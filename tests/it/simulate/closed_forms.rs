@@ -1,6 +1,6 @@
 use super::{channel, outputs, recording, simulator, times, worst};
 use gyrospec::model::Model;
-use gyrospec::simulate::{Method, Options, Simulator};
+use gyrospec::simulate::{Options, Simulator, Solver};
 
 const OSCILLATOR: &str = r#"
     name = "oscillator"
@@ -35,7 +35,7 @@ fn methods_are_of_their_orders() {
     let time = times(20.0, 0.1);
     let r = recording(vec![channel("y", "m", &time, |_| 0.0)]);
     let model = Model::parse(OSCILLATOR).unwrap();
-    for (method, wanted) in [(Method::Explicit, 4.0), (Method::Stiff, 4.0), (Method::Heun, 2.0)] {
+    for (method, wanted) in [(Solver::Explicit, 4.0), (Solver::Stiff, 4.0), (Solver::Heun, 2.0)] {
         let error = |n: usize| {
             let options = Options { fixed: Some((method, n)), ..Options::default() };
             worst(&time, &outputs(&Simulator::new(&model, &r, &options).unwrap()), decay)
@@ -50,7 +50,7 @@ fn what_is_sampled_finely_takes_two_evaluations_a_step_until_it_moves_faster() {
     let time = times(20.0, 2e-4);
     let r = recording(vec![channel("y", "m", &time, |_| 0.0)]);
     let s = Simulator::new(&Model::parse(OSCILLATOR).unwrap(), &r, &Options::default()).unwrap();
-    assert_eq!(s.steps().0, Method::Heun);
+    assert_eq!(s.steps().0, Solver::Heun);
     assert!(worst(&time, &outputs(&s), decay) < 2e-5);
     let fast = s.run(&[600.0, 0.1], &[1.0, 0.0]).unwrap();
     let wd = (3.6e5f64 - 0.01).sqrt();
@@ -126,7 +126,7 @@ fn a_fast_lag_beside_a_slow_swing_takes_the_stiff_path() {
     let time = times(60.0, 0.05);
     let r = recording(vec![channel("out", "m", &time, |_| 0.0)]);
     let s = simulator(model, &r);
-    assert_eq!(s.steps().0, Method::Stiff);
+    assert_eq!(s.steps().0, Solver::Stiff);
     assert!(worst(&time, &outputs(&s), |t| t.cos() + 1e-5 * t.sin()) < 1e-5);
 }
 
@@ -296,7 +296,7 @@ fn parameters_may_move_to_where_only_the_stiff_path_goes() {
     let time = times(20.0, 0.1);
     let r = recording(vec![channel("u", "V", &time, |t| t), channel("out", "V", &time, |_| 0.0)]);
     let s = simulator(model, &r);
-    assert_eq!(s.steps().0, Method::Explicit);
+    assert_eq!(s.steps().0, Solver::Explicit);
     for lag in [0.02, 1e-3, 1e-6] {
         let got = s.run(&[lag], &[0.0]).unwrap().outputs.remove(0);
         let off = worst(&time, &got, |t| t - lag + lag * (-t / lag).exp());
@@ -356,7 +356,7 @@ fn every_built_in_model_runs_in_irregular_roll_at_ten_hertz() {
         let s = Simulator::new(&model, &r, &Options::default()).unwrap();
         let run = s.run(&s.parameters(), &s.initials()).unwrap();
         assert!(run.blew_up.is_none() && run.solver_error <= 1e-5, "{name}: {:?}", run.blew_up);
-        let fine = Options { fixed: Some((Method::Stiff, 32)), ..Options::default() };
+        let fine = Options { fixed: Some((Solver::Stiff, 32)), ..Options::default() };
         let fine = Simulator::new(&model, &r, &fine).unwrap();
         let fine = fine.run(&s.parameters(), &s.initials()).unwrap();
         for (a, b) in run.outputs.iter().zip(&fine.outputs) {

@@ -2,7 +2,7 @@
 
 use super::{channel, recording, times, worst};
 use gyrospec::model::Model;
-use gyrospec::simulate::{Budget, Method, Options, Simulator, Unknown};
+use gyrospec::simulate::{Budget, Options, Simulator, Solver, Unknown};
 
 /// A small heater of 0.1 ms in a room of 30 s, and samples of the room a second apart.
 const HEATER: &str = r#"
@@ -26,7 +26,7 @@ fn a_start_far_from_rest_costs_a_few_steps_not_finer_ones_throughout() {
     let options = Options { budget: budget.clone(), ..Options::default() };
     let r = recording(vec![channel("room", "V", &time, |_| 0.0)]);
     let s = Simulator::new(&Model::parse(HEATER).unwrap(), &r, &options).unwrap();
-    assert_eq!(s.steps().0, Method::Stiff);
+    assert_eq!(s.steps().0, Solver::Stiff);
     let cost = |start: f64| {
         let before = budget.spent();
         let run = s.run_with_sensitivities(&s.parameters(), &[start, 0.0], &[Unknown::Initial(0)]).unwrap();
