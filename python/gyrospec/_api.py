@@ -124,18 +124,13 @@ def roll_error(
     ship_length: Quantity | None = None,
     also: str | Sequence[str] | None = None,
     band: Quantity | None = None,
-    inertia: bool = False,
-    flow: Quantities | None = None,
-    meridian: Quantities | None = None,
-    vertical: Quantities | None = None,
-    friction: Quantity | None = None,
-    free_play: Quantity | None = None,
     against: str | None = None,
     simulate: int | None = None,
     seed: int | None = None,
     roll: str | None = None,
     units: Mapping[str, str] | None = None,
     time: str | Column | None = None,
+    **part: Quantities | bool | None,
 ) -> RollError:
     """Mean and spread of the heading error that a ship's roll makes in her gyrocompass.
 
@@ -147,6 +142,9 @@ def roll_error(
     sea_from: where the sea comes from, off the bow: 0 ahead, 90 from abeam to starboard (as if absent).
     ship_length: the length of the ship's waterline; six beams if absent.
 
+    part: what gives way in the compass in place of the lag, one part at a time, as `friction="2N"`:
+{parts}
+
     Each quantity has a range, and what lies outside is refused; `validity` of the result says where the
     linear theory ends. The sign of an error: + is west: the compass's north lies west of true north, and
     the compass reads high; − is east: it reads low; the true heading is the reading minus the error.
@@ -155,21 +153,40 @@ def roll_error(
         "latitude": latitude, "lever": lever, "speed": speed, "irregular": irregular, "regular": regular,
         "sea": sea, "height": height, "period": period, "gamma": gamma, "sea-from": sea_from,
         "ship": ship, "ship-length": ship_length, "also": also, "band": band,
-        "flow": flow, "meridian": meridian, "vertical": vertical, "friction": friction,
-        "free-play": free_play, "against": against, "simulate": simulate, "seed": seed, "roll": roll,
+        "against": against, "simulate": simulate, "seed": seed, "roll": roll,
     }  # fmt: skip
     options = [f"--{name}={_words(value)}" for name, value in texts.items() if value is not None]
     if heading is not None:
         several = [heading] if isinstance(heading, (str, int, float, np.number)) else heading
         options += [f"--heading={_words(h)}" for h in several]
-    if inertia:
-        options.append("--inertia")
+    options += _part(part)
     is_text = isinstance(model, str) and "\n" in model
     compass = native.Model.parse(str(model)) if is_text else model
     measured = None if recording is None else _single(recording, units, time)
     if compass is not None and not isinstance(compass, (native.Model, str, os.PathLike)):
         raise TypeError(f"a model is a path, a built-in model's name or a Model, not {type(model).__name__}")
     return RollError._of(native.roll_error(compass, measured, options))
+
+
+_PARTS = {name: (numbers, says) for name, numbers, says in native.elastic_options()}
+roll_error.__doc__ = (roll_error.__doc__ or "").replace(
+    "{parts}", "\n".join(f"    {name}: {says}." for name, (_, says) in _PARTS.items())
+)
+
+
+def _part(said: Mapping[str, Quantities | bool | None]) -> list[str]:
+    options = []
+    for name, value in said.items():
+        if name not in _PARTS:
+            known = ", ".join(_PARTS)
+            raise TypeError(f"roll_error() got an unexpected keyword argument {name!r}; parts are {known}")
+        numbers, _ = _PARTS[name]
+        option = f"--{name.replace('_', '-')}"
+        if not numbers and value:
+            options.append(option)
+        elif numbers and value is not None:
+            options.append(f"{option}={_words(value)}")
+    return options
 
 
 def roll_error_sweep(**columns: Column) -> Floats:

@@ -22,7 +22,7 @@ pub(crate) mod rectified;
 pub mod seed;
 mod sweep;
 mod tail;
-pub(crate) mod validity;
+pub mod validity;
 
 pub use by_spectrum::BySpectrum;
 pub use effort::{BUDGET, Effort, FEWEST};

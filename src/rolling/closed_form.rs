@@ -1,6 +1,7 @@
 //! The mean error on irregular roll with letters, by the symbols' own derivation, and its values.
 
-use super::{Compass, Excitation, Part};
+use super::{Compass, Excitation};
+use crate::gyro::elastic::{Elastic, Letters};
 use crate::gyro::validity::{Smallness, bounded};
 use crate::symbolic::{Derived, FormulaRequest, formula, irregular_roll};
 use crate::{Error, Result};
@@ -8,39 +9,31 @@ use crate::{Error, Result};
 /// The mean error on irregular roll of the form (3.3), with letters.
 ///
 /// ```
-/// use gyrospec::rolling::{Part, closed_form};
-/// assert_eq!(closed_form(Part::Lag)?.order, 3);           // from I₃
+/// use gyrospec::gyro::elastic::Lag;
+/// use gyrospec::rolling::closed_form;
+/// assert_eq!(closed_form(&Lag)?.order, 3);           // from I₃
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 ///
 /// # Errors
 /// `Usage` for a part of which no formula is kept.
-pub fn closed_form(part: Part) -> Result<Derived> {
-    let request = request(part)?;
+pub fn closed_form(part: &dyn Elastic) -> Result<Derived> {
+    let letters = part.letters().ok_or_else(|| {
+        Error::usage("no closed form is kept for this part")
+            .with_hint("there are those of the lag, of the lag with inertia and of liquid flow")
+    })?;
+    let request = request(letters);
     formula(&request.derivation()?, &request.simplifier()?)
 }
 
-/// How W₁ moves x, in letters.
-fn request(part: Part) -> Result<FormulaRequest> {
-    let mut request = irregular_roll();
-    let second = match part {
-        Part::Lag => return Ok(request),
-        // m ẍ + r ẋ + C₀ x = m W₁
-        Part::Inertia => "-m*h*cos(K)/(m*s^2 + r*s + C0)",
-        // two relaxations side by side
-        Part::Flow(_) => "-P/(g*C0)*h*cos(K)*(1/(T*s + 1) + kappa/(T_2*s + 1))",
-        _ => {
-            return Err(Error::usage("no closed form is kept for this part")
-                .with_hint("there are those of the lag, of the lag with inertia and of liquid flow"));
-        }
-    };
-    request.second = Some(second.into());
-    request.printed = None;
-    request.keep.clear();
-    if matches!(part, Part::Inertia) {
-        request.order = "P m h A mu b H U g r C0".into();
+/// The paper's irregular roll with another centre of mass.
+fn request(letters: Letters) -> FormulaRequest {
+    let paper = irregular_roll();
+    if paper.second.as_deref() == Some(letters.shift) {
+        return paper;
     }
-    Ok(request)
+    let (second, order) = (Some(letters.shift.into()), letters.order.into());
+    FormulaRequest { second, order, printed: None, keep: Vec::new(), ..paper }
 }
 
 /// What the closed form gives.

@@ -1,8 +1,8 @@
 //! The compass's numbers: the paper's, a built-in model's, or those of a file's `[parameters]`; what a file leaves out
 //! is the paper's gyrocompass, or the built-in it extends.
 
-use super::{Part, equations};
-use crate::gyro::elastic::Relaxing;
+use super::equations;
+use crate::gyro::elastic::{Elastic, Inertia, Lag, Relaxing};
 use crate::gyro::{Gyrosphere, Instrument, range};
 use crate::model::{Model, Number, Numbers};
 use crate::spectrum::Roll;
@@ -15,7 +15,7 @@ pub struct Compass {
     /// Its numbers.
     pub sphere: Gyrosphere,
     /// What gives way.
-    pub part: Part,
+    pub part: Box<dyn Elastic>,
     /// Speed of the ship over the ground, m/s.
     pub speed: f64,
     /// The roll that its file describes by A, mu and eps.
@@ -40,7 +40,7 @@ impl Compass {
     pub fn paper() -> Self {
         Self {
             sphere: Gyrosphere::seed(),
-            part: Part::Lag,
+            part: Box::new(Lag),
             speed: 0.0,
             roll: None,
             origin: Origin::default(),
@@ -60,9 +60,9 @@ impl Compass {
     /// The compass of the text of a model file, or of a file with `[parameters]` alone.
     ///
     /// ```
-    /// use gyrospec::rolling::{Compass, Part};
+    /// use gyrospec::rolling::Compass;
     /// let compass = Compass::parse("[parameters]\nh = { value = 15, unit = \"m\" }\nT2 = 4\nkappa = 0.1").unwrap();
-    /// assert!(compass.sphere.lever == 15.0 && matches!(compass.part, Part::Flow(_)));
+    /// assert!(compass.sphere.lever == 15.0 && compass.part.name() == "lag and liquid flow");
     /// assert_eq!(compass.origin.given, ["h", "T2", "kappa"]);
     /// ```
     ///
@@ -76,7 +76,7 @@ impl Compass {
 
     /// The compass with its elastic part.
     pub fn instrument(&self) -> Instrument {
-        let mut instrument = Instrument::new(self.sphere, self.part.elastic());
+        let mut instrument = Instrument::new(self.sphere, self.part.clone());
         instrument.speed = self.speed;
         instrument
     }
@@ -134,7 +134,7 @@ impl Filling {
     }
 
     /// The elastic part that the model's states and parameters describe.
-    fn part(&self) -> Result<Part> {
+    fn part(&self) -> Result<Box<dyn Elastic>> {
         let has = |name: &str| self.states.iter().any(|s| s == name);
         if !self.states.is_empty() && !has("x") {
             return Err(Error::bad_input(
@@ -147,9 +147,9 @@ impl Filling {
                 "this model has an elastic part with inertia, and T2 or kappa ask for another",
             )
             .with_hint("take gyrosphere-flow for the liquid flow, or leave T2 and kappa away")),
-            [Some(time), Some(share)] => Ok(Part::Flow(Relaxing { time, share })),
-            [None, None] if has("x_rate") => Ok(Part::Inertia),
-            [None, None] => Ok(Part::Lag),
+            [Some(time), Some(share)] => Ok(Box::new(Relaxing { time, share })),
+            [None, None] if has("x_rate") => Ok(Box::new(Inertia)),
+            [None, None] => Ok(Box::new(Lag)),
             _ => Err(Error::bad_input("liquid flow is described by both T2 and kappa, or by none of them")),
         }
     }

@@ -76,7 +76,7 @@ impl Table {
     #[cfg(feature = "symbolic")]
     pub fn closed_form(&self) -> Option<crate::symbolic::Derived> {
         let sea = self.excitation.as_ref().is_some_and(|e| e.waves().is_some());
-        super::closed_form(self.compass.part).ok().filter(|_| !sea)
+        super::closed_form(self.compass.part.as_ref()).ok().filter(|_| !sea)
     }
 
     /// The same with each `step`-th row alone.

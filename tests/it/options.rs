@@ -122,7 +122,7 @@ const ROLL_ERROR: [(&str, &str); 30] = [
     ("meridian", "--meridian 2e5N/m,1s"),
     ("vertical", "--vertical 1e4N/m,0.5s"),
     ("friction", "--friction 0.5N"),
-    ("free_play", "--free-play 1um"),
+    ("free-play", "--free-play 1um"),
     ("latitude", "--latitude 55"),
     ("lever", "--lever 4m"),
     ("speed", "--speed 12kn"),

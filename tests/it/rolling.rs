@@ -2,12 +2,12 @@
 
 use crate::roll_error::{asked_json, command};
 use gyrospec::estimate::fit::Silent;
-use gyrospec::gyro::elastic::{Compliance, Friction};
+use gyrospec::gyro::elastic::{Compliance, Friction, Inertia};
 use gyrospec::gyro::{Axis, seed};
 use gyrospec::record::Recording;
 use gyrospec::report::rolling::json;
 use gyrospec::rolling::{
-    Against, Compass, Days, Excitation, Obstacle, Part, Recorded, Request, Source, Waves, analyse,
+    Against, Compass, Days, Excitation, Obstacle, Recorded, Request, Source, Waves, analyse,
 };
 use gyrospec::spectrum::{Hull, Roll, Sea};
 use serde_json::Value;
@@ -31,7 +31,7 @@ fn example() -> Request {
 fn a_request_tells_what_the_command_tells() {
     let mut compass = Compass::parse("[parameters]\nT = 0.6\n").unwrap();
     let meridian = Some((2e5, 1.0));
-    compass.part = Part::Compliance(Compliance { meridian, vertical: Some((1e4, 0.5)) });
+    compass.part = Box::new(Compliance { meridian, vertical: Some((1e4, 0.5)) });
     compass.speed = 6.0;
     let sea = Sea::Jonswap { height: 3.0, peak: std::f64::consts::TAU / 8.0, gamma: 3.3 };
     let waves =
@@ -64,21 +64,21 @@ fn a_request_tells_what_the_command_tells() {
 fn a_recorded_roll_tells_what_the_command_tells() {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/roll.csv");
     let analysis = analyse(&Recording::read(&file).unwrap(), "roll").unwrap();
-    let compass = Compass { part: Part::Inertia, ..Compass::paper() };
+    let compass = Compass { part: Box::new(Inertia), ..Compass::paper() };
     let recorded = Recorded { compass: compass.clone(), analysis, headings: vec![NORTHEAST], days: None };
     let table = recorded.table(&Silent).unwrap();
     assert!(table.is_by_spectrum() && table.rows[0].measured == Some(table.mean(&table.rows[0])));
     let told: Value = serde_json::from_str(&json(&table).unwrap()).unwrap();
     assert_eq!(told, asked_json(&[file.to_str().unwrap(), "--inertia"]));
     assert!(analyse(&Recording::read(&file).unwrap(), "pitch").is_err());
-    let rubbed = Compass { part: Part::Friction(Friction { force: 1.0 }), ..compass };
+    let rubbed = Compass { part: Box::new(Friction { force: 1.0 }), ..compass };
     assert_eq!(Recorded::obstacle(&rubbed).unwrap(), Some(Obstacle::RecordedTail("dry friction")));
     assert!(Recorded { compass: rubbed, ..recorded }.table(&Silent).is_err());
 }
 
 #[test]
 fn what_stands_against_a_request_is_told_before_the_work() {
-    let rubbed = Compass { part: Part::Friction(Friction { force: 1.0 }), ..Compass::paper() };
+    let rubbed = Compass { part: Box::new(Friction { force: 1.0 }), ..Compass::paper() };
     let white = Request { compass: rubbed.clone(), ..example() };
     assert_eq!(white.prepare().unwrap().obstacle().unwrap(), Some(Obstacle::WhiteTail("dry friction")));
     assert!(white.table(&Silent).unwrap_err().hint().unwrap().contains("limit the band"));
@@ -90,7 +90,7 @@ fn what_stands_against_a_request_is_told_before_the_work() {
         panic!("9000 rad/s are affordable")
     };
     assert!(band < 9000.0 && effort.check("friction").is_ok());
-    let compass = Compass { part: Part::Inertia, ..Compass::paper() };
+    let compass = Compass { part: Box::new(Inertia), ..Compass::paper() };
     let beyond = Request { compass, days: Some(Days { count: 2, seed: 1 }), ..example() };
     assert_eq!(beyond.prepare().unwrap().obstacle().unwrap(), Some(Obstacle::BeyondSimulation));
     let heights = Request { against: Against::Height { heading: 0.0 }, ..example() };

@@ -3,7 +3,7 @@
 use super::array;
 use super::fault::PyResult;
 use gyrospec::Error;
-use gyrospec::integral::{self, Integrand, evaluate};
+use gyrospec::integral::{Integrand, evaluate};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -13,7 +13,7 @@ type Reduced<'py> = (Bound<'py, PyAny>, (f64, f64, f64, String));
 /// A value of I_n with what is known of it.
 #[pyclass(frozen, eq, module = "gyrospec")]
 #[derive(PartialEq)]
-pub struct Integral(integral::Integral);
+pub struct Integral(gyrospec::Integral);
 
 #[pymethods]
 impl Integral {
@@ -22,11 +22,11 @@ impl Integral {
     fn _of(value: f64, error_bound: f64, condition: f64, method: &str) -> PyResult<Self> {
         let unknown = |_| Error::bad_input(format!("`{method}` is no method of the integral"));
         let method = serde_json::from_value(method.into()).map_err(unknown)?;
-        Ok(Self(integral::Integral { value, error_bound, condition, method }))
+        Ok(Self(gyrospec::Integral { value, error_bound, condition, method }))
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Reduced<'py>> {
-        let integral::Integral { value, error_bound, condition, .. } = slf.get().0;
+        let gyrospec::Integral { value, error_bound, condition, .. } = slf.get().0;
         Ok((slf.get_type().getattr("_of")?, (value, error_bound, condition, slf.get().method())))
     }
 
@@ -81,7 +81,7 @@ impl Integral {
     }
 
     fn __repr__(&self) -> String {
-        let integral::Integral { value, error_bound, condition, .. } = self.0;
+        let gyrospec::Integral { value, error_bound, condition, .. } = self.0;
         format!(
             "Integral(value={value:?}, error_bound={error_bound:.2e}, condition={condition:.4}, method='{}')",
             self.method()
@@ -89,7 +89,7 @@ impl Integral {
     }
 
     fn _repr_html_(&self) -> String {
-        let integral::Integral { value, error_bound, condition, .. } = self.0;
+        let gyrospec::Integral { value, error_bound, condition, .. } = self.0;
         format!(
             "<table><tr><th>value</th><td>{value:?}</td></tr><tr><th>error at most</th><td>{error_bound:.2e}</td></tr>\
              <tr><th>condition</th><td>{condition:.4}</td></tr><tr><th>method</th><td>{}</td></tr></table>",

@@ -38,7 +38,7 @@ mod _gyrospec {
     #[pymodule_export]
     use super::recording::Recording;
     #[pymodule_export]
-    use super::roll_error::roll_error;
+    use super::roll_error::{elastic_options, roll_error};
     #[pymodule_export]
     use super::simulate::{Simulated, simulate};
     #[pymodule_export]

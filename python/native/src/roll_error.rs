@@ -6,6 +6,7 @@ use super::recording::Recording;
 use super::told::Told;
 use super::work::patiently;
 use gyrospec::cli::roll_error::{Given, asked};
+use gyrospec::gyro::elastic::PARTS;
 use gyrospec::report::polar;
 use gyrospec::report::rolling::{Sheet, card, json, page, text};
 use pyo3::prelude::*;
@@ -17,6 +18,13 @@ use std::sync::Arc;
 pub enum Compass<'py> {
     Model(PyRef<'py, Model>),
     Path(PathBuf),
+}
+
+/// The arguments that ask for an elastic part: name, names of its numbers (none for a switch), what it does.
+#[pyfunction]
+pub fn elastic_options() -> Vec<(String, &'static str, &'static str)> {
+    let options = PARTS.iter().flat_map(|part| part.options);
+    options.map(|o| (o.name.replace('-', "_"), o.numbers, o.help)).collect()
 }
 
 #[pyfunction]

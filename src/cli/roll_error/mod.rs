@@ -4,6 +4,7 @@ mod compass;
 mod examples;
 mod hints;
 mod options;
+mod part;
 mod recording;
 
 use super::input::Held;
@@ -58,11 +59,10 @@ pub struct Arguments {
 }
 
 /// What says nothing of the free motion.
-const FREE_OF: [&str; 16] = [
+const FREE_OF: [&str; 15] = [
     "recording",
     "roll",
     "part",
-    "vertical",
     "lever",
     "speed",
     "motion",
@@ -149,7 +149,7 @@ fn formula(compass: &Compass, a: &Arguments) -> Result<String> {
         ));
     }
     let others = "formulas: the lag (no option), --inertia, --flow; any other: gyrospec formula";
-    let derived = closed_form(compass.part)
+    let derived = closed_form(compass.part.as_ref())
         .map_err(|e| if e.kind() == ErrorKind::Usage { e.with_hint(others) } else { e })?;
     let excitation = a.motion.excitation(compass.roll)?;
     let headings = if a.rows.has_headings() { a.rows.headings()? } else { vec![45f64.to_radians()] };

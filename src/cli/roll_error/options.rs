@@ -1,35 +1,20 @@
 //! What the command line says of the instrument, the motion and the rows wanted.
 
+use super::part::PartOptions;
 use crate::cli::quantity::{angle, quantities, quantity};
-use crate::gyro::elastic::{Backlash, Compliance, Friction, Relaxing};
+use crate::gyro::elastic::{Elastic, Lag};
 use crate::gyro::range::{self, Range};
 use crate::gyro::seed::Regular;
 use crate::gyro::{Axis, seed};
-use crate::rolling::{Against as Rows, Compass, Days, Excitation, Part, Source, Waves};
+use crate::rolling::{Against as Rows, Compass, Days, Excitation, Source, Waves};
 use crate::spectrum::{Hull, Roll, Sea};
 use crate::{Error, Result};
 use clap::{Args, ValueEnum};
 
 #[derive(Args)]
 pub struct InstrumentOptions {
-    /// The elastic part with its inertia, (2.2) in place of (2.3).
-    #[arg(long, group = "part")]
-    inertia: bool,
-    /// A second relaxing part, liquid flow: its time and its give as a part of the spring's.
-    #[arg(long, group = "part", value_name = "TIME,SHARE", allow_hyphen_values = true)]
-    flow: Option<String>,
-    /// Compliance along the meridian too: stiffness and time.
-    #[arg(long, group = "part", value_name = "STIFFNESS,TIME")]
-    meridian: Option<String>,
-    /// Compliance along the vertical: stiffness and time; it changes the spread alone, not the mean.
-    #[arg(long, conflicts_with_all = ["inertia", "flow", "friction", "free_play"], value_name = "STIFFNESS,TIME")]
-    vertical: Option<String>,
-    /// Dry friction in the suspension: its errors are simulated.
-    #[arg(long, group = "part", value_name = "FORCE", allow_hyphen_values = true)]
-    friction: Option<String>,
-    /// Free play (half-width) in the suspension: its errors are simulated.
-    #[arg(long, group = "part", value_name = "GAP", allow_hyphen_values = true)]
-    free_play: Option<String>,
+    #[command(flatten)]
+    part: PartOptions,
     /// Latitude; a bare number is in degrees; less than 90, and the error grows as 1/cos towards the pole.
     #[arg(long, allow_hyphen_values = true)]
     pub latitude: Option<String>,
@@ -44,44 +29,7 @@ pub struct InstrumentOptions {
 impl InstrumentOptions {
     /// Whether nothing was said.
     pub fn plain(&self) -> bool {
-        self.is_lag() && self.latitude.is_none() && self.lever.is_none() && self.speed.is_none()
-    }
-
-    /// Whether the part is the paper's lag.
-    pub fn is_lag(&self) -> bool {
-        !self.inertia
-            && [&self.flow, &self.meridian, &self.vertical, &self.friction, &self.free_play]
-                .iter()
-                .all(|o| o.is_none())
-    }
-
-    /// The elastic part asked for; `None` when nothing was said.
-    fn part(&self) -> Result<Option<Part>> {
-        let pair = |name: &str, text: &Option<String>| -> Result<Option<(f64, f64)>> {
-            let Some(text) = text else { return Ok(None) };
-            quantities(name, text, &[&range::STIFFNESS, &range::RELAXATION]).map(|v| Some((v[0], v[1])))
-        };
-        if self.is_lag() {
-            return Ok(None);
-        }
-        if self.meridian.is_some() || self.vertical.is_some() {
-            let meridian = pair("meridian", &self.meridian)?;
-            let vertical = pair("vertical", &self.vertical)?;
-            return Ok(Some(Part::Compliance(Compliance { meridian, vertical })));
-        }
-        Ok(Some(match (&self.friction, &self.free_play, &self.flow) {
-            (Some(text), _, _) => {
-                Part::Friction(Friction { force: quantity("friction", text, &range::FRICTION)? })
-            }
-            (_, Some(text), _) => {
-                Part::FreePlay(Backlash { gap: quantity("free-play", text, &range::FREE_PLAY)? })
-            }
-            (_, _, Some(text)) => {
-                let v = quantities("flow", text, &[&range::RELAXATION, &range::SHARE])?;
-                Part::Flow(Relaxing { time: v[0], share: v[1] })
-            }
-            _ => Part::Inertia,
-        }))
+        self.part.is_empty() && self.latitude.is_none() && self.lever.is_none() && self.speed.is_none()
     }
 
     /// Puts what is said into a compass. An option beside a model with a part of its own is refused, since neither
@@ -100,21 +48,16 @@ impl InstrumentOptions {
                 *place = quantity(name, text, range)?;
             }
         }
-        let Some(part) = self.part()? else { return Ok(()) };
-        let (own, symbols) = match compass.part {
-            Part::Inertia => ("inertia", "the model's x_rate"),
-            Part::Flow(_) => ("a second relaxation by liquid flow", "T2 and kappa"),
-            _ => {
-                compass.part = part;
-                return Ok(());
-            }
-        };
+        let Some(part) = self.part.part()? else { return Ok(()) };
+        if compass.part.name() == Lag.name() {
+            compass.part = part;
+            return Ok(());
+        }
+        let own = compass.part.name();
         Err(Error::usage(format!(
             "this model has an elastic part of its own, {own}, and an option asks for another"
         ))
-        .with_hint(format!(
-            "take the plain `gyrosphere` (without {symbols}) with the option, or leave the option away"
-        )))
+        .with_hint("take the plain `gyrosphere` with the option, or leave the option away"))
     }
 }
 

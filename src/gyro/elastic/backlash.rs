@@ -17,8 +17,9 @@
 use super::follower::{Follower, Law};
 use super::in_time::{InTime, Piece, Place, Ramp};
 use super::inertia::{oscillator, single};
-use super::{Elastic, deviations, positive};
-use crate::gyro::Gyrosphere;
+use super::option::{Asked, PartOption, first};
+use super::{Elastic, deviations, fixed_point, positive};
+use crate::gyro::{Gyrosphere, range};
 use crate::lti::StateSpace;
 use crate::{Error, Result};
 use std::f64::consts::SQRT_2;
@@ -33,6 +34,16 @@ pub struct Backlash {
     /// δ, m.
     pub gap: f64,
 }
+
+pub(super) const ASKED: Asked = Asked {
+    options: &[PartOption {
+        name: "free-play",
+        numbers: "GAP",
+        ranges: &[&range::FREE_PLAY],
+        help: "Free play (half-width) in the suspension: its errors are simulated",
+    }],
+    make: |given| Box::new(Backlash { gap: first(given)[0] }),
+};
 
 impl Elastic for Backlash {
     fn name(&self) -> &'static str {
@@ -51,16 +62,7 @@ impl Elastic for Backlash {
         let wider = |sigma: f64| -> Result<bool> {
             Ok(deviations(&single(m, r, equivalent(sigma))?, acceleration)?.0 > sigma)
         };
-        let (mut low, mut high) = (tight, 1e3 * (tight + self.gap));
-        for _ in 0..60 {
-            let middle = (low * high).sqrt();
-            if wider(middle)? {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        oscillator(m, r, equivalent((low * high).sqrt()))
+        oscillator(m, r, equivalent(fixed_point([tight, 1e3 * (tight + self.gap)], wider)?))
     }
 
     fn in_time(&self, s: &Gyrosphere, step: f64) -> Result<Option<Box<dyn InTime>>> {

@@ -1,8 +1,9 @@
 //! Compliance along the parallel, the meridian and the vertical.
 
+use super::option::{Asked, PartOption};
 use super::{Elastic, along, positive};
 use crate::Result;
-use crate::gyro::Gyrosphere;
+use crate::gyro::{Gyrosphere, range};
 use crate::lti::{StateSpace, TransferFunction};
 
 /// Tᵢ ẋᵢ + xᵢ = P Wᵢ/(g Cᵢ) along each of the three directions; the first is the paper's.
@@ -22,6 +23,27 @@ pub struct Compliance {
     pub vertical: Option<(f64, f64)>,
 }
 
+pub(super) const ASKED: Asked = Asked {
+    options: &[
+        PartOption {
+            name: "meridian",
+            numbers: "STIFFNESS,TIME",
+            ranges: &[&range::STIFFNESS, &range::RELAXATION],
+            help: "Compliance along the meridian too: stiffness and time",
+        },
+        PartOption {
+            name: "vertical",
+            numbers: "STIFFNESS,TIME",
+            ranges: &[&range::STIFFNESS, &range::RELAXATION],
+            help: "Compliance along the vertical: stiffness and time; it changes the spread alone, not the mean",
+        },
+    ],
+    make: |given| {
+        let pair = |k: usize| given[k].as_ref().map(|v| (v[0], v[1]));
+        Box::new(Compliance { meridian: pair(0), vertical: pair(1) })
+    },
+};
+
 impl Elastic for Compliance {
     fn name(&self) -> &'static str {
         "compliance along three axes"
@@ -38,5 +60,9 @@ impl Elastic for Compliance {
             parts.push((axis, StateSpace::from_transfer(&give)));
         }
         along(&parts)
+    }
+
+    fn idle(&self) -> &'static str {
+        if self.vertical.is_some() { "compliance along the vertical" } else { "" }
     }
 }

@@ -19,8 +19,9 @@
 use super::follower::{Follower, Law};
 use super::in_time::{InTime, Piece, Place, Ramp};
 use super::inertia::{oscillator, single};
-use super::{Elastic, deviations, positive};
-use crate::gyro::Gyrosphere;
+use super::option::{Asked, PartOption, first};
+use super::{Elastic, deviations, fixed_point, positive};
+use crate::gyro::{Gyrosphere, range};
 use crate::lti::StateSpace;
 use crate::{Error, Result};
 use std::f64::consts::PI;
@@ -35,6 +36,16 @@ pub struct Friction {
     /// F_c, N.
     pub force: f64,
 }
+
+pub(super) const ASKED: Asked = Asked {
+    options: &[PartOption {
+        name: "friction",
+        numbers: "FORCE",
+        ranges: &[&range::FRICTION],
+        help: "Dry friction in the suspension: its errors are simulated",
+    }],
+    make: |given| Box::new(Friction { force: first(given)[0] }),
+};
 
 impl Elastic for Friction {
     fn name(&self) -> &'static str {
@@ -59,22 +70,14 @@ impl Elastic for Friction {
         if self.force * (2.0 / PI).sqrt() >= force {
             return stuck(m, r, c);
         }
-        let (mut low, mut high) = (free * 1e-9, free);
+        let low = free * 1e-9;
         let moves = |sigma: f64| -> Result<bool> {
             Ok(deviations(&single(m, equivalent(sigma), c)?, acceleration)?.1 > sigma)
         };
         if !moves(low)? {
             return stuck(m, r, c);
         }
-        for _ in 0..60 {
-            let middle = (low * high).sqrt();
-            if moves(middle)? {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        oscillator(m, equivalent((low * high).sqrt()), c)
+        oscillator(m, equivalent(fixed_point([low, free], moves)?), c)
     }
 
     fn in_time(&self, s: &Gyrosphere, step: f64) -> Result<Option<Box<dyn InTime>>> {

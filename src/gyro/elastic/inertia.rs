@@ -1,6 +1,7 @@
 //! The elastic part with its inertia, (2.2).
 
-use super::{Elastic, along, positive};
+use super::option::{Asked, PartOption};
+use super::{Elastic, Letters, along, positive};
 use crate::Result;
 use crate::gyro::Gyrosphere;
 use crate::lti::{StateSpace, TransferFunction};
@@ -17,6 +18,16 @@ use crate::lti::{StateSpace, TransferFunction};
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Inertia;
 
+pub(super) const ASKED: Asked = Asked {
+    options: &[PartOption {
+        name: "inertia",
+        numbers: "",
+        ranges: &[],
+        help: "The elastic part with its inertia, (2.2) in place of (2.3)",
+    }],
+    make: |_| Box::new(Inertia),
+};
+
 impl Elastic for Inertia {
     fn name(&self) -> &'static str {
         "lag with inertia (2.2)"
@@ -25,6 +36,11 @@ impl Elastic for Inertia {
     fn system(&self, s: &Gyrosphere, _: &StateSpace) -> Result<StateSpace> {
         let m = s.weight / s.gravity;
         oscillator(m, s.lag * s.stiffness, s.stiffness)
+    }
+
+    fn letters(&self) -> Option<Letters> {
+        // m ẍ + r ẋ + C₀ x = m W₁, W₁ = −h θ̈ cos K
+        Some(Letters { shift: "-m*h*cos(K)/(m*s^2 + r*s + C0)", order: "P m h A mu b H U g r C0" })
     }
 }
 

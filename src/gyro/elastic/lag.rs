@@ -1,6 +1,6 @@
 //! The paper's elastic lag, (2.3).
 
-use super::{Elastic, along, positive};
+use super::{Elastic, Letters, along, positive};
 use crate::Result;
 use crate::gyro::Gyrosphere;
 use crate::lti::{StateSpace, TransferFunction};
@@ -26,5 +26,10 @@ impl Elastic for Lag {
         // T ẋ + x = P W₁/(g C₀)
         let give = TransferFunction::new(&[s.weight / (s.gravity * s.stiffness)], &[s.lag, 1.0])?;
         along(&[(0, StateSpace::from_transfer(&give))])
+    }
+
+    fn letters(&self) -> Option<Letters> {
+        // T ẋ + x = P W₁/(g C₀), W₁ = −h θ̈ cos K
+        Some(Letters { shift: "-P/(g*C0)*h*cos(K)/(T*s + 1)", order: "P h A mu b H U C0 g T" })
     }
 }

@@ -7,6 +7,7 @@ mod friction;
 mod in_time;
 mod inertia;
 mod lag;
+mod option;
 mod relaxing;
 
 pub use backlash::Backlash;
@@ -15,6 +16,7 @@ pub use friction::Friction;
 pub use in_time::InTime;
 pub use inertia::Inertia;
 pub use lag::Lag;
+pub use option::{Asked, Given, PARTS, PartOption, asked};
 pub use relaxing::Relaxing;
 
 use super::Gyrosphere;
@@ -24,7 +26,7 @@ use faer::Mat;
 
 /// A part of the gyrosphere that gives way to the accelerations (W₁, W₂, W₃), m/s², along the
 /// parallel, the meridian and the vertical.
-pub trait Elastic: std::fmt::Debug + Send + Sync {
+pub trait Elastic: Boxed + std::fmt::Debug + Send + Sync {
     /// A short name for tables.
     fn name(&self) -> &'static str;
 
@@ -44,6 +46,43 @@ pub trait Elastic: std::fmt::Debug + Send + Sync {
     /// `BadInput` for numbers that describe no such part.
     fn in_time(&self, _sphere: &Gyrosphere, _step: f64) -> Result<Option<Box<dyn InTime>>> {
         Ok(None)
+    }
+
+    /// How W₁ moves x, with letters; `None` where the mean error has no closed form.
+    fn letters(&self) -> Option<Letters> {
+        None
+    }
+
+    /// Which of its directions change no mean; empty where there is none.
+    fn idle(&self) -> &'static str {
+        ""
+    }
+}
+
+/// The centre of mass with letters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Letters {
+    /// x/θ̈ as an expression in s, with the letters of docs/symbols.md.
+    pub shift: &'static str,
+    /// The letters in the order in which a formula shows them.
+    pub order: &'static str,
+}
+
+/// A part that can be copied behind its trait; every part that is `Clone` can.
+pub trait Boxed {
+    /// A copy.
+    fn boxed(&self) -> Box<dyn Elastic>;
+}
+
+impl<T: Elastic + Clone + 'static> Boxed for T {
+    fn boxed(&self) -> Box<dyn Elastic> {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for Box<dyn Elastic> {
+    fn clone(&self) -> Self {
+        self.as_ref().boxed()
     }
 }
 
@@ -70,6 +109,16 @@ fn positive(values: &[(&str, f64)]) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// The σ, m or m/s, that a linear stand-in gives itself, between two bounds: by bisection where `exceeds` tells whether
+/// the stand-in for σ moves more than σ.
+fn fixed_point([mut low, mut high]: [f64; 2], exceeds: impl Fn(f64) -> Result<bool>) -> Result<f64> {
+    for _ in 0..60 {
+        let middle = (low * high).sqrt();
+        *(if exceeds(middle)? { &mut low } else { &mut high }) = middle;
+    }
+    Ok((low * high).sqrt())
 }
 
 /// The standard deviations of x and ẋ of m ẍ + r ẋ + c x = m W₁ under an acceleration.

@@ -1,8 +1,9 @@
 //! A second relaxing part: liquid that flows over.
 
-use super::{Elastic, along, positive};
+use super::option::{Asked, PartOption, first};
+use super::{Elastic, Letters, along, positive};
 use crate::Result;
-use crate::gyro::Gyrosphere;
+use crate::gyro::{Gyrosphere, range};
 use crate::lti::{StateSpace, TransferFunction};
 
 /// x = x₁ + x₂: T ẋ₁ + x₁ = P W₁/(g C₀) and T₂ ẋ₂ + x₂ = κ P W₁/(g C₀).
@@ -22,6 +23,19 @@ pub struct Relaxing {
     pub share: f64,
 }
 
+pub(super) const ASKED: Asked = Asked {
+    options: &[PartOption {
+        name: "flow",
+        numbers: "TIME,SHARE",
+        ranges: &[&range::RELAXATION, &range::SHARE],
+        help: "A second relaxing part, liquid flow: its time and its give as a part of the spring's",
+    }],
+    make: |given| {
+        let numbers = first(given);
+        Box::new(Relaxing { time: numbers[0], share: numbers[1] })
+    },
+};
+
 impl Elastic for Relaxing {
     fn name(&self) -> &'static str {
         "lag and liquid flow"
@@ -33,5 +47,11 @@ impl Elastic for Relaxing {
         let spring = TransferFunction::new(&[give], &[s.lag, 1.0])?;
         let liquid = TransferFunction::new(&[self.share * give], &[self.time, 1.0])?;
         along(&[(0, StateSpace::from_transfer(&spring)), (0, StateSpace::from_transfer(&liquid))])
+    }
+
+    fn letters(&self) -> Option<Letters> {
+        // two relaxations side by side
+        let shift = "-P/(g*C0)*h*cos(K)*(1/(T*s + 1) + kappa/(T_2*s + 1))";
+        Some(Letters { shift, order: "P h A mu b H U C0 g T" })
     }
 }

@@ -21,7 +21,7 @@ pub fn json(table: &Table) -> Result<String> {
     let trusted = if table.is_by_spectrum() { "measured_spectrum_mean_deg" } else { "mean_deg" };
     let mut value = json!({
         "schema": "gyrospec.roll-error/1",
-        "instrument": table.compass.part.elastic().name(),
+        "instrument": table.compass.part.name(),
         "compass": {
             "P_N": s.weight, "H_Nms": s.momentum, "lP_Nm": s.pendulous, "C_Nm": s.damper, "F_per_s": s.flow,
             "C0_N_per_m": s.stiffness, "T_s": s.lag, "h_m": s.lever, "lat_deg": s.latitude.to_degrees(),

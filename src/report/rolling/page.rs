@@ -95,7 +95,7 @@ pub fn page(sheet: &Sheet<'_>) -> String {
     let sources = recorded.iter().flat_map(|r| &r.sources);
     let round = t.rows.len() > 8;
     drawn(&Rolling {
-        instrument: t.compass.part.elastic().name(),
+        instrument: t.compass.part.name(),
         compass: &words::origin(&t.compass.origin),
         motion: &words::motion(t),
         against: match t.against {

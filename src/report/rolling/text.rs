@@ -34,7 +34,7 @@ pub fn text(table: &Table) -> String {
         out,
         "Heading error of a gyrosphere: {}; h = {} m, {place}\n\
          compass: {}\nmotion: {}\nsign: {SIGN}\n",
-        table.compass.part.elastic().name(),
+        table.compass.part.name(),
         s.lever,
         words::origin(&table.compass.origin),
         words::motion(table)

@@ -113,10 +113,10 @@ pub fn note(table: &Table) -> String {
 fn asides(table: &Table) -> String {
     let waves = table.excitation.as_ref().and_then(Excitation::waves);
     let heaves = waves.is_some_and(|w| w.also.contains(&crate::gyro::Axis::Heave));
-    let vertical = table.compass.part.is_vertical();
+    let idle = table.compass.part.idle();
     let mut out = String::new();
-    if heaves || vertical {
-        let what = if vertical { "compliance along the vertical" } else { "heave" };
+    if heaves || !idle.is_empty() {
+        let what = if idle.is_empty() { "heave" } else { idle };
         out.push_str(&format!("{what} changes no mean: {IDLE}.\n"));
     }
     if table.compass.speed != 0.0 && waves.is_some_and(|w| w.slopes().1 != 0.0) {
@@ -129,11 +129,10 @@ fn asides(table: &Table) -> String {
 
 /// How the figures of a part that is not linear come about.
 fn not_linear(table: &Table) -> String {
-    let part = table.compass.part;
-    if part.is_linear() {
+    if table.compass.instrument().is_linear().unwrap_or(true) {
         return String::new();
     }
-    let name = part.elastic().name();
+    let name = table.compass.part.name();
     let (first, rest) = name.split_at(1);
     let regular = matches!(table.excitation, Some(Excitation { source: Source::Regular(_), .. }));
     let beside = if regular {
