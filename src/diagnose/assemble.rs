@@ -7,14 +7,15 @@ use super::answer::{
 use super::bench::Bench;
 use super::faults::{self, Spoiled};
 use super::few::Few;
+use super::innovations::Unlike;
 use super::located::{Mismatch, site_name};
 use super::paragraph::Paragraph;
 use super::propose::View;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::{self, Found, Taken};
-use super::verdict::{Evidence, Proven, settle, with_faults};
-use super::{Diagnosis, Request, locate, next, pictures, words};
+use super::verdict::{Evidence, Proven, settle, with_faults, with_noise};
+use super::{Diagnosis, Request, innovations, locate, next, pictures, words};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
@@ -64,7 +65,11 @@ impl Assembly<'_> {
         let mut findings = self.findings(&before, &after);
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
         let proof = self.proof(&before, &after);
-        let physics = settle(evidence.verdict(), &findings, &self.found);
+        let unlike = (evidence.verdict() == Verdict::NothingMissing)
+            .then(|| innovations::unlike_noise(&self.bench, &self.found.last, &before))
+            .flatten();
+        let odd = unlike.as_ref().map(|u| u.says(&self.request.model.outputs, &self.found.last.rmse));
+        let physics = settle(with_noise(evidence.verdict(), unlike.as_ref()), &findings, &self.found);
         let held_out: usize = before.iter().map(Held::samples).sum();
         let proven = Proven {
             proof: &proof,
@@ -75,10 +80,14 @@ impl Assembly<'_> {
         let physics = proven.settle(physics);
         let unfinished = self.ended_early.filter(|_| physics == Verdict::NothingMissing).map(unfinished);
         let physics = if unfinished.is_some() { Verdict::NotIdentifiable } else { physics };
-        let reason = unfinished.as_deref().or(blind.as_deref());
+        let reason = unfinished.as_deref().or(blind.as_deref()).or(odd.as_deref());
         let verdict = with_faults(physics, &self.faults, self.is_open(physics, &proof));
         let next = || next::experiment(self.request.model, &self.bench, &self.found, verdict, reason);
-        let next_experiment = if unfinished.is_some() { Some(next::PATIENCE.to_string()) } else { next() };
+        let next_experiment = match &unlike {
+            _ if unfinished.is_some() => Some(next::PATIENCE.to_string()),
+            Some(Unlike::Steps(k, _)) => Some(next::second_sensor(&self.request.model.outputs[*k].name)),
+            _ => next(),
+        };
         let paragraph = Paragraph {
             model: self.request.model,
             found: &self.found,
@@ -88,6 +97,7 @@ impl Assembly<'_> {
             proof: &proof,
             blind: reason,
             is_held_out: held_out > 0,
+            odd: odd.as_deref(),
             law: rest.laws.first().filter(|_| left),
         };
         let says = paragraph.text();
@@ -96,6 +106,7 @@ impl Assembly<'_> {
             found: &self.found,
             rest: first_rest.as_ref().unwrap_or(&rest),
             left: Some(&rest).filter(|_| left),
+            stepping: unlike.as_ref().and_then(Unlike::stepping),
             faults: &self.faults,
             spoiled: &self.spoiled,
             recordings: self.given(),
@@ -108,7 +119,7 @@ impl Assembly<'_> {
             schema: SCHEMA,
             verdict,
             says,
-            detection: self.detection(),
+            detection: self.detection(unlike.as_ref().map_or(1.0, Unlike::p_value)),
             located,
             findings,
             faults: self.faults.clone(),
@@ -272,8 +283,9 @@ impl Assembly<'_> {
         !self.bench.is_trials() && (0..noise.len()).any(falls)
     }
 
-    fn detection(&self) -> Detection {
-        let found = self.found.taken.iter().map(|t| t.p_value).fold(1.0, f64::min);
+    /// What was detected, beside a residual that is no noise by some chance.
+    fn detection(&self, unlike: f64) -> Detection {
+        let found = self.found.taken.iter().map(|t| t.p_value).fold(unlike, f64::min);
         let mut visible: Vec<Visible> = Vec::new();
         for s in &self.found.rest.screened {
             let p = &s.proposal;

@@ -22,6 +22,9 @@ const FURTHER: f64 = 0.2;
 const ANCHORED: f64 = 0.6;
 /// Chance, after correction, above which nothing is added.
 pub const CHANCE: f64 = 0.01;
+/// Chance, corrected for all that was tried, from which on something is surely missing though nothing has a
+/// name for it.
+pub const SURE: f64 = 1e-3;
 /// Gain from which on a mechanism counts as seen by the free run.
 pub const MUCH: f64 = 0.2;
 /// Relative fall of the left-out root mean square below which nothing is added.

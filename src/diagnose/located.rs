@@ -6,7 +6,7 @@ use super::faults::Spoiled;
 use super::rest::Rest;
 use super::search::Found;
 use super::{locate, next};
-use crate::model::Model;
+use crate::model::{Model, Output};
 use crate::record::{Recording, Span};
 
 /// Signals that are told.
@@ -26,6 +26,8 @@ pub struct Mismatch<'a> {
     pub rest: &'a Rest,
     /// Laws that are left after what was found, where something is.
     pub left: Option<&'a Rest>,
+    /// Number of the output whose residual steps, where nothing else tells of it.
+    pub stepping: Option<usize>,
     /// What is wrong with the data.
     pub faults: &'a [DataFault],
     /// Where that sits.
@@ -70,7 +72,7 @@ impl Mismatch<'_> {
         if physics == Verdict::Unknown {
             sites.extend(self.left.iter().flat_map(|rest| rest.sites()).map(site_name));
             if sites.is_empty() {
-                sites = self.nearest();
+                sites = self.stepping.map_or_else(|| self.nearest(), |k| self.output(k));
             }
         }
         sites
@@ -85,11 +87,13 @@ impl Mismatch<'_> {
         if !sites.is_empty() {
             return sites;
         }
-        let output = self.model.outputs.get(locate::plainest(&self.found.base, &self.found.base));
-        output
-            .map(|o| SiteName { kind: SiteKind::Output.word().into(), name: o.name.clone() })
-            .into_iter()
-            .collect()
+        self.output(locate::plainest(&self.found.base, &self.found.base))
+    }
+
+    /// An output, by its number.
+    fn output(&self, number: usize) -> Vec<SiteName> {
+        let name = |o: &Output| SiteName { kind: SiteKind::Output.word().into(), name: o.name.clone() };
+        self.model.outputs.get(number).map(name).into_iter().collect()
     }
 
     /// Where the faults sit that have taken the verdict; nowhere else.

@@ -15,6 +15,7 @@ mod cut;
 mod faults;
 mod few;
 mod forgotten;
+mod innovations;
 #[doc(hidden)]
 pub mod laboratory;
 mod locate;

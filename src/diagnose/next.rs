@@ -18,6 +18,13 @@ const SAME: f64 = 1e-3;
 pub const PATIENCE: &str =
     "Start the parameters nearer to the instrument's and bound them, or give the search more time.";
 
+/// What tells a step of a sensor from one of the thing.
+pub fn second_sensor(output: &str) -> String {
+    format!(
+        "Record {output} by a second, independent sensor too: a step of one sensor's zero does not show in the other, a push on the thing shows in both."
+    )
+}
+
 /// What the next experiment should be, for a verdict.
 pub fn experiment(
     model: &Model,

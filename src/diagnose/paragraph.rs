@@ -24,6 +24,8 @@ pub struct Paragraph<'a> {
     pub blind: Option<&'a str>,
     /// Whether anything was held out.
     pub is_held_out: bool,
+    /// Why what is left is no noise, where nothing else tells that something is missing.
+    pub odd: Option<&'a str>,
     /// The law that is left, if one is.
     pub law: Option<&'a Law>,
 }
@@ -105,6 +107,9 @@ impl Paragraph<'_> {
     fn unknown(&self, list: &str) -> String {
         let named = |s: &String| words::signal(self.model, s);
         let law = self.law.map(|l| l.signals.iter().map(named).collect::<Vec<_>>().join(" and "));
+        if let ("", None, Some(odd)) = (list, &law, self.odd) {
+            return format!("Something is missing that the catalogue has no name for: {odd}.");
+        }
         match (list, law) {
             ("", None) => {
                 let nearest = self.found.first.screened.first().map_or_else(String::new, |s| {

@@ -1,8 +1,9 @@
 //! From what was found to one verdict: first on the physics, by the data without their faults, then on both.
 
 use super::answer::{DataFault, Finding, Proof, Value, Verdict};
-use super::choose::is_wave;
+use super::choose::{SURE, is_wave};
 use super::few::agree_by_luck;
+use super::innovations::Unlike;
 use super::rest::Rest;
 use super::search::{Found, is_pressed};
 
@@ -10,8 +11,6 @@ use super::search::{Found, is_pressed};
 const LEFT_CHANCE: f64 = 0.01;
 /// Share of the residual's square, whitened or not, that it must explain.
 const LEFT_SHARE: f64 = 0.03;
-/// Chance of the first screening's largest score, corrected, from which on something is surely missing.
-const SURE: f64 = 1e-3;
 /// Share of all that names and a law could explain together from which on, left to the law, the names
 /// only resemble.
 const RESEMBLES: f64 = 0.1;
@@ -68,6 +67,16 @@ impl Evidence<'_> {
         } else {
             Verdict::Tie
         }
+    }
+}
+
+/// Nothing is missing only where what is left is noise: where it steps something is, and where it is too slow
+/// nobody can tell.
+pub fn with_noise(verdict: Verdict, unlike: Option<&Unlike>) -> Verdict {
+    match (verdict, unlike) {
+        (Verdict::NothingMissing, Some(Unlike::Steps(..))) => Verdict::Unknown,
+        (Verdict::NothingMissing, Some(Unlike::Slow(..))) => Verdict::NotIdentifiable,
+        _ => verdict,
     }
 }
 

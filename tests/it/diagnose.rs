@@ -1,5 +1,7 @@
 //! The diagnosis on recordings made by a stepper that shares nothing with the simulator.
 
+mod no_noise;
+
 use gyrospec::diagnose::answer::Verdict;
 use gyrospec::diagnose::laboratory::{Scenario, Stepper};
 use gyrospec::diagnose::{Diagnosis, Request, diagnose};
