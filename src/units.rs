@@ -4,6 +4,7 @@
 //! or goes out.
 
 mod combine;
+mod counts;
 mod dimension;
 mod figure;
 mod names;
@@ -16,8 +17,8 @@ pub use figure::{counted, digits_within, figure, significant, without_needless_z
 pub use turning::Turning;
 
 use crate::Result;
+use counts::Counts;
 use std::fmt;
-use turning::Counts;
 
 /// A unit as written, with its factor and offset to SI.
 ///

@@ -18,7 +18,7 @@
 //! own axis shows a fall if any direction does.
 
 use super::coordinates::Range;
-use super::least_squares::Problem;
+use super::least_squares::problem::Problem;
 use super::triangle::Triangle;
 
 /// A step of its whole size moves the residuals by less than this share of their root mean square, to first

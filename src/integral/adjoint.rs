@@ -19,7 +19,7 @@ use super::recursion::{Work, row_length, row_start};
 use super::scale::Scale;
 use super::{Integrand, Numerator};
 use crate::exact::{IBig, Rounded, ldexp, round_ratio};
-use crate::poly::routh::Array;
+use crate::poly::stability::Array;
 use std::cell::RefCell;
 
 /// Derivatives of the scaled integral in the scaled coefficients, with what it takes to find them;

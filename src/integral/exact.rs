@@ -20,7 +20,8 @@
 
 use super::{Integral, Integrand, Method, Numerator};
 use crate::exact::{IBig, RBig, Rounded, integers, integers_time_shift, round_ratio};
-use crate::poly::routh::{self, Array, Stability};
+use crate::poly::routh;
+use crate::poly::stability::{Array, Stability};
 use crate::{Error, ErrorKind, Result};
 use dashu_base::Signed;
 

@@ -4,6 +4,7 @@
 
 pub mod roots;
 pub mod routh;
+pub mod stability;
 mod sturm;
 
 use num_complex::Complex64;

@@ -18,27 +18,10 @@
 //! Exact. D_k has about k times the bits of the coefficients; n²/4 steps of two products and one
 //! division each.
 
+use super::stability::{Array, Stability};
 use super::sturm;
 use crate::exact::IBig;
 use dashu_base::Signed;
-
-/// Where the roots of a real polynomial lie.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Stability {
-    /// All in the open left half plane; with the array of the test.
-    Stable(Array),
-    /// So many (with multiplicity) in the open right half plane.
-    Unstable(usize),
-    /// None in the right half plane, at least one on the imaginary axis.
-    Axis,
-}
-
-/// The minors D_k\[i\] = Δ_(k−1)·r_k\[i\], k = 0 … n; a0 > 0.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Array {
-    /// D_k, one row a k; row k has ⌊(n−k)/2⌋ + 1 entries.
-    pub rows: Vec<Vec<IBig>>,
-}
 
 /// Tests the polynomial with integer coefficients `h` (descending, `h[0]` ≠ 0).
 pub fn test(h: &[IBig]) -> Stability {

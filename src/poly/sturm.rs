@@ -15,7 +15,7 @@
 //! # Numerical aspects
 //! Exact; primitive remainder sequences over the integers. Polynomials descend.
 
-use super::routh::Stability;
+use super::stability::Stability;
 use crate::exact::IBig;
 use dashu_base::{Abs, Gcd, Signed};
 

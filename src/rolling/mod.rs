@@ -20,6 +20,7 @@
 //! # Ok::<(), gyrospec::Error>(())
 //! ```
 
+mod against;
 mod analysis;
 mod case;
 #[cfg(feature = "symbolic")]
@@ -33,6 +34,7 @@ mod recorded;
 mod request;
 mod table;
 
+pub use against::Against;
 pub use analysis::{Analysis, SLOW, analyse};
 pub use case::{Days, Row};
 #[cfg(feature = "symbolic")]
@@ -42,5 +44,5 @@ pub use excitation::{Excitation, ShipMotion, Source, Waves};
 pub use free::{LeftAlone, left_alone};
 pub use obstacle::Obstacle;
 pub use recorded::Recorded;
-pub use request::{Against, Prepared, Request};
+pub use request::{Prepared, Request};
 pub use table::{MeasuredRoll, Table};

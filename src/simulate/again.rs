@@ -8,8 +8,7 @@
 //! the reason.
 
 use super::plan::{self, Plan, Search};
-use super::probe::Clock;
-use super::request::Unknown;
+use super::request::{Case, Unknown};
 use super::run::{Course, Ran, run};
 use super::simulator::Simulator;
 use super::steps::Solver;
@@ -21,15 +20,6 @@ use crate::model::Scalar;
 const SLACK: f64 = 4.0;
 /// How many times more steps than planned are tried before the stiff method.
 const MOST_FINER: usize = 16;
-
-/// One run asked for.
-#[derive(Clone)]
-pub(super) struct Case<'a> {
-    pub parameters: Vec<f64>,
-    pub initials: &'a [f64],
-    pub unknowns: &'a [Unknown],
-    pub clocks: &'a [Clock],
-}
 
 impl Simulator {
     /// Runs, and gives the plan that did.

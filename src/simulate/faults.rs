@@ -8,29 +8,31 @@ use crate::expression::{BinaryOp, Expr, Function};
 use crate::{Error, Result};
 use std::collections::HashMap;
 
-/// Refuses a model whose rates are no numbers at the first step, and names the term.
-pub(super) fn first_step(simulator: &Simulator, mesh: &Mesh, parameters: &[f64]) -> Result<()> {
-    let mut m = Machine::<f64>::new(&simulator.program, mesh, parameters);
-    let t = mesh.time[0];
-    let (given, steady) = simulator.starts(&simulator.initials());
-    let x = start(&mut m, t, &given, &steady)?;
-    let mut rates = vec![0.0; x.len()];
-    m.rates(t, &x, &mut rates);
-    let Some(bad) = rates.iter().position(|r| !r.is_finite()) else { return Ok(()) };
-    let model = simulator.model();
-    let Some(state) = model.states.get(bad) else {
-        return Err(Error::not_computed("a lag or a rate limit has no finite rate at the first step")
-            .with_hint("its time must not be 0"));
-    };
-    let values = values(simulator, &m);
-    let lookup = |name: &str| values.get(name).copied();
-    let message = format!("states.{}.rate is no number at the first step (t = {t} s)", state.name);
-    let fault = find(&state.rate, &lookup).map(|e| (&state.rate, e));
-    let fault = fault.or_else(|| {
-        let mut definitions = model.definition_order().unwrap_or_default().into_iter();
-        definitions.find_map(|d| Some((&d.equals, find(&d.equals, &lookup)?)))
-    });
-    Err(shown(Error::not_computed(message), fault))
+impl Simulator {
+    /// Refuses a model whose rates are no numbers at the first step, and names the term.
+    pub(super) fn check_first_step(&self, mesh: &Mesh, parameters: &[f64]) -> Result<()> {
+        let mut m = Machine::<f64>::new(&self.program, mesh, parameters);
+        let t = mesh.time[0];
+        let (given, steady) = self.starts(&self.initials());
+        let x = start(&mut m, t, &given, &steady)?;
+        let mut rates = vec![0.0; x.len()];
+        m.rates(t, &x, &mut rates);
+        let Some(bad) = rates.iter().position(|r| !r.is_finite()) else { return Ok(()) };
+        let model = self.model();
+        let Some(state) = model.states.get(bad) else {
+            return Err(Error::not_computed("a lag or a rate limit has no finite rate at the first step")
+                .with_hint("its time must not be 0"));
+        };
+        let values = values(self, &m);
+        let lookup = |name: &str| values.get(name).copied();
+        let message = format!("states.{}.rate is no number at the first step (t = {t} s)", state.name);
+        let fault = find(&state.rate, &lookup).map(|e| (&state.rate, e));
+        let fault = fault.or_else(|| {
+            let mut definitions = model.definition_order().unwrap_or_default().into_iter();
+            definitions.find_map(|d| Some((&d.equals, find(&d.equals, &lookup)?)))
+        });
+        Err(shown(Error::not_computed(message), fault))
+    }
 }
 
 /// The values of all names as they are loaded; there is none of a definition that remembers.

@@ -11,7 +11,6 @@
 //! The slowest time constant is that at the start of the run, at the model's own parameters.
 
 use super::mesh::Samples;
-use super::signals::OutputSignal;
 
 /// Slowest time constants after which 0.7 % is left.
 const FORGOTTEN: f64 = 5.0;
@@ -25,16 +24,18 @@ pub(super) fn gaps(inputs: &[Samples]) -> Vec<(f64, f64)> {
     inputs.iter().flat_map(|s| s.gaps.iter().copied()).collect()
 }
 
-/// The gaps with the wait after each, if that leaves enough of what the outputs cover now.
-pub(super) fn with_waits(gaps: &[(f64, f64)], outputs: &[OutputSignal], slowest: f64) -> Vec<(f64, f64)> {
+/// The gaps with the wait after each, if that leaves enough of the times that are compared now.
+pub(super) fn with_waits(
+    gaps: &[(f64, f64)],
+    compared: impl Iterator<Item = f64>,
+    slowest: f64,
+) -> Vec<(f64, f64)> {
     let wait = |g: &(f64, f64)| (FORGOTTEN * slowest).min(LONGEST_WAIT * (g.1 - g.0));
     let longer: Vec<(f64, f64)> = gaps.iter().map(|g| (g.0, g.1 + wait(g))).collect();
     let (mut all, mut lost) = (0_usize, 0_usize);
-    for o in outputs {
-        for (t, _) in o.time.iter().zip(&o.covered).filter(|(_, c)| **c) {
-            all += 1;
-            lost += usize::from(inside(&longer, *t));
-        }
+    for t in compared {
+        all += 1;
+        lost += usize::from(inside(&longer, t));
     }
     if lost as f64 <= WORTH * all as f64 { longer } else { gaps.to_vec() }
 }

@@ -1,6 +1,7 @@
 //! What is asked of a run, and what it gives.
 
 use super::budget::Budget;
+use super::probe::Clock;
 use super::steps::Solver;
 use crate::{Error, Result};
 
@@ -47,6 +48,15 @@ pub enum Unknown {
     Parameter(usize),
     /// An initial state, by the state's number in the model.
     Initial(usize),
+}
+
+/// One run asked for.
+#[derive(Clone)]
+pub(super) struct Case<'a> {
+    pub parameters: Vec<f64>,
+    pub initials: &'a [f64],
+    pub unknowns: &'a [Unknown],
+    pub clocks: &'a [Clock],
 }
 
 /// One run.

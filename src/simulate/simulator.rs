@@ -1,16 +1,15 @@
 //! The simulator: built once from a model and a recording, run as often as wanted.
 
-use super::again::Case;
 use super::budget::{Allowance, Budget};
+use super::gaps;
 use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
 use super::plan::{self, Plan, Search};
 use super::probe::Clock;
-use super::request::{Options, Trajectory, Unknown};
+use super::request::{Case, Options, Trajectory, Unknown};
 use super::run::Course;
 use super::signals::{self, OutputSignal};
 use super::steps::Solver;
-use super::{faults, gaps};
 use crate::model::program::Program;
 use crate::model::{Dual, Initial, Model, Scalar};
 use crate::record::{Kind, Recording};
@@ -124,7 +123,7 @@ impl Simulator {
             return Ok(());
         }
         let mesh = self.mesh_at(&parameters);
-        faults::first_step(self, &mesh, &parameters)?;
+        self.check_first_step(&mesh, &parameters)?;
         let (given, steady) = self.starts(&self.initials());
         let allowance = self.budget.one_run();
         let course = self.course(&mesh, self.plan, &steady, &allowance);
@@ -141,7 +140,10 @@ impl Simulator {
         }
         let slowest = self.slowest_time(&self.parameters(), &self.initials());
         if let Ok(Some(slowest)) = slowest {
-            self.blanks = gaps::with_waits(&self.blanks, &self.outputs, slowest);
+            let covered = |o: &OutputSignal| -> Vec<f64> {
+                o.time.iter().zip(&o.covered).filter(|(_, c)| **c).map(|(t, _)| *t).collect()
+            };
+            self.blanks = gaps::with_waits(&self.blanks, self.outputs.iter().flat_map(covered), slowest);
             signals::cover(&mut self.outputs, self.span, &self.blanks);
         }
     }

@@ -1,7 +1,7 @@
 //! States, definitions and rates of a run, on request.
 
-use super::again::Case;
 use super::probe::Clock;
+use super::request::Case;
 use super::simulator::Simulator;
 use crate::{Error, Result};
 use std::sync::Arc;

@@ -1,7 +1,10 @@
 //! Dimensions: powers of metre, kilogram, second, ampere and kelvin, with rational exponents.
 
-use super::names;
 use std::fmt;
+
+/// Derived SI units used to spell a dimension.
+const DERIVED: [(&str, [i32; 5]); 4] =
+    [("N", [1, 1, -2, 0, 0]), ("Pa", [-1, 1, -2, 0, 0]), ("W", [2, 1, -3, 0, 0]), ("V", [2, 1, -3, -1, 0])];
 
 /// A small rational number, in lowest terms with a positive denominator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -194,7 +197,7 @@ impl Dimension {
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let plain = self.spelled("");
-        let best = names::DERIVED
+        let best = DERIVED
             .iter()
             .map(|(name, powers)| (name, self.over(Self::whole(*powers))))
             .filter(|(_, rest)| !rest.has_mass())

@@ -14,10 +14,6 @@ pub(super) struct Named {
     pub angle: i32,
 }
 
-/// Derived SI units used to spell a dimension.
-pub(super) const DERIVED: [(&str, [i32; 5]); 4] =
-    [("N", [1, 1, -2, 0, 0]), ("Pa", [-1, 1, -2, 0, 0]), ("W", [2, 1, -3, 0, 0]), ("V", [2, 1, -3, -1, 0])];
-
 type Row = (&'static str, f64, i32, [i32; 5], &'static str);
 
 /// Symbol, mantissa, decade, powers of (m, kg, s, A, K), prefixes allowed.

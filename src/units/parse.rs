@@ -1,6 +1,6 @@
 //! Reads a unit text: names joined by `*` and `/`, whole or half powers by `^`, parentheses.
 
-use super::turning::Counts;
+use super::counts::Counts;
 use super::{Dimension, Ratio, Unit, names, spelling};
 use crate::error::nearest;
 use crate::{Error, ErrorKind, Result};

@@ -5,6 +5,7 @@ mod angular;
 mod apart;
 mod audit;
 mod chained;
+mod circles;
 mod diagnose;
 mod diagnose_rough;
 mod endings;

@@ -2,7 +2,6 @@
 
 use super::outcome::{Fit, InitialEstimate, ParameterEstimate, RecordFit, Series, Status, Warning};
 use super::problem::FreeRun;
-use super::warnings;
 use crate::Result;
 use crate::estimate::coordinates::Range;
 use crate::estimate::covariance::{Stretch, coloured_covariance, half_width, independent_samples};
@@ -70,7 +69,7 @@ impl Assembly<'_> {
             unseen,
             profiled: Vec::new(),
             determined: Vec::new(),
-            warnings: [self.warnings.clone(), warnings::all(&self, fitted)].concat(),
+            warnings: [self.warnings.clone(), self.all_warnings(fitted)].concat(),
             tolerance: self.tolerance,
             ended_early: self.ended_early,
             end: self.minimum.end,

@@ -4,7 +4,7 @@ use super::combination::{Combination, Search};
 use super::options::{FitOptions, Weighting};
 use super::outcome::{Fit, Status};
 use super::valley::{Directions, Profile, Valley};
-use super::{assemble, records, search, setup};
+use super::{assemble, problem, records, setup};
 use crate::Result;
 use crate::estimate::covariance::independent_samples;
 use crate::estimate::least_squares::Problem;
@@ -23,7 +23,7 @@ pub fn ascertain(fit: &mut Fit, recordings: &[Recording], options: &FitOptions<'
     let near = FitOptions { initials: fit.starts(), tolerance: fit.tolerance, ..options.clone() };
     let own = records(&fit.model, recordings, &near)?;
     let parameters = fit.parameters.iter().map(|p| p.value).collect();
-    let mut problem = search::problem(&fit.model, &own, parameters, &near);
+    let mut problem = problem::problem(&fit.model, &own, parameters, &near);
     if fit.rmse.len() > 1 {
         problem.weights =
             fit.rmse.iter().zip(&problem.weights).map(|(e, w)| fitting(1.0 / (e * e), *w)).collect();

@@ -3,8 +3,8 @@
 use super::assemble::root_mean_square;
 use super::options::FitOptions;
 use super::outcome::{Fit, HeldOut, Series};
+use super::problem::{given, problem};
 use super::rig::{Record, Track};
-use super::search::{given, problem};
 use super::setup;
 use crate::Result;
 use crate::estimate::least_squares::minimise;

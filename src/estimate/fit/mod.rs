@@ -98,10 +98,10 @@ fn once(
     let options = &FitOptions { budget: options.budget.rest(), ..options.clone() };
     let records = records(model, recordings, options)?;
     let parameters = model.parameters.iter().map(|p| p.value).collect();
-    let mut problem = search::problem(model, &records, parameters, options);
+    let mut problem = problem::problem(model, &records, parameters, options);
     let signals = problem.weights.clone();
     let ranges = setup::ranges(model, &problem.free, &records);
-    let given = search::given(&problem);
+    let given = problem::given(&problem);
     let mut found = search::Search::new(model, recordings, options, &problem, &ranges).run(&given)?;
     if problem.whitening.is_none() && model.outputs.len() > 1 {
         balance(&mut problem, &mut found.minimum, &ranges, options)?;

@@ -13,11 +13,14 @@
 //! Recordings run on all cores; their triangles merge in a fixed order, so that the same bytes come
 //! out whatever the number of threads.
 
+use super::options::{Effort, FitOptions, Weighting};
 use super::rig::{Record, Run, Track, Unknown};
+use super::setup;
 use crate::Result;
 use crate::estimate::least_squares::Problem;
 use crate::estimate::noise::NoiseModel;
 use crate::estimate::triangle::Triangle;
+use crate::model::Model;
 use crate::simulate::Budget;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -208,5 +211,44 @@ impl Problem for FreeRun<'_> {
             whole.merge(triangle);
         }
         Ok(whole)
+    }
+}
+
+/// The unknowns as the model file and the first guesses give them.
+pub fn given(problem: &FreeRun<'_>) -> Vec<f64> {
+    let parameters = problem.free.iter().map(|k| problem.parameters[*k]);
+    let initials = problem.records.iter().flat_map(|r| r.free_initials.iter().map(|s| r.initials[*s]));
+    parameters.chain(initials).collect()
+}
+
+/// In how many walks a fit may spend what it may: from several starts, or one and another with the outputs'
+/// weights in balance, or one alone.
+fn walks(model: &Model, options: &FitOptions<'_>) -> u64 {
+    match options.effort {
+        Effort::Full => 3,
+        Effort::Near if model.outputs.len() > 1 => 2,
+        Effort::Near => 1,
+    }
+}
+
+/// A problem over some records with the weights of their signals.
+pub fn problem<'a>(
+    model: &Model,
+    records: &'a [Record],
+    parameters: Vec<f64>,
+    options: &'a FitOptions<'_>,
+) -> FreeRun<'a> {
+    FreeRun {
+        free: setup::free_parameters(model, records),
+        parameters,
+        records,
+        weights: setup::signal_weights(model, records),
+        whitening: match &options.weighting {
+            Weighting::FreeRun => None,
+            Weighting::Whitened(noise) => Some(noise),
+        },
+        budget: &options.budget,
+        walks: walks(model, options),
+        walk_ends: AtomicU64::new(u64::MAX),
     }
 }

@@ -20,7 +20,6 @@ use super::equation_error::equation_error;
 use super::options::{Effort, FitOptions};
 use super::outcome::Warning;
 use super::problem::FreeRun;
-use super::setup;
 use super::shooting::shoot;
 use crate::estimate::coordinates::Range;
 use crate::estimate::least_squares::{Minimum, Problem, minimise};
@@ -29,7 +28,6 @@ use crate::record::Recording;
 use crate::{Error, Result};
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
-use std::sync::atomic::AtomicU64;
 
 /// Two sums of squares this near to each other, relatively, are one minimum.
 const SAME: f64 = 1e-3;
@@ -200,44 +198,5 @@ impl<'a> Search<'a> {
                 .unwrap_or_else(|| Error::not_computed("nothing could be fitted")));
         };
         Ok(Found { minimum, simulations: self.simulations, warnings: self.warnings })
-    }
-}
-
-/// The unknowns as the model file and the first guesses give them.
-pub fn given(problem: &FreeRun<'_>) -> Vec<f64> {
-    let parameters = problem.free.iter().map(|k| problem.parameters[*k]);
-    let initials = problem.records.iter().flat_map(|r| r.free_initials.iter().map(|s| r.initials[*s]));
-    parameters.chain(initials).collect()
-}
-
-/// In how many walks a fit may spend what it may: from several starts, or one and another with the outputs'
-/// weights in balance, or one alone.
-fn walks(model: &Model, options: &FitOptions<'_>) -> u64 {
-    match options.effort {
-        Effort::Full => 3,
-        Effort::Near if model.outputs.len() > 1 => 2,
-        Effort::Near => 1,
-    }
-}
-
-/// A problem over some records with the weights of their signals.
-pub fn problem<'a>(
-    model: &Model,
-    records: &'a [super::rig::Record],
-    parameters: Vec<f64>,
-    options: &'a FitOptions<'_>,
-) -> FreeRun<'a> {
-    FreeRun {
-        free: setup::free_parameters(model, records),
-        parameters,
-        records,
-        weights: setup::signal_weights(model, records),
-        whitening: match &options.weighting {
-            super::options::Weighting::FreeRun => None,
-            super::options::Weighting::Whitened(noise) => Some(noise),
-        },
-        budget: &options.budget,
-        walks: walks(model, options),
-        walk_ends: AtomicU64::new(u64::MAX),
     }
 }

@@ -13,8 +13,8 @@
 //! and others on the path from one-step to free-run error, Signal Processing 90 (2010).
 
 use super::options::FitOptions;
+use super::problem::{given, problem};
 use super::rig::Record;
-use super::search::{given, problem};
 use super::setup;
 use crate::estimate::least_squares::{Stopping, minimise};
 use crate::model::{Initial, Model};

@@ -6,34 +6,39 @@ use super::rig::Record;
 use crate::estimate::coordinates::Side;
 use crate::estimate::least_squares::End;
 
-/// All warnings about a minimum that was fitted to so many samples.
-pub fn all(fit: &Assembly<'_>, samples: usize) -> Vec<Warning> {
-    let mut found = at_bounds(fit);
-    found.extend(astray(fit));
-    let unknowns = fit.minimum.x.len();
-    if samples <= unknowns && unknowns > 0 {
-        found.push(Warning {
+impl Assembly<'_> {
+    /// All warnings about a minimum that was fitted to so many samples.
+    pub(super) fn all_warnings(&self, samples: usize) -> Vec<Warning> {
+        let mut found = at_bounds(self);
+        found.extend(astray(self));
+        let unknowns = self.minimum.x.len();
+        if samples <= unknowns && unknowns > 0 {
+            found.push(Warning {
+                says: format!(
+                    "{samples} samples for {unknowns} unknowns: the model can follow anything, and no interval can be \
+                     given; fit a longer stretch"
+                ),
+            });
+        }
+        found.extend(too_short(self));
+        found.extend(self.problem.records.iter().filter(|r| worth_telling(r)).map(|r| Warning {
             says: format!(
-                "{samples} samples for {unknowns} unknowns: the model can follow anything, and no interval can be \
-                 given; fit a longer stretch"
+                "{} samples of '{}' are not compared: they lie outside the inputs, in a gap of theirs, or too soon after one",
+                r.lost, r.name
             ),
-        });
+        }));
+        if let Some(early) = self.ended_early {
+            found.push(Warning {
+                says: format!("the fit ended early, with the best so far: {}", early.words()),
+            });
+        } else if self.minimum.end != End::Converged {
+            found.push(Warning {
+                says: "the fit ended before it came to rest: take its values with care, or start nearer"
+                    .into(),
+            });
+        }
+        found
     }
-    found.extend(too_short(fit));
-    found.extend(fit.problem.records.iter().filter(|r| worth_telling(r)).map(|r| Warning {
-        says: format!(
-            "{} samples of '{}' are not compared: they lie outside the inputs, in a gap of theirs, or too soon after one",
-            r.lost, r.name
-        ),
-    }));
-    if let Some(early) = fit.ended_early {
-        found.push(Warning { says: format!("the fit ended early, with the best so far: {}", early.words()) });
-    } else if fit.minimum.end != End::Converged {
-        found.push(Warning {
-            says: "the fit ended before it came to rest: take its values with care, or start nearer".into(),
-        });
-    }
-    found
 }
 
 /// A sample or two at the ends are not.

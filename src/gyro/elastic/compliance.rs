@@ -1,7 +1,7 @@
 //! Compliance along the parallel, the meridian and the vertical.
 
 use super::option::{Asked, PartOption};
-use super::{Elastic, along, positive};
+use super::part::{Elastic, along, positive};
 use crate::Result;
 use crate::gyro::{Gyrosphere, range};
 use crate::lti::{StateSpace, TransferFunction};

@@ -20,7 +20,7 @@ use super::follower::{Follower, Law};
 use super::in_time::{InTime, Piece, Place, Ramp};
 use super::inertia::{oscillator, single};
 use super::option::{Asked, PartOption, first};
-use super::{Elastic, deviations, fixed_point, positive};
+use super::part::{Elastic, deviations, fixed_point, positive};
 use crate::gyro::{Gyrosphere, range};
 use crate::lti::StateSpace;
 use crate::{Error, Result};

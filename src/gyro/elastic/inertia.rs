@@ -1,7 +1,7 @@
 //! The elastic part with its inertia, (2.2).
 
 use super::option::{Asked, PartOption};
-use super::{Elastic, Letters, along, positive};
+use super::part::{Elastic, Letters, along, positive};
 use crate::Result;
 use crate::gyro::Gyrosphere;
 use crate::lti::{StateSpace, TransferFunction};

@@ -1,6 +1,6 @@
 //! The paper's elastic lag, (2.3).
 
-use super::{Elastic, Letters, along, positive};
+use super::part::{Elastic, Letters, along, positive};
 use crate::Result;
 use crate::gyro::Gyrosphere;
 use crate::lti::{StateSpace, TransferFunction};

@@ -8,6 +8,7 @@ mod in_time;
 mod inertia;
 mod lag;
 mod option;
+mod part;
 mod relaxing;
 
 pub use backlash::Backlash;
@@ -16,115 +17,25 @@ pub use friction::Friction;
 pub use in_time::InTime;
 pub use inertia::Inertia;
 pub use lag::Lag;
-pub use option::{Asked, Given, PARTS, PartOption, asked};
+pub use option::{Asked, Given, PartOption};
+pub use part::{Boxed, Elastic, Letters};
 pub use relaxing::Relaxing;
 
-use super::Gyrosphere;
-use crate::lti::StateSpace;
-use crate::{Error, Result};
-use faer::Mat;
+/// The parts that can be asked for beside the lag: one a line, each described by its own file.
+pub const PARTS: [&Asked; 5] =
+    [&inertia::ASKED, &relaxing::ASKED, &compliance::ASKED, &friction::ASKED, &backlash::ASKED];
 
-/// A part of the gyrosphere that gives way to the accelerations (W₁, W₂, W₃), m/s², along the
-/// parallel, the meridian and the vertical.
-pub trait Elastic: Boxed + std::fmt::Debug + Send + Sync {
-    /// A short name for tables.
-    fn name(&self) -> &'static str;
-
-    /// The linear system from (W₁, W₂, W₃) to the shift (x, y, z) of the centre of mass, m.
-    /// `acceleration` is the motion's system from its white noises to (W₁, W₂, W₃) on the
-    /// heading asked for: a part that is not linear gives its best linear stand-in for it, whose
-    /// error nothing bounds, and has its own law [`in_time`](Elastic::in_time).
-    ///
-    /// # Errors
-    /// `BadInput` for numbers that describe no such part.
-    fn system(&self, sphere: &Gyrosphere, acceleration: &StateSpace) -> Result<StateSpace>;
-
-    /// A part that is not linear, in steps of `step` seconds; `None` for a linear one, which
-    /// [`system`](Elastic::system) describes whole.
-    ///
-    /// # Errors
-    /// `BadInput` for numbers that describe no such part.
-    fn in_time(&self, _sphere: &Gyrosphere, _step: f64) -> Result<Option<Box<dyn InTime>>> {
-        Ok(None)
-    }
-
-    /// How W₁ moves x, with letters; `None` where the mean error has no closed form.
-    fn letters(&self) -> Option<Letters> {
-        None
-    }
-
-    /// Which of its directions change no mean; empty where there is none.
-    fn idle(&self) -> &'static str {
-        ""
-    }
-}
-
-/// The centre of mass with letters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Letters {
-    /// x/θ̈ as an expression in s, with the letters of docs/symbols.md.
-    pub shift: &'static str,
-    /// The letters in the order in which a formula shows them.
-    pub order: &'static str,
-}
-
-/// A part that can be copied behind its trait; every part that is `Clone` can.
-pub trait Boxed {
-    /// A copy.
-    fn boxed(&self) -> Box<dyn Elastic>;
-}
-
-impl<T: Elastic + Clone + 'static> Boxed for T {
-    fn boxed(&self) -> Box<dyn Elastic> {
-        Box::new(self.clone())
-    }
-}
-
-impl Clone for Box<dyn Elastic> {
-    fn clone(&self) -> Self {
-        self.as_ref().boxed()
-    }
-}
-
-/// Single-input parts side by side: each from one acceleration to one shift.
-fn along(parts: &[(usize, StateSpace)]) -> Result<StateSpace> {
-    let order = parts.iter().map(|(_, p)| p.order()).sum();
-    let (mut a, mut b, mut c) = (Mat::zeros(order, order), Mat::zeros(order, 3), Mat::zeros(3, order));
-    let mut at = 0;
-    for (axis, part) in parts {
-        for i in 0..part.order() {
-            (0..part.order()).for_each(|j| a[(at + i, at + j)] = part.a[(i, j)]);
-            b[(at + i, *axis)] = part.b[(i, 0)];
-            c[(*axis, at + i)] = part.c[(0, i)];
-        }
-        at += part.order();
-    }
-    StateSpace::new(a, b, c, Mat::zeros(3, 3))
-}
-
-fn positive(values: &[(&str, f64)]) -> Result<()> {
-    for (name, value) in values {
-        if !(value.is_finite() && *value > 0.0) {
-            return Err(Error::bad_input(format!("{name} must be positive, not {value}")));
-        }
-    }
-    Ok(())
-}
-
-/// The σ, m or m/s, that a linear stand-in gives itself, between two bounds: by bisection where `exceeds` tells whether
-/// the stand-in for σ moves more than σ.
-fn fixed_point([mut low, mut high]: [f64; 2], exceeds: impl Fn(f64) -> Result<bool>) -> Result<f64> {
-    for _ in 0..60 {
-        let middle = (low * high).sqrt();
-        *(if exceeds(middle)? { &mut low } else { &mut high }) = middle;
-    }
-    Ok((low * high).sqrt())
-}
-
-/// The standard deviations of x and ẋ of m ẍ + r ẋ + c x = m W₁ under an acceleration.
-fn deviations(part: &StateSpace, acceleration: &StateSpace) -> Result<(f64, f64)> {
-    let joint = acceleration.then(&along(&[(0, part.clone())])?)?;
-    let x = joint.state_covariance()?.matrix;
-    let at = acceleration.order();
-    Ok((x[(at, at)].max(0.0).sqrt(), x[(at + 1, at + 1)].max(0.0).sqrt()))
+/// The part that options ask for, by name and numbers in SI; `None` where no option is of a part.
+///
+/// ```
+/// use gyrospec::gyro::elastic::asked;
+/// let part = asked(|option| (option == "friction").then(|| vec![2.0])).unwrap();
+/// assert_eq!(part.name(), "dry friction");
+/// assert!(asked(|_| None).is_none());
+/// ```
+pub fn asked(given: impl Fn(&str) -> Option<Vec<f64>>) -> Option<Box<dyn Elastic>> {
+    PARTS.iter().find_map(|part| {
+        let numbers: Vec<Option<Vec<f64>>> = part.options.iter().map(|o| given(o.name)).collect();
+        numbers.iter().any(Option::is_some).then(|| (part.make)(&numbers))
+    })
 }

@@ -1,11 +1,7 @@
 //! How a program asks for an elastic part: options with numbers.
 
-use super::{Elastic, backlash, compliance, friction, inertia, relaxing};
+use super::part::Elastic;
 use crate::gyro::range::Range;
-
-/// The parts that can be asked for beside the lag: one a line, each described by its own file.
-pub const PARTS: [&Asked; 5] =
-    [&inertia::ASKED, &relaxing::ASKED, &compliance::ASKED, &friction::ASKED, &backlash::ASKED];
 
 /// The numbers in SI that each option of a part got; `None` for an option that was not said.
 pub type Given = [Option<Vec<f64>>];
@@ -30,21 +26,6 @@ pub struct PartOption {
     pub ranges: &'static [&'static Range],
     /// What it does, in a sentence.
     pub help: &'static str,
-}
-
-/// The part that options ask for, by name and numbers in SI; `None` where no option is of a part.
-///
-/// ```
-/// use gyrospec::gyro::elastic::asked;
-/// let part = asked(|option| (option == "friction").then(|| vec![2.0])).unwrap();
-/// assert_eq!(part.name(), "dry friction");
-/// assert!(asked(|_| None).is_none());
-/// ```
-pub fn asked(given: impl Fn(&str) -> Option<Vec<f64>>) -> Option<Box<dyn Elastic>> {
-    PARTS.iter().find_map(|part| {
-        let numbers: Vec<Option<Vec<f64>>> = part.options.iter().map(|o| given(o.name)).collect();
-        numbers.iter().any(Option::is_some).then(|| (part.make)(&numbers))
-    })
 }
 
 /// The numbers of a part's first option.

@@ -1,7 +1,7 @@
 //! A second relaxing part: liquid that flows over.
 
 use super::option::{Asked, PartOption, first};
-use super::{Elastic, Letters, along, positive};
+use super::part::{Elastic, Letters, along, positive};
 use crate::Result;
 use crate::gyro::{Gyrosphere, range};
 use crate::lti::{StateSpace, TransferFunction};

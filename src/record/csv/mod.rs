@@ -11,7 +11,7 @@ use super::{Channel, Note, Origin};
 use crate::{Error, Result};
 use header::Header;
 pub use look::{Raw, columns};
-use rows::Rows;
+use rows::{Notes, Rows};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -77,8 +77,6 @@ impl Sink for Reader<'_> {
         self.line
     }
 }
-
-type Notes = Vec<(Option<usize>, String)>;
 
 impl Reader<'_> {
     fn begin(&mut self, line: &[u8]) -> Result<()> {

@@ -5,7 +5,6 @@
 //!
 //! Numerical aspects: decimal to double by the standard library, correctly rounded.
 
-use super::Notes;
 use super::field::{self, Field, number};
 use super::header::Header;
 use crate::{Error, Result};
@@ -14,6 +13,9 @@ use crate::{Error, Result};
 const SHAPE_BYTES: usize = 4096;
 /// So many numbers above with equal decimals make a fixed format.
 const NUMBERS_FOR_SHAPE: usize = 2;
+
+/// What should be known of a table, by line.
+pub(super) type Notes = Vec<(Option<usize>, String)>;
 
 pub(super) struct Rows {
     names: Vec<String>,

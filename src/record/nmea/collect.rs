@@ -2,10 +2,12 @@
 
 use super::super::input::Sink;
 use super::known::{self, Known};
+use super::request::{Request, Selection};
 use super::sentence::{self, Fault, Sentence};
-use super::{Request, Selection, Wanted, why_no_stamp};
+use super::stamp::why_no_stamp;
 use crate::error::nearest;
 use crate::record::Hold;
+use crate::record::request::Wanted;
 use crate::units::Unit;
 use crate::{Error, Result};
 use std::collections::BTreeMap;

@@ -10,90 +10,19 @@
 
 mod collect;
 mod known;
+mod request;
 mod sentence;
 mod stamp;
 
 use super::csv::Table;
 use super::input::{self, Input};
-use super::request::{Wanted, finished};
+use super::request::finished;
 use super::{Note, Origin};
-use crate::units::Unit;
-use crate::{Error, ErrorKind, Result};
+use crate::{Error, Result};
 use collect::{Collector, Group};
+pub(super) use request::{Request, Selection};
 pub(super) use stamp::{stamp, why_no_stamp};
 use std::sync::Arc;
-
-/// What is wanted of a log.
-pub(super) struct Request {
-    /// The zero of time in nanoseconds since 1970; without it the first stamp is zero.
-    pub zero: Option<i128>,
-    /// Nothing means every field that is known here.
-    pub wanted: Vec<Selection>,
-    /// Number of the table in the recording.
-    pub table: usize,
-}
-
-/// One field of one sort of sentence.
-#[derive(Debug, Clone)]
-pub(super) struct Selection {
-    wanted: Wanted,
-    unit: Unit,
-    field: usize,
-    id: Option<u32>,
-    form: known::Form,
-}
-
-impl Selection {
-    /// A selection, checked against what is known of its sentence.
-    pub(super) fn new(wanted: Wanted, field: usize, id: Option<u32>) -> Result<Self> {
-        let sentence = wanted.column.clone();
-        if field == 0 {
-            return Err(Error::bad_input("fields count from 1, after the sentence's name"));
-        }
-        if let (true, None) = (known::is_numbered(&sentence), id) {
-            return Err(Error::bad_input(format!("{sentence} comes in several sorts, by its number"))
-                .with_hint("write id = 20, 22 or 23"));
-        }
-        if let (true, Some(id)) = (field == 1, id) {
-            return Err(Error::bad_input(format!("field 1 of {sentence} is its number, {id}"))
-                .with_hint("the first value after it is field 2"));
-        }
-        let known = known::field(&sentence, id, field);
-        let own = known.map(|k| Unit::parse(k.unit)).transpose()?;
-        if let (Some(given), Some(own)) = (&wanted.unit, &own) {
-            own.turns_or_radians(given).map_err(|e| e.about(&format!("field {field} of {sentence}")))?;
-        }
-        let unit = match (wanted.unit.clone(), own) {
-            (Some(unit), Some(own)) if unit.dimension() != own.dimension() => {
-                return Err(Error::new(
-                    ErrorKind::Units,
-                    format!("field {field} of {sentence} is in {own}, not in {unit}"),
-                )
-                .with_hint(known::listing(&sentence, id)));
-            }
-            (Some(unit), _) | (None, Some(unit)) => unit,
-            (None, None) => {
-                return Err(Error::bad_input(format!("channel `{}` has no unit", wanted.name))
-                    .with_hint("write unit = \"deg\", or \"1\" for none"));
-            }
-        };
-        let form = known.map_or(known::Form::Number, |k| k.form);
-        if let Some(fixed) = form.unit()
-            && unit.to_si(1.0) != Unit::parse(fixed)?.to_si(1.0)
-        {
-            return Err(Error::new(
-                ErrorKind::Units,
-                format!("field {field} of {sentence} is read in {fixed}"),
-            )
-            .with_hint(format!("write unit = \"{fixed}\"")));
-        }
-        if wanted.wraps && !unit.dimension().is_none() {
-            return Err(Error::bad_input(format!("`{}` in [{unit}] cannot wrap at a turn", wanted.name))
-                .with_hint("wraps = true is for angles"));
-        }
-        Ok(Self { wanted, unit, field, id, form })
-    }
-}
 
 /// Reads a log.
 ///

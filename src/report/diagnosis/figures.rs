@@ -1,7 +1,6 @@
 //! The pictures of the page.
 
-use super::html::title;
-use super::tables::chance;
+use super::text::{chance, title};
 use crate::diagnose::answer::{Answer, Spell, Stretch};
 use crate::diagnose::pictures::{Course, Law, Pictures, Point};
 use crate::report::page::with_unit;

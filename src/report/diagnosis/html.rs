@@ -2,10 +2,10 @@
 
 use super::figures;
 use super::tables;
+use super::text::title;
 use super::text::{headline, hints};
 use crate::diagnose::Diagnosis;
 use crate::diagnose::answer::{Answer, Finding, Verdict, told};
-use crate::diagnose::catalogue;
 use crate::diagnose::pictures::Pictures;
 use crate::estimate::Direction;
 use crate::report::fit;
@@ -121,11 +121,6 @@ fn place(all: &[&Finding]) -> String {
         [f] => format!(" ({} {})", f.site.kind, f.site.name),
         _ => String::new(),
     }
-}
-
-/// The plain words of a code.
-pub(super) fn title(code: &str) -> &str {
-    catalogue::find(code).map_or(code, |m| m.title)
 }
 
 fn listed(names: &[String]) -> String {

@@ -1,25 +1,12 @@
 //! The tables of the page.
 
-use super::text;
+use super::text::{self, chance};
 use crate::diagnose::answer::{Answer, DataFault, Verdict};
 use crate::diagnose::pictures::{Pictures, Standing};
 use crate::report::page::{estimates, head, quantity, table};
 use crate::report::svg::escaped;
 use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
-
-/// A chance as people read it.
-pub(super) fn chance(p: f64) -> String {
-    if !p.is_finite() {
-        "–".into()
-    } else if p < 1e-12 {
-        "below 1e−12".into()
-    } else if p < 1e-3 {
-        format!("{p:.0e}").replace('-', "−")
-    } else {
-        format!("{p:.3}")
-    }
-}
 
 /// What was found, or that nothing was.
 pub fn findings(a: &Answer) -> String {

@@ -1,8 +1,8 @@
 //! A diagnosis in the terminal.
 
-use super::tables::chance;
 use crate::diagnose::Diagnosis;
 use crate::diagnose::answer::{Answer, DataFault, Finding, Proof, Value, Verdict};
+use crate::diagnose::catalogue;
 use crate::report::fit::untold;
 use crate::report::page::{estimate, estimates, interval};
 use crate::units::{figure, without_needless_zeros};
@@ -201,4 +201,22 @@ fn wrapped(text: &str) -> String {
         length += size;
     }
     out
+}
+
+/// A chance as people read it.
+pub(super) fn chance(p: f64) -> String {
+    if !p.is_finite() {
+        "–".into()
+    } else if p < 1e-12 {
+        "below 1e−12".into()
+    } else if p < 1e-3 {
+        format!("{p:.0e}").replace('-', "−")
+    } else {
+        format!("{p:.3}")
+    }
+}
+
+/// The plain words of a code.
+pub(super) fn title(code: &str) -> &str {
+    catalogue::find(code).map_or(code, |m| m.title)
 }

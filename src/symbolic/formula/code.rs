@@ -2,21 +2,10 @@
 
 use super::Formula;
 use super::calculus::symbols;
-use super::identifier::{arguments, identifier};
+use super::identifier::{CodeLanguage, arguments, identifier};
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::{Error, Result};
 use std::fmt::Write;
-
-/// A language that a formula is written in.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum CodeLanguage {
-    /// Rust.
-    Rust,
-    /// Python 3.
-    Python,
-    /// C99.
-    C,
-}
 
 /// A function of the symbols in alphabetical order.
 pub fn function(formula: &Formula, language: CodeLanguage) -> Result<String> {

@@ -1,6 +1,5 @@
 //! Names in program code.
 
-use super::code::CodeLanguage;
 use super::glyph::ascii_name;
 use crate::{Error, Result};
 
@@ -24,6 +23,17 @@ const C: &str = "alignas alignof asm auto bool break case char const constexpr c
     llround log log10 log1p log2 logb lrint lround math_errhandling modf nan nearbyint nextafter nexttoward pow pow10 \
     remainder remquo rint round scalb scalbln scalbn signbit significand signgam sin sincos sinh sqrt tan tanh tgamma \
     trunc y0 y1 yn";
+
+/// A language that a formula is written in.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum CodeLanguage {
+    /// Rust.
+    Rust,
+    /// Python 3.
+    Python,
+    /// C99.
+    C,
+}
 
 impl CodeLanguage {
     fn name(self) -> &'static str {

@@ -22,8 +22,8 @@ mod walk;
 
 pub(super) use bounded::{Bounded, bounded};
 pub use calculus::{derivative, known_letter, symbols, value};
-pub use code::CodeLanguage;
 pub use derive::{LAPLACE, Source};
+pub use identifier::CodeLanguage;
 pub use request::FormulaRequest;
 pub use rule::Relation;
 pub use sampler::{Sampler, Values, completed};
