@@ -111,7 +111,7 @@ fn file(
     passed: &BTreeMap<Module, Imports>,
 ) -> Option<Module> {
     let known = (0..=path.len()).rev().map(|k| &path[..k]).find(|p| all.contains_key(*p))?.to_vec();
-    let name = path.get(known.len())?;
+    let Some(name) = path.get(known.len()) else { return Some(known) };
     let further = passed[&known].iter().find(|(p, passes_on)| *passes_on && p.last() == Some(name));
     match further {
         Some((p, _)) if p != path => file(p, all, passed).or(Some(known)),
