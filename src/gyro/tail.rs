@@ -56,10 +56,12 @@ impl Instrument {
 }
 
 impl Tail {
-    /// Share of the mean from which on a band is asked for.
+    /// Share from which on a band is asked for.
     pub const MUCH: f64 = 0.05;
 
-    /// How much of the largest of them the means up to all frequencies above `omega` (rad/s) differ.
+    /// By how much the mean changes where the end of the band moves above `omega` (rad/s): the span of the means by
+    /// the frequencies up to each ω ≥ `omega`, as a share of the largest of them. Not of the mean by all of them,
+    /// which with inertia may pass 0.
     pub fn share_above(&self, omega: f64) -> f64 {
         let all =
             || self.up_to.iter().filter(|m| m.0 >= omega * (1.0 - 1e-9)).map(|m| m.1).chain([self.whole]);
@@ -69,7 +71,7 @@ impl Tail {
         if largest > 1e-12 { (high - low) / largest } else { 0.0 }
     }
 
-    /// The share of all that counts as tail.
+    /// The same for all that counts as tail.
     pub fn share(&self) -> f64 {
         self.share_above(self.from)
     }
@@ -79,7 +81,7 @@ impl Tail {
         self.share() > Self::MUCH
     }
 
-    /// Frequency, rad/s, mean up to it, rad, and share above it, for a few frequencies.
+    /// Frequency, rad/s, mean up to it, rad, and share of [`Self::share_above`], for a few frequencies.
     pub fn table(&self) -> Vec<(f64, f64, f64)> {
         let at = |w: f64| {
             self.up_to.iter().find(|m| m.0 >= w * (1.0 - 1e-9)).map(|m| (w, m.1, self.share_above(w)))
@@ -87,7 +89,7 @@ impl Tail {
         cuts(self.from).filter_map(at).collect()
     }
 
-    /// Whether more than 2 % of the mean come from where no simulation follows the motion.
+    /// Whether the mean changes by more than 2 % where no simulation follows the motion.
     pub fn is_beyond_simulation(&self) -> bool {
         self.white && self.share_above(FOLLOWED) > 0.02
     }

@@ -62,6 +62,52 @@ fn the_share_of_the_tail_is_that_of_its_frequencies() {
     }
 }
 
+/// The figures in a sentence that stand before a word.
+fn before(text: &str, word: &str) -> Vec<f64> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let ends = words.windows(2).filter(|w| w[1].starts_with(word));
+    ends.filter_map(|w| w[0].trim_matches(|c: char| "(,°".contains(c)).parse().ok()).collect()
+}
+
+#[test]
+fn a_share_of_the_tail_is_what_moving_the_band_changes() {
+    let s = gyrospec::gyro::Gyrosphere::seed();
+    let (m, r, c) = (s.weight / s.gravity, s.lag * s.stiffness, s.stiffness);
+    let inertia = |w: f64| m * (c - m * w * w) / ((c - m * w * w).powi(2) + (r * w).powi(2));
+    let words = ["--inertia", "--irregular=10deg,0.1,0.8"];
+    let roll = Roll::new(10f64.to_radians().powi(2), 0.1, 0.8).unwrap();
+    let told = asked_json(&words);
+    let note = told["note"].as_str().unwrap();
+    let whole = mean_by_quadrature(&roll, [1e-3, 1e9], f64::INFINITY, inertia);
+    // sharp ends, ten to each factor of ten
+    let ends = |from: f64| (0..60).map(move |k| from * 10f64.powf(0.1 * f64::from(k)));
+    let upto = |w: f64| whole - mean_by_quadrature(&roll, [w, 1e9], f64::INFINITY, inertia);
+    let span = |all: &[f64]| {
+        let (low, high) = all.iter().fold((f64::MAX, 0.0f64), |(l, h), x| (l.min(x.abs()), h.max(x.abs())));
+        1.0 - low / high
+    };
+    let means = told["white_tail"]["means"].as_array().unwrap();
+    let mut shares = vec![told["white_tail"]["share"].as_f64().unwrap()];
+    for entry in means.iter().filter(|m| m["up_to_rad_per_s"].is_f64()) {
+        let from = entry["up_to_rad_per_s"].as_f64().unwrap();
+        let all: Vec<f64> = ends(from).map(upto).chain([whole]).collect();
+        let share = entry["share_above"].as_f64().unwrap();
+        assert!((share - span(&all)).abs() < 5e-3, "{entry} {}", span(&all));
+        shares.push(share);
+    }
+    // the text tells these figures, and what they are of
+    let percents: Vec<f64> = shares.iter().map(|s| (100.0 * s).round()).collect();
+    assert_eq!(before(note, "%"), percents, "{note}");
+    // and the program's own band, whose end is soft, moved from 100 rad/s up
+    let banded = |band: f64| {
+        let told = asked_json(&[&words[..], &["--heading=45", "--band", &band.to_string()]].concat());
+        told["rows"][0]["mean_deg"].as_f64().unwrap()
+    };
+    let unbanded = asked_json(&[&words[..], &["--heading=45"]].concat())["rows"][0]["mean_deg"].as_f64();
+    let all: Vec<f64> = [100.0, 300.0, 1e3, 3e3, 1e4].into_iter().map(banded).chain(unbanded).collect();
+    assert!((span(&all) - shares[3]).abs() < 0.02, "{all:?} {shares:?}");
+}
+
 #[test]
 fn what_is_said_of_the_tail_is_what_it_counts_for() {
     let above = |told: &serde_json::Value, w: f64| -> f64 {
@@ -76,7 +122,8 @@ fn what_is_said_of_the_tail_is_what_it_counts_for() {
         let share = told["white_tail"]["share"].as_f64().unwrap();
         let note = told["note"].as_str().unwrap();
         assert!(note.contains("say --band") || note.contains("Say --band"), "{note}");
-        assert!(note.contains(&format!("for {:.0} %", 100.0 * share)), "{note}");
+        assert!(note.contains(&format!("by up to {:.0} % of the largest", 100.0 * share)), "{note}");
+        assert!(!note.contains("of the mean"), "{note}");
     }
     // a narrow roll and a sine hardly have a tail
     for (words, most) in [("--irregular=1deg,0.001,5", 2e-4), ("--irregular=10deg,1e-9,0.8", 1e-7)] {

@@ -52,8 +52,9 @@ class RollError(Report):
     rows: list[RollErrorRow]
     note: str
     white_tail: dict[str, Any] | None = None
-    """The mean on heading 45° by the motion's frequencies up to each, and the share of it that those far above
-    the motion's own count for; none for a motion of finite acceleration that has hardly any there."""
+    """The mean on heading 45° by the motion's frequencies up to each, and by what share of the largest of these
+    means an end of the band above it changes it; none for a motion of finite acceleration that has hardly any
+    there."""
     trusted_mean: str = "mean_deg"
     """The column of the mean to trust: `mean_deg`, or `measured_spectrum_mean_deg`."""
     sign: str = ""

@@ -50,7 +50,8 @@ pub fn smallness(s: &Smallness) -> Value {
     json!({ "figure": s.figure, "says": s.says, "value": s.value, "limit": s.limit, "unit": s.unit, "holds": holds })
 }
 
-/// The mean on heading 45° by the frequencies up to each, and the share of it that those above count for.
+/// The mean on heading 45° by the frequencies up to each, and by what share of the largest ends of the band above
+/// each change it.
 fn white_tail(tail: &Tail) -> Value {
     let mean = |omega: Option<f64>, mean: f64, share: f64| json!({ "up_to_rad_per_s": omega, "mean_deg": mean.to_degrees(), "share_above": share });
     let told = tail.table().into_iter().map(|(omega, m, share)| mean(Some(omega), m, share));
