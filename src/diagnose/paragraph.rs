@@ -101,7 +101,10 @@ impl Paragraph<'_> {
             }
             Verdict::Unknown => self.unknown(&list),
         };
-        if self.found.taken.is_empty() { opening } else { format!("{opening} {}", self.gains()) }
+        if self.found.taken.is_empty() {
+            return opening;
+        }
+        format!("{opening} {}{}", self.gains(), slight(self.findings, &others))
     }
 
     fn unknown(&self, list: &str) -> String {
@@ -148,6 +151,17 @@ impl Paragraph<'_> {
         });
         told.collect::<Vec<_>>().join(" ")
     }
+}
+
+/// What the sentence leaves to the list, by code and place.
+fn slight(findings: &[Finding], told: &[&Finding]) -> String {
+    let is_told = |f: &Finding| told.iter().any(|t| std::ptr::eq(*t, f));
+    let rest = findings.iter().filter(|f| !is_told(f) && !f.is_fault());
+    let names: Vec<String> = rest.map(|f| format!("{} ({} {})", f.code, f.site.kind, f.site.name)).collect();
+    if names.is_empty() {
+        return String::new();
+    }
+    format!(" Found in the fitted part too, each with less than 1 % of that fall: {}.", names.join(", "))
 }
 
 fn joined<'a>(all: impl Iterator<Item = &'a Finding>) -> String {

@@ -20,6 +20,7 @@ mod gimbal;
 mod gyro;
 mod gyro_nonlinear;
 mod gyro_time;
+mod headline;
 mod help;
 mod house;
 mod integral;

@@ -21,7 +21,6 @@ pub fn findings(a: &Answer) -> String {
             } else {
                 format!("<br><span class=\"note\">fits as well: {}</span>", escaped(&f.ties.join(", ")))
             };
-            let share = if f.share > 0.0 { format!("{:.0} %", 100.0 * f.share) } else { "–".into() };
             vec![
                 format!(
                     "<b>{}</b><br>{}<br><code>{}</code>{ties}",
@@ -31,7 +30,7 @@ pub fn findings(a: &Answer) -> String {
                 ),
                 escaped(&format!("{} {}", f.site.kind, f.site.name)),
                 values.join("<br>"),
-                share,
+                escaped(&text::share(f)),
                 chance(f.p_value),
             ]
         })

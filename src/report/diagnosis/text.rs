@@ -59,7 +59,7 @@ fn findings(out: &mut String, a: &Answer) {
     let _ = writeln!(out, "\n  {:<22} {:<22} {:>6}   values with 95 % intervals", head, "where", "share");
     for f in a.findings.iter().filter(|f| !f.is_fault()) {
         let site = format!("{} {}", f.site.kind, f.site.name);
-        let share = if f.share > 0.0 { format!("{:.0} %", 100.0 * f.share) } else { "–".into() };
+        let share = share(f);
         let _ = writeln!(out, "  {:<22} {site:<22} {share:>6}   {}", f.code, values(f).join(", "));
         let _ = writeln!(out, "      {}", f.term);
         if !f.ties.is_empty() {
@@ -86,6 +86,15 @@ fn faults(out: &mut String, a: &Answer) {
 /// A unit behind a number; pure numbers have none.
 fn behind(unit: &str) -> String {
     if unit == "1" { String::new() } else { format!(" {unit}") }
+}
+
+/// The share of the held-out improvement; none is told where it is none.
+pub(super) fn share(f: &Finding) -> String {
+    match f.share {
+        s if s >= 0.01 => format!("{:.0} %", 100.0 * s),
+        s if s > 0.0 => "< 1 %".into(),
+        _ => "–".into(),
+    }
 }
 
 /// The values of a finding with their intervals and units.
