@@ -7,6 +7,7 @@ mod combine;
 mod counts;
 mod dimension;
 mod figure;
+mod list;
 mod names;
 mod parse;
 mod spelling;
@@ -14,6 +15,7 @@ mod turning;
 
 pub use dimension::{Dimension, Ratio};
 pub use figure::{counted, digits_within, figure, significant, without_needless_zeros};
+pub use list::list;
 pub use turning::Turning;
 
 use crate::Result;

@@ -47,6 +47,23 @@ fn channel<'a>(
     Ok(channel)
 }
 
+/// What is said of channels whose unit says nothing of an angle where the model means an angular speed.
+pub(super) fn taken_as_radians(model: &Model, recording: &Recording) -> Vec<String> {
+    let inputs = model.inputs.iter().map(|i| (&i.name, &i.unit));
+    let signals = inputs.chain(model.outputs.iter().map(|o| (&o.name, &o.unit)));
+    let channels = signals.filter_map(|(name, unit)| Some((name, unit, &recording.channel(name).ok()?.unit)));
+    channels
+        .filter(|(_, unit, given)| unit.takes_as_radians(given))
+        .map(|(name, unit, given)| {
+            format!(
+                "{name} is in {given} in '{}' and in {unit} in the model: its values are taken as radians; if they \
+                 are turns a second, give them times 60 in rpm",
+                recording.name
+            )
+        })
+        .collect()
+}
+
 /// The inputs' samples.
 pub(super) fn inputs(model: &Model, recording: &Recording) -> Result<Vec<Samples>> {
     model

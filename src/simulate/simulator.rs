@@ -61,6 +61,8 @@ pub struct Simulator {
     pub(super) careful: Option<Plan>,
     pub(super) tolerance: f64,
     pub(super) budget: Budget,
+    /// What was taken for radians though its unit says nothing of an angle.
+    pub(crate) radians: Vec<String>,
 }
 
 impl Simulator {
@@ -95,6 +97,7 @@ impl Simulator {
             careful: None,
             tolerance: options.tolerance,
             budget: options.budget.clone(),
+            radians: signals::taken_as_radians(model, recording),
         };
         if simulator.is_dynamic() {
             if recording.kind == Kind::Trials {

@@ -1,6 +1,6 @@
 //! Products and quotients of units, with a readable text: `N` over `m/s` is `N*s/m`.
 
-use super::Unit;
+use super::{Dimension, Unit, names};
 
 impl Unit {
     /// The unit of a product of a value in this unit and one in the other.
@@ -11,6 +11,7 @@ impl Unit {
     /// let speed = Unit::parse("m/s")?;
     /// assert_eq!(force.over(&speed).text(), "N*s/m");
     /// assert_eq!(speed.times(&Unit::parse("s")?).text(), "m");
+    /// assert_eq!(Unit::parse("s")?.times(&Unit::parse("A*V")?).text(), "V*A*s");
     /// # Ok::<(), gyrospec::Error>(())
     /// ```
     #[must_use]
@@ -66,10 +67,25 @@ fn factors(text: &str) -> Vec<(String, f64)> {
     out
 }
 
+/// The place of a factor in a product: derived units as V and N first, then lengths, masses and angles, then A and K,
+/// then times: `V*A*s`, `N*m*s`.
+fn rank(name: &str) -> usize {
+    const PLACES: [&[[i32; 5]]; 3] = [
+        &[[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0; 5]],
+        &[[0, 0, 0, 1, 0], [0, 0, 0, 0, 1]],
+        &[[0, 0, 1, 0, 0]],
+    ];
+    let Some(own) = names::find(name).map(|n| n.dimension) else { return 0 };
+    let holds = |all: &&[[i32; 5]]| all.iter().any(|powers| Dimension::whole(*powers) == own);
+    PLACES.iter().position(holds).map_or(0, |i| i + 1)
+}
+
 fn text(factors: &[(String, f64)]) -> String {
     let spell =
         |(name, p): &(String, f64)| if p.abs() == 1.0 { name.clone() } else { format!("{name}^{}", p.abs()) };
-    let over: Vec<String> = factors.iter().filter(|f| f.1 > 0.0).map(spell).collect();
+    let mut above: Vec<&(String, f64)> = factors.iter().filter(|f| f.1 > 0.0).collect();
+    above.sort_by_key(|f| rank(&f.0));
+    let over: Vec<String> = above.into_iter().map(spell).collect();
     let under: Vec<String> = factors.iter().filter(|f| f.1 < 0.0).map(spell).collect();
     let head = if over.is_empty() { "1".to_string() } else { over.join("*") };
     [vec![head], under].concat().join("/")

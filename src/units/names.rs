@@ -88,6 +88,11 @@ pub(super) fn all() -> impl Iterator<Item = Named> {
     plain.chain(prefixed)
 }
 
+/// Each plain name with those that it has with prefixes, in the order of the list.
+pub(super) fn families() -> impl Iterator<Item = (&'static str, Vec<String>)> {
+    TABLE.iter().map(|row| (row.0, row.4.chars().map(|p| named(row, Some(p)).name).collect()))
+}
+
 /// The unit of that name.
 pub(super) fn find(name: &str) -> Option<Named> {
     all().find(|n| n.name == name)

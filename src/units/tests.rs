@@ -139,5 +139,12 @@ fn combinations_keep_their_names() {
     assert_eq!(u("N").over(&u("m^2/s^2")).text(), "N*s^2/m^2");
     assert_eq!(u("degC").over(&u("s")).text(), "K/s");
     assert_eq!(u("g*cm/s^2").times(&u("1/cm")).text(), "g/s^2");
+    // derived units first, times last, as they are said: volts, amperes, seconds
+    assert_eq!(u("s").times(&u("A*V")).text(), "V*A*s");
+    assert_eq!(u("s").times(&u("A")).times(&u("V")).text(), "V*A*s");
+    assert_eq!(u("m").times(&u("Nm")).text(), "Nm*m");
+    assert_eq!(u("min").times(&u("kW")).text(), "kW*min");
+    assert_eq!(u("m").times(&u("N")).times(&u("s")).text(), "N*m*s");
+    assert_eq!(u("cm^2").times(&u("g")).over(&u("s")).text(), "cm^2*g/s");
     assert_eq!(u("m/s").power(-0.5).text(), "s^0.5/m^0.5");
 }

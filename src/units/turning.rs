@@ -123,6 +123,20 @@ impl Unit {
         Err(Error::new(ErrorKind::Units, message).with_hint(self.answers(given)))
     }
 
+    /// Whether values in a unit that says nothing of an angle are taken as radians a second for this one, an angular
+    /// speed or acceleration: `1/s` for `rpm`.
+    ///
+    /// ```
+    /// use gyrospec::units::Unit;
+    /// let speed = Unit::parse("rpm")?;
+    /// assert!(speed.takes_as_radians(&Unit::parse("1/s")?));
+    /// assert!(!speed.takes_as_radians(&Unit::parse("rad/s")?));
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    pub fn takes_as_radians(&self, given: &Self) -> bool {
+        is_rate(given.dimension) && self.turning() == Turning::Angle && given.turning() == Turning::Open
+    }
+
     /// Whether `Hz` stands in it.
     pub fn counts_events(&self) -> bool {
         self.counts.events != Ratio::ZERO

@@ -140,12 +140,20 @@ fn what_is_not_seen_is_named_and_what_presses_on_a_bound_is_said() {
     let y: Vec<f64> = u.iter().zip(noise(500, 0.1, 0.0, 6)).map(|(u, e)| 3.0 * u - 1.0 + e).collect();
     let channels = vec![Channel::new("u", unit("1"), time.clone(), u), Channel::new("y", unit("1"), time, y)];
     let recording = Recording::from_channels("made", channels).unwrap();
-    let fitted = fit(&model, &[recording], &FitOptions::default()).unwrap();
+    let fitted = fit(&model, std::slice::from_ref(&recording), &FitOptions::default()).unwrap();
     let names: Vec<&str> = fitted.unseen[0].weights.iter().map(|w| w.0.as_str()).collect();
     assert!(fitted.unseen.len() == 1 && names.contains(&"k") && names.contains(&"g"), "{names:?}");
     assert!((value(&fitted, "k").0 * value(&fitted, "g").0 - 3.0).abs() < 0.05);
     assert_eq!(fitted.parameters[2].status, Status::AtBound(Side::Lower));
-    assert!(fitted.warnings.iter().any(|w| w.says.contains("b is pressed against its lower bound 0")));
+    let said =
+        fitted.warnings.iter().find(|w| w.says.contains("b is pressed against its lower bound 0")).unwrap();
+    assert!(said.says.contains("ask for none of it") && !said.says.contains("widen"), "{}", said.says);
+    // a bound that is no 0 may be too narrow
+    let other = Model::parse(&model.to_toml().replace("min = 0.0", "min = 0.5"));
+    let fitted = fit(&other.unwrap(), &[recording], &FitOptions::default()).unwrap();
+    let said =
+        fitted.warnings.iter().find(|w| w.says.contains("b is pressed against its lower bound 0.5")).unwrap();
+    assert!(said.says.contains("widen the bound"), "{}", said.says);
 }
 
 #[test]

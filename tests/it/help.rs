@@ -1,6 +1,7 @@
 //! Every example of every `--help` runs, and errors say where and what is near.
 
 use crate::transcript::{play, typed, with_examples};
+use gyrospec::units::Unit;
 use std::path::Path;
 
 /// Too long for a test.
@@ -41,6 +42,42 @@ fn subcommands(folder: &Path) -> Vec<String> {
     let lines = help.lines().skip_while(|l| !l.starts_with("Commands:")).skip(1);
     let names = lines.take_while(|l| !l.is_empty()).filter_map(|l| l.split_whitespace().next());
     names.filter(|n| *n != "help" && *n != "about").map(str::to_string).collect()
+}
+
+#[test]
+fn the_page_of_units_tells_each_that_is_read() {
+    let (code, page) = typed("gyrospec explain units", &std::env::temp_dir());
+    assert_eq!(code, 0);
+    let rows: Vec<Vec<&str>> = page
+        .lines()
+        .skip_while(|l| !l.starts_with("  name"))
+        .skip(1)
+        .take_while(|l| !l.is_empty())
+        .map(|l| l.split_whitespace().collect())
+        .collect();
+    // name, value, unit in SI where there is one, then the names with prefixes
+    let mut names: Vec<&str> = Vec::new();
+    for row in &rows {
+        names.push(row[0]);
+        let unit = Unit::parse(row[0]).unwrap();
+        let value: f64 = row[1].parse().unwrap();
+        assert!((unit.difference_to_si(1.0) / value - 1.0).abs() < 1e-3, "{row:?}");
+        if let Some(si) = row.get(2).filter(|s| Unit::parse(s).is_ok()) {
+            assert_eq!(Unit::parse(si).unwrap().dimension(), unit.dimension(), "{row:?}");
+        }
+        names.extend(row.iter().skip(3));
+    }
+    for name in names.iter().filter(|n| **n != "1") {
+        Unit::parse(name).unwrap();
+    }
+    let fixed = "m cm mm kg g s ms min h N mN dyn Nm V mV A W Pa K Hz rad deg arcmin kn degC rpm bar mbar l kWh ohm nmi ft rev % d";
+    assert!(fixed.split(' ').all(|n| names.contains(&n)), "{names:?}");
+    assert!(
+        ["°C", "Ω", "1/min", "turns or\nradians"]
+            .iter()
+            .all(|w| page.contains(w) || page.contains(&w.replace('\n', " "))),
+        "{page}"
+    );
 }
 
 #[test]

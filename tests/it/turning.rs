@@ -58,6 +58,35 @@ fn a_channel_that_may_mean_turns_is_asked_about() {
 }
 
 #[test]
+fn a_column_that_says_nothing_of_an_angle_is_taken_for_radians_and_said() {
+    let said = |wanted: &str, given: &str| {
+        let model = &motor(wanted)[0];
+        let recordings = [recording(given, "V")];
+        let ran = gyrospec::simulate(model, &recordings[0]).run().unwrap();
+        let fitted = gyrospec::fit(model, &recordings).run().unwrap();
+        let found = gyrospec::diagnose(model, &recordings).run().unwrap();
+        let fitted: Vec<String> = fitted.warnings().map(str::to_owned).collect();
+        let notes = found.answer().notes.clone();
+        [ran.warnings(), fitted, notes].map(|all| {
+            let about: Vec<String> = all.into_iter().filter(|w| w.contains("taken as radians")).collect();
+            assert!(about.len() < 2, "{about:?}");
+            about.first().cloned()
+        })
+    };
+    for wanted in ["rpm", "rad/s"] {
+        for about in said(wanted, "1/s") {
+            let about = about.unwrap();
+            assert!(
+                about.contains("speed is in 1/s")
+                    && about.contains(wanted)
+                    && about.contains("times 60 in rpm")
+            );
+        }
+        assert!(said(wanted, "rpm").iter().all(Option::is_none));
+    }
+}
+
+#[test]
 fn a_speed_for_what_counts_events_is_asked_about_too() {
     let text = "name = \"counter\"\n[inputs]\nspeed = { unit = \"Hz\" }\n[outputs]\nvoltage = { equals = \"speed\", unit = \"1/min\" }\n";
     let model = Model::parse(text).unwrap();

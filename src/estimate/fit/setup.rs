@@ -64,7 +64,8 @@ pub fn record_if_any(
     let (Some(first), Some(last)) = (spans.first(), spans.last()) else { return Ok(None) };
     let window = Span::new(first.from, last.to);
     let used = |t: f64| spans.iter().any(|s| s.contains(t));
-    let Ready { rig, tracks, start, constants, lost } = ready(model, recording, window, &used, options)?;
+    let Ready { rig, tracks, start, constants, lost, radians } =
+        ready(model, recording, window, &used, options)?;
     if tracks.iter().all(|t| t.time.is_empty()) {
         return Ok(None);
     }
@@ -87,6 +88,7 @@ pub fn record_if_any(
         constants,
         initials: values,
         lost,
+        radians,
         free_initials: free,
         reach,
     }))

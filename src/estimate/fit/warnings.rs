@@ -21,6 +21,8 @@ impl Assembly<'_> {
             });
         }
         found.extend(too_short(self));
+        let radians = self.problem.records.iter().flat_map(|r| &r.radians);
+        found.extend(radians.map(|says| Warning { says: says.clone() }));
         found.extend(self.problem.records.iter().filter(|r| worth_telling(r)).map(|r| Warning {
             says: format!(
                 "{} samples of '{}' are not compared: they lie outside the inputs, in a gap of theirs, or too soon after one",
@@ -60,6 +62,11 @@ fn at_bounds(fit: &Assembly<'_>) -> Vec<Warning> {
             format!(
                 "{name} rests at its {which} bound {bound} {unit}, where its effect has no slope: these data ask for \
                  no other value, and a wider bound changes nothing"
+            )
+        } else if bound == 0.0 && p.unit.to_si(0.0) == 0.0 {
+            format!(
+                "{name} is pressed against its {which} bound 0 {unit}: these data ask for none of it; leave {name} \
+                 out, or ask which other part of the model takes its place"
             )
         } else {
             format!(
