@@ -3,6 +3,11 @@
 //! Method: where memory is at its end the process is aborted by a signal. Its handler may neither print nor take
 //! memory, so it wakes a thread that waits for that from the start, and then waits itself, by writing into a pipe
 //! that is full, till that thread has said what happened and has ended the process.
+//!
+//! Limits: before the signal the runtime of the language prints a line of its own, `memory allocation of … bytes
+//! failed`, and where several threads meet the end at once these are torn into each other. What would silence them is
+//! not stable (`set_alloc_error_hook`) or not safe (an allocator of one's own). The program's own line comes after
+//! them, whole and in one write, and is the only one that begins with `error: `.
 
 /// The exit code of what could not be computed.
 #[cfg(unix)]
