@@ -56,13 +56,16 @@ pub struct Assembly<'a> {
 
 impl Assembly<'_> {
     /// The diagnosis.
-    pub fn finish(self) -> Result<Diagnosis> {
+    pub fn finish(mut self) -> Result<Diagnosis> {
+        let smaller = self.smaller();
+        self.ended_early = self.bench.budget.cut();
+        self.bench.budget.lift_time();
         let (first_rest, rest) = self.rests()?;
         let (before, after) = prove::both(&self.bench, &self.found, &self.separate);
         let blind = self.blind(&after);
         let evidence = Evidence { found: &self.found, rest: &rest, blind: blind.as_deref() };
         let left = evidence.is_left();
-        let mut findings = self.findings(&before, &after);
+        let mut findings = self.findings(smaller, &before, &after);
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
         let proof = self.proof(&before, &after);
         let unlike = (evidence.verdict() == Verdict::NothingMissing)
@@ -197,8 +200,27 @@ impl Assembly<'_> {
         Ok((Some(first), look(&self.found.last, "after")?))
     }
 
-    fn findings(&self, before: &[Held], after: &[Held]) -> Vec<Finding> {
-        let gains: Vec<f64> = self.found.taken.iter().map(|t| self.loss_without(t, before, after)).collect();
+    /// The last model without each finding in turn, where there are several: refitted, or all as they stand where the
+    /// time does not do for that.
+    fn smaller(&self) -> Vec<Option<Fit>> {
+        let (taken, last, budget) = (&self.found.taken, &self.found.last, &self.bench.budget);
+        if taken.len() < 2 {
+            return vec![None; taken.len()];
+        }
+        let each = |steps: usize| -> Vec<Option<Fit>> {
+            taken.iter().map(|t| search::without(&self.bench, last, &t.proposal, steps)).collect()
+        };
+        let is_late = || budget.over() == Some(Early::Time) || budget.cut() == Some(Early::Time);
+        let refitted = if is_late() { Vec::new() } else { each(self.bench.steps(&last.model)) };
+        if !is_late() {
+            return refitted;
+        }
+        budget.lift_time();
+        each(0)
+    }
+
+    fn findings(&self, smaller: Vec<Option<Fit>>, before: &[Held], after: &[Held]) -> Vec<Finding> {
+        let gains: Vec<f64> = smaller.into_iter().map(|fit| self.loss_without(fit, before, after)).collect();
         let total: f64 = gains.iter().sum();
         let even = 1.0 / gains.len().max(1) as f64;
         let share = |g: f64| if total > 0.0 { g / total } else { even };
@@ -206,11 +228,7 @@ impl Assembly<'_> {
     }
 
     /// How much the held-out error grows, relative to the improvement, when one finding is taken away.
-    fn loss_without(&self, taken: &Taken, before: &[Held], after: &[Held]) -> f64 {
-        if self.found.taken.len() == 1 {
-            return 1.0;
-        }
-        let smaller = search::without(&self.bench, &self.found.last, &taken.proposal);
+    fn loss_without(&self, smaller: Option<Fit>, before: &[Held], after: &[Held]) -> f64 {
         let held = smaller.and_then(|f| prove::held_out(&self.bench, &f, &self.separate).ok());
         let relative = |held: &[Held]| -> f64 {
             held.iter()

@@ -139,10 +139,8 @@ impl Case<'_> {
                 faults::coarse(model, &self.bench.recordings, &found.base.rmse).len() == model.outputs.len();
         }
         progress.says("running what was held out", None);
-        let ended_early = self.bench.budget.cut();
-        self.bench.budget.lift_time();
-        if ended_early != Some(Early::Time) {
-            for fit in [&mut found.base, &mut found.last] {
+        for fit in [&mut found.base, &mut found.last] {
+            if self.bench.budget.cut() != Some(Early::Time) {
                 self.bench.ascertain(fit)?;
             }
         }
@@ -158,7 +156,7 @@ impl Case<'_> {
             few,
             is_open: open,
             notes,
-            ended_early,
+            ended_early: None,
         }
         .finish()
     }

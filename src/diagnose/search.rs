@@ -262,8 +262,8 @@ fn ahead(bench: &Bench, separate: &[Recording], fit: &Fit) -> Option<View> {
     prove::runs(bench, fit, separate).then_some(view)
 }
 
-/// The model of a fit with one taken mechanism at rest, refitted; `None` where it has no rest.
-pub fn without(bench: &Bench, last: &Fit, p: &Proposal) -> Option<Fit> {
+/// The model of a fit with one taken mechanism at rest, refitted in so many steps; `None` where it has no rest.
+pub fn without(bench: &Bench, last: &Fit, p: &Proposal, steps: usize) -> Option<Fit> {
     let neutral = p.neutral.as_ref()?;
     let mut model = last.model.clone();
     for (a, value) in p.added.iter().zip(neutral) {
@@ -271,7 +271,7 @@ pub fn without(bench: &Bench, last: &Fit, p: &Proposal) -> Option<Fit> {
         parameter.fit = false;
         parameter.value = *value;
     }
-    let mut options = bench.options(Effort::Near, bench.steps(&model));
+    let mut options = bench.options(Effort::Near, steps);
     options.initials = last.starts();
     fit(&model, &bench.recordings, &options).ok()
 }
@@ -283,7 +283,8 @@ fn drop_needless(bench: &Bench, separate: &[Recording], found: &mut Found) {
     let mut i = 0;
     while i + 1 < found.taken.len() && !is_over(bench) {
         let p = &found.taken[i].proposal;
-        let smaller = without(bench, &found.last, p).map(|f| (Measure::of(&f, &scale), f));
+        let steps = bench.steps(&found.last.model);
+        let smaller = without(bench, &found.last, p, steps).map(|f| (Measure::of(&f, &scale), f));
         let needless = smaller.as_ref().is_some_and(|(m, _)| {
             let price = 0.5 * p.added.len() as f64 * m.samples.max(2.0).ln();
             gain(m, &last) < -2.0 * (1.0 - 0.5 * FLOOR).ln() || last.likelihood - m.likelihood < price

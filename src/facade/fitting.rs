@@ -54,11 +54,10 @@ impl<'a> Fitting<'a> {
             ..FitOptions::default()
         };
         let mut fit = estimate::fit(model, recordings, &options)?;
-        let unlimited = options.without_limit();
         if fit.ended_early.is_none() {
-            estimate::ascertain(&mut fit, recordings, &unlimited)?;
+            estimate::ascertain(&mut fit, recordings, &options)?;
         }
-        let held_out = estimate::holdout(&fit, recordings, separate, &unlimited)?;
+        let held_out = estimate::holdout(&fit, recordings, separate, &options.without_limit())?;
         let spectra = residual_spectra(&fit);
         // a model that was not read from a file: its own text stands among the inputs
         let source =

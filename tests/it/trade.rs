@@ -3,9 +3,11 @@
 use gyrospec::estimate::fit::{Combination, Fit, FitOptions, ascertain, fit};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording, Span};
+use gyrospec::simulate::{Budget, Early};
 use gyrospec::units::Unit;
 use rand::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
+use std::time::Duration;
 
 const MOTOR: &str = r#"
     name = "motor, speed alone"
@@ -63,6 +65,25 @@ fn told(model: &str, recording: Recording) -> Fit {
     let mut found = fit(&Model::parse(model).unwrap(), &recordings, &options).unwrap();
     ascertain(&mut found, &recordings, &options).unwrap();
     found
+}
+
+/// Profiles that the time cuts off say nothing: the intervals are those of the fit, which tells that it ended early.
+#[test]
+fn how_far_parameters_may_go_is_not_looked_for_beyond_the_time() {
+    let options = FitOptions::default();
+    let recordings = [motor(0)];
+    let plain = fit(&Model::parse(MOTOR).unwrap(), &recordings, &options).unwrap();
+    let bounds = |f: &Fit| f.parameters.iter().map(|p| [p.low, p.high].map(f64::to_bits)).collect::<Vec<_>>();
+    let whole = told(MOTOR, motor(0));
+    assert_ne!(bounds(&plain), bounds(&whole), "profiles matter here");
+    for micros in [0, 300, 3000] {
+        let budget = Budget::new(u64::MAX, Some(Duration::from_micros(micros)));
+        let mut late = plain.clone();
+        ascertain(&mut late, &recordings, &FitOptions { budget, ..options.clone() }).unwrap();
+        assert_eq!(late.ended_early, Some(Early::Time), "{micros}");
+        assert!(late.warnings.iter().any(|w| w.says.contains("may be far too narrow")), "{micros}");
+        assert!(bounds(&late) == bounds(&plain) && late.determined.is_empty(), "{micros}");
+    }
 }
 
 fn combination<'a>(fit: &'a Fit, expression: &str) -> &'a Combination {

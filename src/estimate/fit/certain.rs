@@ -2,24 +2,47 @@
 
 use super::combination::{Combination, Search};
 use super::options::{FitOptions, Weighting};
-use super::outcome::{Fit, Status};
+use super::outcome::{Fit, Status, Warning};
 use super::valley::{Directions, Profile, Valley};
 use super::{assemble, problem, records, setup};
 use crate::Result;
 use crate::estimate::covariance::independent_samples;
 use crate::estimate::least_squares::Problem;
 use crate::record::Recording;
+use crate::simulate::Early;
 
 /// A parameter whose interval widens by this when others leave their bounds does not rest on curvature.
 const WIDENS: f64 = 1.5;
 
+/// That profiles were cut off by the time.
+const CUT_OFF: &str = "the time given was up before it was found how far parameters that trade with each other may go: \
+                       their intervals rest on the curvature at the minimum alone, and may be far too narrow";
+
 /// Replaces the intervals of parameters that trade with others, or that are as uncertain as they are
 /// large, by profiles, and finds which combinations of those that trade the data determine. `recordings`
-/// and `options` are those of the fit.
+/// and `options` are those of the fit. Where the time is up before that, the fit is as it was, but ended early.
 ///
 /// # Errors
 /// Where the fitted model cannot be run.
 pub fn ascertain(fit: &mut Fit, recordings: &[Recording], options: &FitOptions<'_>) -> Result<()> {
+    let found = profiled(fit, recordings, options);
+    // runs that the time has cut off say nothing of how far anything may go
+    if options.budget.over() == Some(Early::Time) {
+        fit.ended_early = Some(Early::Time);
+        fit.warnings.push(Warning { says: CUT_OFF.into() });
+        return Ok(());
+    }
+    if let Some((profiles, determined)) = found? {
+        replace(fit, &profiles, determined);
+    }
+    Ok(())
+}
+
+/// Profiles by the number of the parameter, and what is determined of those that trade.
+type Found = (Vec<(usize, Profile)>, Vec<Combination>);
+
+/// The profiles that are wanted; none where no direction can be told.
+fn profiled(fit: &Fit, recordings: &[Recording], options: &FitOptions<'_>) -> Result<Option<Found>> {
     let near = FitOptions { initials: fit.starts(), tolerance: fit.tolerance, ..options.clone() };
     let own = records(&fit.model, recordings, &near)?;
     let parameters = fit.parameters.iter().map(|p| p.value).collect();
@@ -42,9 +65,9 @@ pub fn ascertain(fit: &mut Fit, recordings: &[Recording], options: &FitOptions<'
     if assemble::samples(&fit.records) <= fit.values.len()
         || !(valley.noise > 0.0 && valley.noise.is_finite())
     {
-        return Ok(());
+        return Ok(None);
     }
-    let Some(directions) = valley.directions() else { return Ok(()) };
+    let Some(directions) = valley.directions() else { return Ok(None) };
     let trading: Vec<usize> = directions.trading().into_iter().filter(|j| *j < problem.free.len()).collect();
     let wanted: Vec<usize> =
         (0..problem.free.len()).filter(|j| is_doubtful(fit, &valley, &directions, *j, &trading)).collect();
@@ -63,8 +86,7 @@ pub fn ascertain(fit: &mut Fit, recordings: &[Recording], options: &FitOptions<'
         points: &points,
     };
     let determined = if trading.len() > 1 { found.run(&trading) } else { Vec::new() };
-    replace(fit, &profiles, determined);
-    Ok(())
+    Ok(Some((profiles, determined)))
 }
 
 fn fitting(weight: f64, otherwise: f64) -> f64 {
