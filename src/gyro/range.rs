@@ -24,7 +24,7 @@ pub struct Range {
 
 const DEGREE: f64 = PI / 180.0;
 
-const fn range(what: &'static str, unit: &'static str, ends: [f64; 2]) -> Range {
+pub(super) const fn range(what: &'static str, unit: &'static str, ends: [f64; 2]) -> Range {
     Range { what, unit, ends, shown: unit, meant: &[], why: "" }
 }
 
