@@ -34,7 +34,7 @@ def integral_batch(h: ArrayLike, g: ArrayLike, *, fast: bool = True) -> Integral
 def table(orders: int | str | range | tuple[int, int], format: str = "markdown") -> str:
     """I_n with letters: of one order (7), a range with both ends ("1..10" or (1, 10)).
 
-    format: json, markdown, latex, rust, python, c.
+    format: json, markdown, latex, or a language of programs, as `gyrospec table --help` lists them.
     """
     if isinstance(orders, range):
         if orders.step != 1 or not orders:

@@ -38,22 +38,30 @@ impl Exporter for Language {
     }
 }
 
+/// What most languages give for an H that is not stable.
+pub(super) const UNSTABLE: &str = "Where H is not stable: not a number.";
+
+/// What stands above the functions, line by line.
+pub(super) fn preface(where_unstable: &str) -> [&str; 9] {
+    [
+        "I_n = (1/2 pi) integral of G(jw) / (H(jw) H(-jw)) dw over all w,",
+        "H(s) = a0 s^n + a1 s^(n-1) + ... + an with all roots in the left half plane,",
+        "G(s) = b0 s^(2n-2) + b1 s^(2n-4) + ... + b(n-1).",
+        "The ratio of the published determinants, by Routh's rows.",
+        where_unstable,
+        "Relative error measured at 2000 random points an order, damping ratios from 0.2, terms of G of",
+        "one sign: at most 4e-15 up to order 10 and 2e-14 up to order 14. Elsewhere it grows with the",
+        "condition of the integral; `gyrospec integral` gives all digits and a bound for any H and G.",
+        "Written by `gyrospec table`.",
+    ]
+}
+
 impl Language {
     fn head(self) -> String {
-        let says = [
-            "I_n = (1/2 pi) integral of G(jw) / (H(jw) H(-jw)) dw over all w,",
-            "H(s) = a0 s^n + a1 s^(n-1) + ... + an with all roots in the left half plane,",
-            "G(s) = b0 s^(2n-2) + b1 s^(2n-4) + ... + b(n-1).",
-            "The ratio of the published determinants, by Routh's rows.",
-            match self {
-                Self::Python => "Where H is not stable: not a number, or ZeroDivisionError.",
-                _ => "Where H is not stable: not a number.",
-            },
-            "Relative error measured at 2000 random points an order, damping ratios from 0.2, terms of G of",
-            "one sign: at most 4e-15 up to order 10 and 2e-14 up to order 14. Elsewhere it grows with the",
-            "condition of the integral; `gyrospec integral` gives all digits and a bound for any H and G.",
-            "Written by `gyrospec table`.",
-        ];
+        let says = preface(match self {
+            Self::Python => "Where H is not stable: not a number, or ZeroDivisionError.",
+            _ => UNSTABLE,
+        });
         let mark = match self {
             Self::Rust => "//",
             Self::Python => "#",
