@@ -119,6 +119,7 @@ const ROLL_ERROR: [(&str, &str); 30] = [
     ("roll", "--roll starboard"),
     ("inertia", "--inertia"),
     ("flow", "--flow 4s,0.2"),
+    ("slosh", "--slosh 6,0.1,1e-5"),
     ("meridian", "--meridian 2e5N/m,1s"),
     ("vertical", "--vertical 1e4N/m,0.5s"),
     ("friction", "--friction 0.5N"),

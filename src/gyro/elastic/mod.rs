@@ -10,6 +10,7 @@ mod lag;
 mod option;
 mod part;
 mod relaxing;
+mod slosh;
 
 pub use backlash::Backlash;
 pub use compliance::Compliance;
@@ -20,10 +21,17 @@ pub use lag::Lag;
 pub use option::{Asked, Given, PartOption};
 pub use part::{Boxed, Elastic, Letters};
 pub use relaxing::Relaxing;
+pub use slosh::Slosh;
 
 /// The parts that can be asked for beside the lag: one a line, each described by its own file.
-pub const PARTS: [&Asked; 5] =
-    [&inertia::ASKED, &relaxing::ASKED, &compliance::ASKED, &friction::ASKED, &backlash::ASKED];
+pub const PARTS: [&Asked; 6] = [
+    &inertia::ASKED,
+    &relaxing::ASKED,
+    &slosh::ASKED,
+    &compliance::ASKED,
+    &friction::ASKED,
+    &backlash::ASKED,
+];
 
 /// The part that options ask for, by name and numbers in SI; `None` where no option is of a part.
 ///
