@@ -3,6 +3,7 @@
 mod code;
 mod folder;
 mod json;
+mod matlab;
 mod orders;
 mod prose;
 mod recursion;
@@ -28,17 +29,18 @@ trait Exporter: Sync {
 }
 
 /// Every form.
-static EXPORTERS: [&dyn Exporter; 6] = [
+static EXPORTERS: [&dyn Exporter; 7] = [
     &json::Json,
     &prose::Style::Markdown,
     &prose::Style::Latex,
     &code::Language::Rust,
     &code::Language::Python,
     &code::Language::C,
+    &matlab::Matlab,
 ];
 
 /// A form of the printed tables, by its name: `json` (every term of numerator and denominator, schema
-/// `gyrospec.table/1`), `markdown`, `latex`, or one function an order in `rust`, `python` or `c`.
+/// `gyrospec.table/1`), `markdown`, `latex`, or one function an order in `rust`, `python`, `c` or `matlab`.
 ///
 /// ```
 /// use gyrospec::symbolic::TableFormat;
