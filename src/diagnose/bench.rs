@@ -2,7 +2,7 @@
 
 use super::catalogue::Scene;
 use super::watch::{LOOKS, Looks, Watched, spread};
-use crate::estimate::fit::rig::{Record, Unknown};
+use crate::estimate::fit::harness::{Record, Unknown};
 use crate::estimate::fit::setup;
 use crate::estimate::fit::{Effort, ascertain};
 use crate::estimate::noise::robust_deviation;

@@ -19,7 +19,7 @@ use crate::spectrum::Roll;
 /// let roll = Roll::new(0.0305, 0.1, 0.8)?; // variance in rad², decay and frequency in rad/s
 /// let errors = roll_error(&Compass::paper()).roll(roll).headings(&[45f64.to_radians()]).run()?;
 /// let row = &errors.rows()[0];
-/// assert!(errors.mean(row) < 0.0 && row.error.spread > 0.0); // rad, + where the compass reads high
+/// assert!(errors.mean(row) < 0.0 && row.error.deviation > 0.0); // rad, + where the compass reads high
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn roll_error(compass: &Compass) -> Rolling<'_> {

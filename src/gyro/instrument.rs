@@ -31,7 +31,7 @@ const LAMBDA: usize = 2;
 /// let compass = Instrument::new(sphere, Box::new(elastic::Lag));
 /// let error = compass.error(&Motion::roll(&roll), heading).unwrap();
 /// assert!((error.rectified.to_degrees() + 4.497).abs() < 5e-4);
-/// assert!(error.spread > 0.0);
+/// assert!(error.deviation > 0.0);
 /// ```
 #[derive(Debug)]
 pub struct Instrument {
@@ -53,16 +53,16 @@ pub struct HeadingError {
     /// The mean error by the motion.
     pub rectified: f64,
     /// Standard deviation about the mean.
-    pub spread: f64,
+    pub deviation: f64,
     /// Its part by the motion's own swing, linear in the motion.
-    pub spread_linear: f64,
+    pub deviation_linear: f64,
     /// Its part by the products, quadratic in the motion.
-    pub spread_quadratic: f64,
+    pub deviation_quadratic: f64,
     /// Half the 99 % interval of `rectified`, with its numerical error, where the part is not linear and
     /// the figure comes from a simulation; else zero.
     pub rectified_margin: f64,
-    /// The same of `spread`.
-    pub spread_margin: f64,
+    /// The same of `deviation`.
+    pub deviation_margin: f64,
     /// What `rectified` would be by the linear stand-in of a part that is not linear, on a random motion.
     pub linearised: Option<f64>,
 }
@@ -149,11 +149,11 @@ impl Instrument {
             sailing,
             rest: m.steady[ALPHA] - sailing,
             rectified: m.rectified[ALPHA],
-            spread: (linear + quadratic).sqrt(),
-            spread_linear: linear.sqrt(),
-            spread_quadratic: quadratic.sqrt(),
+            deviation: (linear + quadratic).sqrt(),
+            deviation_linear: linear.sqrt(),
+            deviation_quadratic: quadratic.sqrt(),
             rectified_margin: 0.0,
-            spread_margin: 0.0,
+            deviation_margin: 0.0,
             linearised: None,
         }
     }

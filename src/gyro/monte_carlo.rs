@@ -42,9 +42,9 @@ pub struct MonteCarlo {
     pub duration: f64,
     /// Time for the compass to settle before, s.
     pub settle: f64,
-    /// Replicates.
+    /// Replicates, each from a seed of its own; their scatter gives the intervals.
     pub runs: usize,
-    /// Seed.
+    /// Seed of all of them.
     pub seed: u64,
 }
 

@@ -129,7 +129,7 @@ impl Instrument {
         let linear = self.is_linear()?;
         let mut error =
             if linear { self.error(&narrow, heading)? } else { self.tight().error(&narrow, heading)? };
-        (error.spread, error.spread_quadratic) = (error.spread_linear, 0.0);
+        (error.deviation, error.deviation_quadratic) = (error.deviation_linear, 0.0);
         if !linear {
             let (mean, margin) = self.period(roll, heading)?;
             let gain = self.by_moment(heading);
@@ -291,10 +291,10 @@ impl Pair {
 impl HeadingError {
     /// Takes the variance by products, and its margin.
     fn widen(&mut self, quadratic: f64, margin: f64) {
-        let with = |variance: f64| self.spread_linear.hypot(variance.max(0.0).sqrt());
+        let with = |variance: f64| self.deviation_linear.hypot(variance.max(0.0).sqrt());
         let (low, high) = (with(quadratic - margin), with(quadratic + margin));
-        (self.spread_quadratic, self.spread) = (quadratic.sqrt(), with(quadratic));
-        self.spread_margin = (high - self.spread).max(self.spread - low);
+        (self.deviation_quadratic, self.deviation) = (quadratic.sqrt(), with(quadratic));
+        self.deviation_margin = (high - self.deviation).max(self.deviation - low);
     }
 }
 

@@ -142,7 +142,7 @@ impl Instrument {
         let ratio = |figure, says, value| Smallness { figure, says, value, limit: RATIO, unit: "1" };
         Ok(vec![
             degrees("mean", "mean error", error.mean().to_degrees(), MEAN),
-            degrees("spread", "swing of the error", error.spread.to_degrees(), MEAN),
+            degrees("spread", "swing of the error", error.deviation.to_degrees(), MEAN),
             degrees("roll", "standard deviation of roll or pitch", roll.to_degrees(), RATIO.to_degrees()),
             ratio(
                 "acceleration",

@@ -26,21 +26,21 @@ pub struct Crosscheck {
 pub enum Outcome {
     /// A value with a guaranteed bound.
     Bounded {
-        /// The value.
+        /// The value of I_n by this method.
         value: f64,
-        /// Its bound.
+        /// |value − I_n| is at most this.
         error_bound: f64,
     },
     /// A value with an estimate of its error.
     Estimated(quadrature::Quadrature),
     /// A value alone.
     Value {
-        /// The value.
+        /// The value of I_n by this method.
         value: f64,
     },
     /// Why there is none.
     Refused {
-        /// In words.
+        /// Why there is none, in words.
         refused: String,
     },
 }

@@ -77,6 +77,13 @@ impl TransferFunction {
     }
 
     /// One after the other: the product. Nothing is cancelled.
+    ///
+    /// ```
+    /// use gyrospec::TransferFunction;
+    /// let lag = TransferFunction::new(&[1.0], &[2.0, 1.0])?;
+    /// assert_eq!(lag.then(&lag).denominator(), [4.0, 4.0, 1.0]);
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
     #[must_use]
     pub fn then(&self, next: &Self) -> Self {
         Self {
@@ -86,6 +93,13 @@ impl TransferFunction {
     }
 
     /// Side by side: the sum; a common denominator is kept once.
+    ///
+    /// ```
+    /// use gyrospec::TransferFunction;
+    /// let (slow, quick) = (TransferFunction::new(&[1.0], &[2.0, 1.0])?, TransferFunction::new(&[1.0], &[1.0, 1.0])?);
+    /// assert_eq!(slow.beside(&quick).numerator(), [3.0, 2.0]);       // (s + 1) + (2 s + 1)
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
     #[must_use]
     pub fn beside(&self, other: &Self) -> Self {
         if self.denominator == other.denominator {

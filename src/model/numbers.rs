@@ -8,7 +8,7 @@ use crate::{Error, Result};
 /// One entry of `[parameters]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Number {
-    /// Its name.
+    /// Its name under `[parameters]`.
     pub name: String,
     /// The number as written; `None` where only other keys are given.
     pub value: Option<f64>,
@@ -44,7 +44,7 @@ impl Number {
 pub struct Numbers {
     /// The built-in model that it extends.
     pub extends: Option<String>,
-    /// Its states.
+    /// The names of the states that it has of its own.
     pub states: Vec<String>,
     /// Whether it has states or definitions of its own.
     pub own: bool,

@@ -88,15 +88,15 @@ pub struct Output {
 /// A model; every list in the order of its file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Model {
-    /// Title.
+    /// Its name in words, as reports show it.
     pub name: String,
     /// Measured signals that drive it.
     pub inputs: Vec<Input>,
-    /// Parameters.
+    /// Its parameters, in the order of the file.
     pub parameters: Vec<Parameter>,
     /// Named expressions, in any order.
     pub definitions: Vec<Definition>,
-    /// States.
+    /// Its states, in the order of the file.
     pub states: Vec<State>,
     /// Measured signals that it predicts.
     pub outputs: Vec<Output>,

@@ -19,8 +19,8 @@ impl Model {
     ///
     /// # Errors
     /// Everything wrong with the file, with its line and column and what to do.
-    pub fn read(path: &Path) -> Result<Self> {
-        Ok(Self::read_with_source(path)?.0)
+    pub fn read(path: impl AsRef<Path>) -> Result<Self> {
+        Ok(Self::read_with_source(path.as_ref())?.0)
     }
 
     /// Reads a model file, and tells the file with the hash of its bytes.
@@ -34,6 +34,17 @@ impl Model {
     }
 
     /// Reads the text of a model file.
+    ///
+    /// ```
+    /// use gyrospec::Model;
+    /// let text = "name = \"lag\"\n[parameters]\nT = { value = 2, unit = \"min\" }\n[inputs]\nu = { unit = \"V\" }\n\
+    ///             [states]\nx = { unit = \"V\", rate = \"(u - x)/T\", initial = 0 }\n\
+    ///             [outputs]\ny = { unit = \"mV\", equals = \"x\" }\n";
+    /// assert_eq!(Model::parse(text)?.parameters[0].value, 120.0);        // in SI
+    /// let e = Model::parse(&text.replace("x)/T", "x)*T")).unwrap_err();
+    /// assert_eq!((e.kind(), e.line()), (gyrospec::ErrorKind::Units, Some(7)));
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
     ///
     /// # Errors
     /// As [`Model::read`].
@@ -265,6 +276,11 @@ impl Model {
     }
 
     /// The built-in model of that name.
+    ///
+    /// ```
+    /// assert_eq!(gyrospec::Model::builtin("gyrosphere")?.states[0].name, "beta");       // the tilt
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
     ///
     /// # Errors
     /// An unknown name, with the nearest known one.

@@ -7,6 +7,13 @@ use std::fmt::Write;
 
 impl Model {
     /// The text of the model's file; reading it gives the same model.
+    ///
+    /// ```
+    /// use gyrospec::Model;
+    /// let model = Model::builtin("gyrosphere")?;
+    /// assert_eq!(Model::parse(&model.to_toml())?, model);
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
     pub fn to_toml(&self) -> String {
         let mut out = format!("name = {}\n", toml_string(&self.name));
         section(&mut out, "inputs", &self.inputs, |x| {

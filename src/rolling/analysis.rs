@@ -39,6 +39,17 @@ pub struct Analysis {
 
 /// Analyses a channel of a recording as roll.
 ///
+/// ```
+/// use gyrospec::record::Channel;
+/// use gyrospec::{Recording, Roll, Unit, rolling::analyse};
+/// let made = Roll::new(0.02, 0.05, 0.8)?.samples(0.5, 7200, 1);       // an hour at 2 Hz
+/// let time: Vec<f64> = (0..7200).map(|k| 0.5 * f64::from(k)).collect();
+/// let roll = Channel::new("roll", Unit::parse("rad")?, time, made);
+/// let found = analyse(&Recording::from_channels("made", vec![roll])?, "roll")?;
+/// assert!((found.fit.roll.frequency - 0.8).abs() < 0.05);
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+///
 /// # Errors
 /// `BadInput` for a channel that is not there, stands still or is too short; `Units` for one that is no angle.
 pub fn analyse(recording: &Recording, channel: &str) -> Result<Analysis> {

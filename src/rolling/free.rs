@@ -22,6 +22,13 @@ pub struct LeftAlone {
 
 /// A day of the compass left alone after a sudden change of northward speed, m/s.
 ///
+/// ```
+/// use gyrospec::{Gyrosphere, rolling::left_alone};
+/// let day = left_alone(&Gyrosphere::seed(), 5.0)?;
+/// assert!(day.thrown.abs() > 0.0 && day.settled < 86400.0);
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`Gyrosphere::free_motion`].
 pub fn left_alone(sphere: &Gyrosphere, change: f64) -> Result<LeftAlone> {

@@ -24,6 +24,13 @@ pub struct Options {
 impl Options {
     /// The options with another tolerance.
     ///
+    /// ```
+    /// use gyrospec::simulate::Options;
+    /// assert_eq!(Options::default().with_tolerance(1e-7)?.tolerance, 1e-7);
+    /// assert!(Options::default().with_tolerance(2.0).is_err());
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    ///
     /// # Errors
     /// `Usage` for what is no share: not between 0 and 1.
     pub fn with_tolerance(self, share: f64) -> Result<Self> {

@@ -7,6 +7,11 @@ use crate::{Error, Result};
 /// K(kΔt) for k = 0 … `lags` of values with their mean removed; pairs with a gap are left
 /// out, and each lag is divided by the number of all samples (the biased estimate, which is
 /// a correlation function itself).
+///
+/// ```
+/// let k = gyrospec::spectrum::autocovariance(&[1.0, -1.0, 1.0, -1.0], 2);
+/// assert_eq!(k, [1.0, -0.75, 0.5]);                 // 4, 3 and 2 products of ±1, each over 4
+/// ```
 pub fn autocovariance(values: &[f64], lags: usize) -> Vec<f64> {
     let known: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     let mean = known.iter().sum::<f64>() / known.len().max(1) as f64;
@@ -40,6 +45,15 @@ pub struct CorrelationFit {
 /// `frequency` is a first guess of ε, rad/s. Of motion that went through
 /// [`without_slow`](super::without_slow) with the corner `slow` (rad/s; 0 for none) the same part
 /// of (3.3) is left out in the comparison, so that A, μ, ε are those of the whole roll.
+///
+/// ```
+/// use gyrospec::spectrum::{Roll, fit_correlation};
+/// let truth = Roll::new(0.02, 0.1, 0.8)?;
+/// let k: Vec<f64> = (0..100).map(|i| truth.correlation(0.5 * f64::from(i))).collect();
+/// let found = fit_correlation(&k, 0.5, 1.0, 0.0)?.roll;
+/// assert!((found.frequency - 0.8).abs() < 1e-6 && (found.decay - 0.1).abs() < 1e-6);
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
 ///
 /// # Errors
 /// `BadInput` for fewer than 6 lags or no variance, `NotComputed` when no start converges.

@@ -17,6 +17,15 @@ pub struct EvenSamples {
 /// of its place is taken as it is, between neighbours at most two and a half steps apart the
 /// straight line counts, and all else is a gap.
 ///
+/// ```
+/// // 1 Hz with one sample missing
+/// let time: Vec<f64> = (0..20).filter(|k| *k != 7).map(f64::from).collect();
+/// let values: Vec<f64> = time.iter().map(|t| 2.0 * t).collect();
+/// let even = gyrospec::spectrum::even_samples(&time, &values)?;
+/// assert_eq!((even.step, even.values.len(), even.values[7]), (1.0, 20, 14.0));
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+///
 /// # Errors
 /// `BadInput` for fewer than 16 samples or times that do not rise.
 pub fn even_samples(time: &[f64], values: &[f64]) -> Result<EvenSamples> {

@@ -28,7 +28,17 @@ pub struct RationalFit {
 }
 
 /// Fits |F(jω)|² to `density` at `omega` (rad/s, increasing), with `weight` (same length),
-/// by up to `sections` second-order sections and s^`zeros[i]` for i + 1 sections.
+/// by second-order sections in series: of `zeros[i]` it tries i + 1 sections with s^`zeros[i]` above, and keeps the best.
+///
+/// ```
+/// use gyrospec::spectrum::{Roll, fit_rational};
+/// let roll = Roll::new(0.02, 0.1, 0.8)?;               // its own spectrum is rational
+/// let omega: Vec<f64> = (1..=200).map(|k| 0.02 * f64::from(k)).collect();
+/// let density: Vec<f64> = omega.iter().map(|w| roll.density(*w)).collect();
+/// let fit = fit_rational(&omega, &density, &vec![1.0; 200], &[0])?;
+/// assert!(fit.error < 1e-3);
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
 ///
 /// # Errors
 /// `BadInput` for lists that do not fit together, `NotComputed` when nothing converges.

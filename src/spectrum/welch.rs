@@ -47,6 +47,15 @@ impl MeasuredSpectrum {
 /// The density of samples `values` at equal steps (s), NaN = gap, by segments of `length`
 /// samples that overlap by half.
 ///
+/// ```
+/// // a sine of amplitude 2 and frequency 1 rad/s: its variance is 2
+/// let values: Vec<f64> = (0..4000).map(|k| 2.0 * (0.1 * f64::from(k)).sin()).collect();
+/// let spectrum = gyrospec::spectrum::welch(&values, 0.1, 1000)?;
+/// assert!((spectrum.peak() - 1.0).abs() < 0.05);
+/// assert!((spectrum.integral(|_| 1.0) - 2.0).abs() < 0.02);
+/// # Ok::<(), gyrospec::Error>(())
+/// ```
+///
 /// # Errors
 /// `BadInput` when no stretch without a gap is as long as a segment, or the step is not
 /// positive.

@@ -85,7 +85,7 @@ impl Polynomial {
         }
     }
 
-    /// Sum.
+    /// The sum with another of the same ring.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         let (mut x, mut y) = (self.terms.iter().peekable(), other.terms.iter().peekable());
@@ -108,7 +108,7 @@ impl Polynomial {
         Self { ring: self.ring.clone(), terms }
     }
 
-    /// Difference.
+    /// This less another of the same ring.
     #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
         self.plus(&other.scaled(&Integer::from(-1)))
@@ -131,7 +131,7 @@ impl Polynomial {
         Ok(Self { ring: self.ring.clone(), terms })
     }
 
-    /// Product.
+    /// The product with another of the same ring.
     pub fn times(&self, other: &Self) -> Result<Self> {
         let products = self.terms.len().saturating_mul(other.terms.len());
         if products > MOST_PRODUCTS {
@@ -151,7 +151,7 @@ impl Polynomial {
         Ok(Self::collect(&self.ring, terms))
     }
 
-    /// Power.
+    /// The power with a whole exponent.
     pub fn to_power(&self, exponent: u32) -> Result<Self> {
         (0..exponent).try_fold(Self::constant(&self.ring, 1), |product, _| product.times(self))
     }

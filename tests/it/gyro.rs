@@ -56,11 +56,11 @@ fn agrees_by(name: &str, instrument: &Instrument, motion: &Motion, plan: MonteCa
         error.mean().to_degrees(),
         got.mean_margin.to_degrees(),
         got.variance,
-        error.spread.powi(2),
+        error.deviation.powi(2),
         got.variance_margin
     );
     assert!((got.mean - error.mean()).abs() < got.mean_margin, "{name}: mean");
-    assert!((got.variance - error.spread.powi(2)).abs() < got.variance_margin, "{name}: variance");
+    assert!((got.variance - error.deviation.powi(2)).abs() < got.variance_margin, "{name}: variance");
 }
 
 #[test]
@@ -118,8 +118,8 @@ fn the_spectrum_of_the_error_adds_up_to_its_variance() {
             .sum();
         (inner + part(&density[0]) * omega[0]) / std::f64::consts::PI
     };
-    assert_relative_eq!(area(&|d| d.0), error.spread_linear.powi(2), max_relative = 1e-3);
-    assert_relative_eq!(area(&|d| d.1), error.spread_quadratic.powi(2), max_relative = 1e-3);
+    assert_relative_eq!(area(&|d| d.0), error.deviation_linear.powi(2), max_relative = 1e-3);
+    assert_relative_eq!(area(&|d| d.1), error.deviation_quadratic.powi(2), max_relative = 1e-3);
 }
 
 #[test]

@@ -150,8 +150,8 @@ fn without_friction_or_play_the_part_is_linear() {
         for law in [Law::Friction(0.0), Law::Play(0.0)] {
             let said = error(sphere, law);
             assert!((said.rectified - exact.rectified).abs() < said.rectified_margin, "{:?}", law.part());
-            assert!((said.spread - exact.spread).abs() < said.spread_margin, "{:?}", law.part());
-            assert!(said.spread_margin < 0.25 * said.spread);
+            assert!((said.deviation - exact.deviation).abs() < said.deviation_margin, "{:?}", law.part());
+            assert!(said.deviation_margin < 0.25 * said.deviation);
         }
     }
 }
@@ -212,7 +212,7 @@ fn on_regular_roll_the_part_is_followed_over_its_period() {
             law.part(),
             said.rectified
         );
-        assert!(said.rectified_margin < 5e-3 * mean.abs() && said.spread_quadratic == 0.0);
+        assert!(said.rectified_margin < 5e-3 * mean.abs() && said.deviation_quadratic == 0.0);
     }
     // friction above the force's amplitude, m h θ₀ p² cos K: it sticks
     let stuck = Instrument::new(seed(), Box::new(Friction { force: 2.1 }));
@@ -236,10 +236,10 @@ fn the_whole_compass_agrees_with_the_mean_of_its_moment() {
     let plan = MonteCarlo { step, duration: 6.0 * 3600.0, settle: 2000.0, runs: 16, seed: 5 };
     let got = plan.run(&compass, &drive, NORTHEAST).unwrap();
     println!("mean {} ± {}, {} ± {}", said.rectified, said.rectified_margin, got.mean, got.mean_margin);
-    println!("spread {} ± {}, {}", said.spread, said.spread_margin, got.variance.sqrt());
+    println!("spread {} ± {}, {}", said.deviation, said.deviation_margin, got.variance.sqrt());
     assert!((got.mean - said.mean()).abs() < got.mean_margin + said.rectified_margin);
-    let margin = got.variance_margin + 2.0 * said.spread * said.spread_margin;
-    assert!((got.variance - said.spread.powi(2)).abs() < margin);
+    let margin = got.variance_margin + 2.0 * said.deviation * said.deviation_margin;
+    assert!((got.variance - said.deviation.powi(2)).abs() < margin);
 }
 
 #[test]

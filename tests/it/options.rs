@@ -113,7 +113,7 @@ fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {
 }
 
 /// Values that no argument has by default.
-const ROLL_ERROR: [(&str, &str); 30] = [
+const ROLL_ERROR: [(&str, &str); 31] = [
     ("model_or_parameters", "compass.toml"),
     ("recording", "compass.toml roll.csv"),
     ("roll", "--roll starboard"),

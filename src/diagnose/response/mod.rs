@@ -23,7 +23,7 @@ mod probe;
 
 use super::bench::{Bench, Stand, Track};
 use super::catalogue::Proposal;
-use crate::estimate::fit::rig::Record;
+use crate::estimate::fit::harness::Record;
 use crate::expression::Expr;
 use crate::model::Model;
 use crate::record::Channel;

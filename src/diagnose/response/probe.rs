@@ -4,7 +4,7 @@ use crate::diagnose::bench::Bench;
 use crate::diagnose::catalogue::edit;
 use crate::estimate::FitOptions;
 use crate::estimate::fit::Effort;
-use crate::estimate::fit::rig::{Record, Run, Unknown};
+use crate::estimate::fit::harness::{Record, Run, Unknown};
 use crate::estimate::fit::setup;
 use crate::expression::{BinaryOp, Expr};
 use crate::model::{Input, Model, Output, Parameter};

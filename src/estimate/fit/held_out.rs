@@ -1,10 +1,10 @@
 //! The fitted model on what was held out.
 
 use super::assemble::root_mean_square;
+use super::harness::{Record, Track};
 use super::options::FitOptions;
 use super::outcome::{Fit, HeldOut, Series};
 use super::problem::{given, problem};
-use super::rig::{Record, Track};
 use super::setup;
 use crate::Result;
 use crate::estimate::least_squares::minimise;

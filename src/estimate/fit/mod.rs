@@ -8,11 +8,11 @@ mod assemble;
 mod certain;
 mod combination;
 mod equation_error;
+pub(crate) mod harness;
 mod held_out;
 mod options;
 mod outcome;
 mod problem;
-pub(crate) mod rig;
 mod search;
 pub(crate) mod seen;
 pub(crate) mod setup;
@@ -36,8 +36,8 @@ use crate::record::Recording;
 use crate::simulate::Early;
 use crate::{Error, ErrorKind, Result};
 use assemble::Assembly;
+use harness::Record;
 use problem::FreeRun;
-use rig::Record;
 
 /// Rounds in which the weights of several outputs are brought in line with their residuals.
 const ROUNDS: usize = 4;

@@ -13,8 +13,8 @@
 //! Recordings run on all cores; their triangles merge in a fixed order, so that the same bytes come
 //! out whatever the number of threads.
 
+use super::harness::{Record, Run, Track, Unknown};
 use super::options::{Effort, FitOptions, Weighting};
-use super::rig::{Record, Run, Track, Unknown};
 use super::setup;
 use crate::Result;
 use crate::estimate::least_squares::Problem;

@@ -1,6 +1,6 @@
 //! Which states a recording shows, directly or by differentiation.
 
-use super::rig::{Rig, Track};
+use super::harness::{Harness, Track};
 use crate::estimate::coordinates::Range;
 use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
@@ -109,7 +109,7 @@ const FAR: f64 = 10.0;
 pub fn reach(
     model: &Model,
     recording: &Recording,
-    rig: &dyn Rig,
+    harness: &dyn Harness,
     (starts, free): (&[f64], &[usize]),
 ) -> Vec<Range> {
     let seen = seen_states(model);
@@ -125,7 +125,7 @@ pub fn reach(
             (far > 0.0 && far.is_finite()).then_some(Range { min: low - far, max: high + far })
         };
         let mut own = || {
-            let swings = course.get_or_insert_with(|| rig.swings(&parameters, starts));
+            let swings = course.get_or_insert_with(|| harness.swings(&parameters, starts));
             swings.as_ref().and_then(|s| s.get(*k).copied())
         };
         let unit = &model.states[*k].unit;

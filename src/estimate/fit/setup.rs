@@ -1,7 +1,7 @@
 //! From a model and recordings to the records of a fit.
 
+use super::harness::Record;
 use super::options::FitOptions;
-use super::rig::Record;
 use super::seen::{initials, reach};
 use super::simulated::{Ready, ready};
 use crate::estimate::coordinates::Range;
@@ -64,7 +64,7 @@ pub fn record_if_any(
     let (Some(first), Some(last)) = (spans.first(), spans.last()) else { return Ok(None) };
     let window = Span::new(first.from, last.to);
     let used = |t: f64| spans.iter().any(|s| s.contains(t));
-    let Ready { rig, tracks, start, constants, lost, radians } =
+    let Ready { harness, tracks, start, constants, lost, radians } =
         ready(model, recording, window, &used, options)?;
     if tracks.iter().all(|t| t.time.is_empty()) {
         return Ok(None);
@@ -75,7 +75,7 @@ pub fn record_if_any(
             values[*k] = given[*k];
         }
     }
-    let reach = reach(model, recording, rig.as_ref(), (&values, &free));
+    let reach = reach(model, recording, harness.as_ref(), (&values, &free));
     for (k, range) in free.iter().zip(&reach) {
         values[*k] = range.clamp(values[*k]);
     }
@@ -83,7 +83,7 @@ pub fn record_if_any(
         name: recording.name.clone(),
         recording: number,
         start,
-        rig,
+        harness,
         tracks,
         constants,
         initials: values,

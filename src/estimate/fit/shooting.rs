@@ -12,9 +12,9 @@
 //! H. G. Bock, Recent advances in parameter identification for ODEs, Birkhäuser 1983; L. A. Aguirre
 //! and others on the path from one-step to free-run error, Signal Processing 90 (2010).
 
+use super::harness::Record;
 use super::options::FitOptions;
 use super::problem::{given, problem};
-use super::rig::Record;
 use super::setup;
 use crate::estimate::least_squares::{Stopping, minimise};
 use crate::model::{Initial, Model};

@@ -1,7 +1,7 @@
-//! The simulator as a rig.
+//! The simulator as a harness.
 
+use super::harness::{Harness, Run, Track, Unknown};
 use super::options::FitOptions;
-use super::rig::{Rig, Run, Track, Unknown};
 use crate::Result;
 use crate::model::Model;
 use crate::record::{Recording, Span};
@@ -17,7 +17,7 @@ struct Simulated {
 /// A model on a window of a recording, ready to run, and the samples of its outputs at the times used.
 pub struct Ready {
     /// The simulation.
-    pub rig: Box<dyn Rig>,
+    pub harness: Box<dyn Harness>,
     /// One track an output that has samples.
     pub tracks: Vec<Track>,
     /// s, where the run starts.
@@ -59,7 +59,7 @@ pub fn ready(
         start: simulator.span().0,
         constants: simulator.constants().to_vec(),
         radians: simulator.radians.clone(),
-        rig: Box::new(Simulated { simulator, rows }),
+        harness: Box::new(Simulated { simulator, rows }),
         tracks,
     })
 }
@@ -85,7 +85,7 @@ impl Simulated {
 /// So many sensitivities are found in one run; more are shared among the cores.
 const TOGETHER: usize = 8;
 
-impl Rig for Simulated {
+impl Harness for Simulated {
     fn run(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run> {
         if wanted.len() <= TOGETHER {
             return self.run_some(parameters, initials, wanted);

@@ -1,8 +1,8 @@
 //! What a user should know about a fit, although it went on.
 
 use super::assemble::Assembly;
+use super::harness::Record;
 use super::outcome::Warning;
-use super::rig::Record;
 use crate::estimate::coordinates::Side;
 use crate::estimate::least_squares::End;
 
@@ -109,7 +109,7 @@ fn too_short(fit: &Assembly<'_>) -> Option<Warning> {
     for (record, initials) in fit.problem.records.iter().zip(&initials) {
         let last = record.tracks.iter().filter_map(|t| t.time.last()).fold(record.start, |a, b| a.max(*b));
         let length = last - record.start;
-        let slowest = record.rig.slowest_time(&record.parameters(&parameters), initials);
+        let slowest = record.harness.slowest_time(&record.parameters(&parameters), initials);
         let longest = slowest.unwrap_or(0.0);
         if longest > length && worst.is_none_or(|w| longest > w.0) {
             worst = Some((longest, length, &record.name));

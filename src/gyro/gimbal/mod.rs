@@ -18,11 +18,11 @@ use num_complex::Complex64;
 /// Moments of inertia of one body about its axes, kg·m².
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Inertia {
-    /// I_x.
+    /// I_x, kg·m².
     pub x: f64,
-    /// I_y.
+    /// I_y, kg·m².
     pub y: f64,
-    /// I_z.
+    /// I_z, kg·m².
     pub z: f64,
 }
 

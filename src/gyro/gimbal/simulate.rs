@@ -9,13 +9,13 @@ use rand_distr::{Distribution, StandardNormal};
 /// The angles and their rates, rad and rad/s.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct State {
-    /// α.
+    /// α, rad.
     pub alpha: f64,
-    /// β.
+    /// β, rad.
     pub beta: f64,
-    /// α′.
+    /// α′, rad/s.
     pub alpha_rate: f64,
-    /// β′.
+    /// β′, rad/s.
     pub beta_rate: f64,
 }
 

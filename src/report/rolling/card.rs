@@ -12,7 +12,7 @@ pub fn card(table: &Table) -> Option<Polar> {
     let points = table.rows.iter().map(|r| Point {
         heading: r.heading,
         mean: table.mean(r).to_degrees(),
-        spread: r.error.spread.to_degrees(),
+        spread: r.error.deviation.to_degrees(),
     });
     let by = if table.is_by_spectrum() { "; the mean is that by the measured spectrum" } else { "" };
     Some(Polar {

@@ -81,13 +81,13 @@ fn row(r: &Row, against: &str) -> Value {
         "mean_deg": e.mean().to_degrees(),
         "sailing_deg": e.sailing.to_degrees(),
         "rectified_deg": e.rectified.to_degrees(),
-        "spread_deg": e.spread.to_degrees(),
-        "spread_linear_deg": e.spread_linear.to_degrees(),
-        "spread_quadratic_deg": e.spread_quadratic.to_degrees(),
+        "spread_deg": e.deviation.to_degrees(),
+        "spread_linear_deg": e.deviation_linear.to_degrees(),
+        "spread_quadratic_deg": e.deviation_quadratic.to_degrees(),
     });
     if !r.is_exact() {
         out["mean_margin_deg"] = json!(e.rectified_margin.to_degrees());
-        out["spread_margin_deg"] = json!(e.spread_margin.to_degrees());
+        out["spread_margin_deg"] = json!(e.deviation_margin.to_degrees());
         out["linearised_mean_deg"] = json!(e.linearised.map(|m| (e.mean() - e.rectified + m).to_degrees()));
     }
     if let Some(measured) = r.measured {

@@ -119,9 +119,9 @@ fn row(r: &rolling::Row) -> Row {
     Row {
         value: r.value,
         mean: words::plain(r.error.mean().to_degrees()),
-        spread: r.error.spread.to_degrees(),
-        swing: r.error.spread_linear.to_degrees(),
-        products: r.error.spread_quadratic.to_degrees(),
+        spread: r.error.deviation.to_degrees(),
+        swing: r.error.deviation_linear.to_degrees(),
+        products: r.error.deviation_quadratic.to_degrees(),
         margin: (!r.is_exact()).then(|| r.error.rectified_margin.to_degrees()),
         measured: r.measured.map(|m| words::plain(m.to_degrees())),
     }

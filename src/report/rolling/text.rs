@@ -59,9 +59,9 @@ fn line(out: &mut String, row: &Row) {
         "{:>9}   {:>10.5}° ±{:>9.5}°  {:>9.5}°  {:>9.5}°",
         format!("{:.1}", row.value),
         words::plain(e.mean().to_degrees()),
-        e.spread.to_degrees(),
-        e.spread_linear.to_degrees(),
-        e.spread_quadratic.to_degrees()
+        e.deviation.to_degrees(),
+        e.deviation_linear.to_degrees(),
+        e.deviation_quadratic.to_degrees()
     );
     if !row.is_exact() {
         out.push_str(&within(e));

@@ -16,7 +16,7 @@ pub struct Run {
 }
 
 /// A model on one recording, ready to run.
-pub trait Rig: Send + Sync {
+pub trait Harness: Send + Sync {
     /// Runs freely from the initial states (all of the model's, NaN where it starts by itself);
     /// `wanted` lists the sensitivities to give.
     fn run(&self, parameters: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run>;
@@ -100,7 +100,7 @@ pub struct Record {
     /// s, where the free run starts.
     pub start: f64,
     /// The simulation.
-    pub rig: Box<dyn Rig>,
+    pub harness: Box<dyn Harness>,
     /// What is compared.
     pub tracks: Vec<Track>,
     /// Parameters that the recording knows: (number, value).
@@ -134,7 +134,7 @@ impl Record {
 
     /// Runs and refuses predictions that are not finite.
     pub fn run(&self, shared: &[f64], initials: &[f64], wanted: &[Unknown]) -> Result<Run> {
-        let run = self.rig.run(&self.parameters(shared), initials, wanted)?;
+        let run = self.harness.run(&self.parameters(shared), initials, wanted)?;
         if run.predictions.iter().flatten().all(|y| y.is_finite()) {
             return Ok(run);
         }
