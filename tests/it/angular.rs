@@ -267,7 +267,7 @@ fn what_a_diagnosis_adds_is_not_asked_about() {
     let said = call(&["diagnose", "m.toml", "r.csv", "--model-out", "found.toml"]);
     let words = String::from_utf8_lossy(&said.stdout).into_owned() + &String::from_utf8_lossy(&said.stderr);
     assert!(said.status.code() == Some(1) && words.contains("dry friction"), "{words}");
-    let found = Model::read(&place("found.toml")).unwrap();
+    let found = Model::read(place("found.toml")).unwrap();
     assert!(found.parameters.len() > 2);
     assert!(call(&["simulate", "found.toml", "r.csv", "--out", "y.csv"]).status.success());
 }

@@ -245,7 +245,7 @@ fn the_command_gives_json_a_model_that_fits_again_and_an_exit_code() {
     let k = told["parameters"][0]["value"].as_f64().unwrap();
     assert!((k - 3.0).abs() < 0.01);
     assert!((told["outputs"][0]["rmse_holdout"].as_f64().unwrap() / 0.01 - 1.0).abs() < 0.2);
-    let written = Model::read(&at("out.toml")).unwrap();
+    let written = Model::read(at("out.toml")).unwrap();
     assert!((written.parameters[0].value - k).abs() < 1e-12);
     assert!(run("out.toml").status.success());
     let found = run("two.toml");
@@ -351,7 +351,7 @@ fn recording(folder: &Path, tables: &[Table<'_>]) -> Recording {
 }
 
 fn model(name: &str) -> Model {
-    Model::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models").join(name)).unwrap()
+    Model::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/models").join(name)).unwrap()
 }
 
 /// Fits to one recording; root mean squares fitted and held out, in the unit asked for.

@@ -34,7 +34,7 @@ use std::path::Path;
 /// # Errors
 /// Where the files cannot be read or the model cannot be fitted.
 pub fn examine(folder: &Path, number: usize, seed: u64) -> Result<Answer> {
-    let model = Model::read(&folder.join(format!("model-{number}.toml")))?;
+    let model = Model::read(folder.join(format!("model-{number}.toml")))?;
     let recordings = [Recording::read(folder.join(format!("case-{number}.csv")))?];
     let request = Request {
         model: &model,
