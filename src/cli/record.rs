@@ -65,7 +65,7 @@ pub fn run(call: &Record) -> Result<Outcome> {
         words(&recording, &summaries)
     };
     if call.json { output::quoted(&text) } else { output::words(&text) }?;
-    let sure = summaries.iter().flat_map(|s| &s.faults).any(|f| f.sure);
+    let sure = summaries.iter().flat_map(|s| &s.faults).any(Fault::is_sure_of_any);
     Ok(if sure { Outcome::Found } else { Outcome::Done })
 }
 
@@ -86,7 +86,7 @@ fn words(recording: &Recording, summaries: &[Summary]) -> String {
         text.push_str(&channel_words(channel, summary, recording.kind));
     }
     let faults: Vec<&Fault> = summaries.iter().flat_map(|s| &s.faults).collect();
-    let sure = faults.iter().filter(|f| f.sure).count();
+    let sure = faults.iter().filter(|f| f.is_sure_of_any()).count();
     let verdict = match (sure, faults.len() - sure) {
         (0, 0) => "Nothing is wrong with it that can be seen without a model.".to_owned(),
         (0, n) => format!("No fault that is sure; {n} to look at (?)."),
@@ -163,7 +163,8 @@ fn channel_words(channel: &Channel, s: &Summary, kind: Kind) -> String {
         let _ = writeln!(text, "  spectral peaks: {}", each.collect::<Vec<_>>().join(", "));
     }
     for fault in &s.faults {
-        let _ = writeln!(text, "  {} {}", if fault.sure { '!' } else { '?' }, says(fault, channel));
+        let _ =
+            writeln!(text, "  {} {}", if fault.is_sure_of_any() { '!' } else { '?' }, says(fault, channel));
     }
     if kind == Kind::Time && s.min < s.max {
         for line in braille::plot(channel.samples(), PICTURE.0, PICTURE.1) {
@@ -275,7 +276,7 @@ fn channel_form(channel: &Channel, s: &Summary) -> Value {
         })).collect::<Vec<_>>(),
         "faults": s.faults.iter().map(|f| json!({
             "code": f.kind.code(),
-            "sure": f.sure,
+            "sure": f.is_sure_of_any(),
             "samples": f.samples,
             "spans": f.spans.iter().map(|s| json!([s.from, s.to])).collect::<Vec<_>>(),
             "says": says(f, channel),

@@ -113,6 +113,22 @@ fn a_command_that_is_held_or_leaps_has_no_fault() {
     assert_eq!((a.verdict, faults(&a)), (Verdict::DataFault, vec![("gap", "force", true)]), "{}", a.says);
 }
 
+/// The force is held, and so does the position stand still, but for its noise; meanwhile its sensor is stuck.
+#[test]
+fn a_stuck_sensor_is_found_while_the_input_is_held() {
+    let mut scenario = Scenario::axis(5).unwrap();
+    let force = values(&mut scenario.recording, "force");
+    let held = force[1000];
+    force[1000..1900].fill(held);
+    let (model, mut stuck) = moved(scenario, None);
+    let position = values(&mut stuck, "position");
+    let value = position[1450];
+    position[1450..1700].fill(value);
+    let a = diagnosed(&model, stuck).answer;
+    let found = [("frozen-channel", "position", true)];
+    assert_eq!((a.verdict, faults(&a)), (Verdict::DataFault, found.to_vec()), "{}", a.says);
+}
+
 /// An input that is held throughout is an input; that its sign and unit cannot be seen is no fault.
 #[test]
 fn an_input_held_throughout_is_no_fault() {

@@ -137,6 +137,49 @@ fn a_channel_stuck_to_its_end_is_found() {
     assert!(found.iter().any(|f| f.kind == FaultKind::Frozen && f.sure && f.samples >= 1199), "{found:?}");
 }
 
+/// What drives a thing rests or holds, and with it all but the noise of a sensor beside it.
+#[test]
+fn what_has_noise_and_repeats_is_stuck_though_all_rests_beside_it() {
+    let mut rng = ChaCha12Rng::seed_from_u64(17);
+    for noise in [0.002, 0.02] {
+        let motion = |i: usize| if i < 1000 { (0.02 * i as f64).sin() } else { (20.0_f64).sin() };
+        let rests: Vec<f64> = (0..2000).map(|i| motion(i) + noise * normal(&mut rng)).collect();
+        assert_eq!(faults(channel("m", rests.clone())), []);
+        let mut stuck = rests;
+        let held = stuck[1300];
+        stuck[1300..1500].fill(held);
+        let found = faults(channel("m", stuck));
+        assert_eq!((found.len(), found[0].kind, found[0].samples), (1, FaultKind::Frozen, 200), "{found:?}");
+        assert!(found[0].is_sure_of_any(), "{found:?}");
+    }
+}
+
+/// Noise that comes with the motion alone, as of a toothed wheel, may rest with it.
+#[test]
+fn what_is_noisy_only_where_it_moves_may_rest() {
+    let mut rng = ChaCha12Rng::seed_from_u64(18);
+    for case in 0..20 {
+        let mut x = 0.0;
+        let turns =
+            |i: usize| if (900..1200).contains(&i) { 0.0 } else { (0.01 * i as f64 + f64::from(case)).sin() };
+        let values = (0..3000).map(|i| {
+            x += turns(i) * (1.0 + 0.3 * normal(&mut rng));
+            x
+        });
+        let found = faults(channel("m", values.collect()));
+        assert!(found.iter().all(|f| !f.sure), "case {case}: {found:?}");
+    }
+}
+
+/// Without a model nobody knows whether a channel without noise is a command that is held.
+#[test]
+fn a_command_that_holds_and_leaps_is_for_people_to_look_at() {
+    let command = |i: usize| if (300..650).contains(&i) { -3.0 } else { 4.0 * (0.025 * i as f64).sin() };
+    let found = faults(channel("V", (0..1000).map(command).collect()));
+    assert!(found.iter().any(|f| f.kind == FaultKind::Frozen), "{found:?}");
+    assert!(found.iter().all(|f| !f.is_sure_of_any()), "{found:?}");
+}
+
 #[test]
 fn outliers_are_found_and_masked() {
     let mut rng = ChaCha12Rng::seed_from_u64(14);

@@ -7,9 +7,13 @@
 //! 3. right before and after the run the channel moves about as much as usual: this leaves out a
 //!    motion that dies away, and one that has not begun.
 //!
+//! Or where the channel has noise above its resolution wherever it is looked at, at rest too: such a
+//! channel never repeats its values, whatever moves or rests beside it.
+//!
 //! It is sure where besides the value is neither zero (a thing switched off) nor an end of the
 //! range (a sensor at its limit), and where a real rest would look otherwise: the channel has
-//! noise above its resolution, which never stands still, or it leaps when each run ends.
+//! noise above its resolution, which never stands still, or it leaps when each run ends. A leap alone
+//! could be that of a command, which holds what it was given ([`Fault::may_be_held`]).
 //!
 //! References: the plateau test of oceanographic quality control, IOC Manuals and Guides 26
 //! (1993), made relative to the channel's own motion.
@@ -37,6 +41,10 @@ const NOISE_GROWS: f64 = 1.2;
 const QUANTA_OF_NOISE: f64 = 10.0;
 /// Against the 99th percentile of all other steps.
 const LEAP: f64 = 2.0;
+/// Samples of a block in which noise is measured.
+const BLOCK: usize = 32;
+/// Share of its usual size below which noise goes with the motion, and may rest with it.
+const STEADY: f64 = 0.2;
 
 /// A run of equal samples, ends included.
 #[derive(Clone, Copy)]
@@ -56,17 +64,20 @@ pub fn frozen(channel: &Channel) -> Option<Fault> {
     let Samples { time, values } = Samples::of(channel);
     let long = far_longer(runs(&values));
     let step = quantum(channel).unwrap_or(0.0);
-    let found: Vec<Run> = long.iter().copied().filter(|r| is_frozen(&values, *r, &long, step)).collect();
+    let noise = Noise::of(&values, &long, step);
+    let stands = |r: &Run| noise.never_rests || is_frozen(&values, *r, &long, step);
+    let found: Vec<Run> = long.iter().copied().filter(stands).collect();
     let (low, high) = ends(&values);
     let odd: Vec<Run> =
         found.iter().copied().filter(|r| ![0.0, low, high].contains(&values[r.first])).collect();
-    let sure = certain(&values, &long, &odd, step);
+    let sure = !odd.is_empty() && (noise.is_there || odd.iter().all(|r| leaps(&values, &long, *r)));
     let kept = if sure { odd } else { found };
     let size = values[kept.first()?.first];
     let mut spans: Vec<Span> = kept.iter().map(|r| Span::new(time[r.first], time[r.last])).collect();
     spans.sort_by(|a, b| a.from.total_cmp(&b.from));
     let samples = kept.iter().map(|r| r.length()).sum();
-    Some(Fault { samples, size, sure, ..Fault::of(FaultKind::Frozen, channel, spans) })
+    let may_be_held = !noise.is_there;
+    Some(Fault { samples, size, sure, may_be_held, ..Fault::of(FaultKind::Frozen, channel, spans) })
 }
 
 /// A channel of three samples and more that never changes, gaps or not; `size` is its value, SI.
@@ -96,23 +107,45 @@ fn far_longer(mut runs: Vec<Run>) -> Vec<Run> {
     runs
 }
 
-/// Tells whether frozen runs can be no real rests.
-fn certain(values: &[f64], long: &[Run], found: &[Run], quantum: f64) -> bool {
-    if found.is_empty() {
-        return false;
+/// Places away from long runs, with four samples before each.
+fn free<'a>(values: &'a [f64], long: &'a [Run]) -> impl Iterator<Item = usize> + 'a {
+    let inside = |i: &usize| long.iter().any(|r| r.first < *i && *i <= r.last + 5);
+    (4..values.len()).filter(move |i| !inside(i))
+}
+
+/// Noise of a channel away from its long runs.
+struct Noise {
+    /// It stands above the resolution, and does not go with the motion.
+    is_there: bool,
+    /// It does so everywhere, at rest as in motion.
+    never_rests: bool,
+}
+
+impl Noise {
+    fn of(values: &[f64], long: &[Run], quantum: f64) -> Self {
+        let at: Vec<usize> = free(values, long).collect();
+        let third =
+            |i: &usize| (values[*i] - 3.0 * values[i - 1] + 3.0 * values[i - 2] - values[i - 3]).abs();
+        let fourth = |i: &usize| {
+            let x = &values[i - 4..=*i];
+            (x[4] - 4.0 * x[3] + 6.0 * x[2] - 4.0 * x[1] + x[0]).abs()
+        };
+        let (thirds, fourths): (Vec<f64>, Vec<f64>) = at.iter().map(|i| (third(i), fourth(i))).unzip();
+        let middle = |d: &[f64]| quantile(d.iter().copied(), 0.5).unwrap_or(0.0);
+        let (small, usual) = (middle(&thirds), middle(&fourths));
+        let resolution = (QUANTA_OF_NOISE * quantum).max(1e-9 * range(values));
+        let blocks = fourths.chunks_exact(BLOCK).map(middle);
+        let least = blocks.clone().fold(f64::INFINITY, f64::min);
+        let is_there = usual > resolution && usual >= NOISE_GROWS * small && least > STEADY * usual;
+        Self { is_there, never_rests: is_there && blocks.len() >= FEWEST_WINDOWS && least > resolution }
     }
-    let free = |i: &usize| !long.iter().any(|r| r.first < *i && *i <= r.last + 5);
-    let at: Vec<usize> = (4..values.len()).filter(free).collect();
-    let size = |d: fn(&[f64]) -> f64, share: f64| {
-        quantile(at.iter().map(|i| d(&values[i - 4..=*i]).abs()), share).unwrap_or(0.0)
-    };
-    let third = size(|x| x[4] - 3.0 * x[3] + 3.0 * x[2] - x[1], 0.5);
-    let fourth = size(|x| x[4] - 4.0 * x[3] + 6.0 * x[2] - 4.0 * x[1] + x[0], 0.5);
-    let resolution = (QUANTA_OF_NOISE * quantum).max(1e-9 * range(values));
-    let noisy = fourth > resolution && fourth >= NOISE_GROWS * third;
-    let large = size(|x| x[4] - x[3], 0.99);
-    let leaps = |r: &Run| values.get(r.last + 1).is_some_and(|v| (v - values[r.first]).abs() >= LEAP * large);
-    noisy || found.iter().all(leaps)
+}
+
+/// Whether a channel leaps when a run ends.
+fn leaps(values: &[f64], long: &[Run], run: Run) -> bool {
+    let steps: Vec<f64> = free(values, long).map(|i| (values[i] - values[i - 1]).abs()).collect();
+    let large = quantile(steps.iter().copied(), 0.99).unwrap_or(0.0);
+    values.get(run.last + 1).is_some_and(|v| (v - values[run.first]).abs() >= LEAP * large)
 }
 
 /// The runs of some length.

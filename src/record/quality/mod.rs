@@ -69,11 +69,28 @@ pub struct Fault {
     pub size: f64,
     /// Whether nothing honest is likely to look so.
     pub sure: bool,
+    /// Whether a command that is held looks so too: without a model nobody knows which it is.
+    pub may_be_held: bool,
+}
+
+impl Fault {
+    /// Whether it is a fault whatever the channel is, a command too.
+    pub const fn is_sure_of_any(&self) -> bool {
+        self.sure && !self.may_be_held
+    }
 }
 
 impl Fault {
     fn of(kind: FaultKind, channel: &Channel, spans: Vec<Span>) -> Self {
-        Self { kind, channel: channel.name.clone(), spans, samples: 0, size: 0.0, sure: true }
+        Self {
+            kind,
+            channel: channel.name.clone(),
+            spans,
+            samples: 0,
+            size: 0.0,
+            sure: true,
+            may_be_held: false,
+        }
     }
 }
 
