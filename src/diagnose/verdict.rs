@@ -139,9 +139,13 @@ fn rise(proof: &[Proof]) -> f64 {
 }
 
 /// The verdict on physics and data: the faults take it only where nothing physical stands beside them, or
-/// where they leave the question `open`.
+/// where they leave the question `open`. Names that stand by what was held out have answered it.
 pub fn with_faults(physics: Verdict, faults: &[DataFault], open: bool) -> Verdict {
-    let alone = open || physics == Verdict::NothingMissing;
+    let alone = match physics {
+        Verdict::NothingMissing => true,
+        Verdict::Named | Verdict::Tie => false,
+        _ => open,
+    };
     if alone && !faults.is_empty() { Verdict::DataFault } else { physics }
 }
 
@@ -177,6 +181,31 @@ mod tests {
         // one output may lose a little where another gains much more, not the other way round
         assert_eq!(settled(&[proof(1.0, 1.05, -0.1), proof(1.0, 0.5, 0.4)], 100, false), Verdict::Named);
         assert_eq!(settled(&[proof(1.0, 2.0, -1.5), proof(1.0, 0.9, 0.05)], 100, false), Verdict::Unknown);
+    }
+
+    #[test]
+    fn faults_take_the_verdict_where_no_name_stands_and_they_leave_the_question_open() {
+        let finding = Finding {
+            code: "gap".into(),
+            site: crate::diagnose::answer::SiteName { kind: "input".into(), name: "u".into() },
+            term: String::new(),
+            says: String::new(),
+            parameters: Vec::new(),
+            p_value: 0.0,
+            share: 0.0,
+            ties: Vec::new(),
+        };
+        let faults = [DataFault { finding, masked: true }];
+        let of = |physics, open| with_faults(physics, &faults, open);
+        for open in [false, true] {
+            assert_eq!(of(Verdict::Named, open), Verdict::Named);
+            assert_eq!(of(Verdict::Tie, open), Verdict::Tie);
+            assert_eq!(of(Verdict::NothingMissing, open), Verdict::DataFault);
+        }
+        for physics in [Verdict::Unknown, Verdict::NotIdentifiable] {
+            assert_eq!((of(physics, false), of(physics, true)), (physics, Verdict::DataFault));
+            assert_eq!(with_faults(physics, &[], true), physics);
+        }
     }
 
     #[test]
