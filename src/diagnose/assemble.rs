@@ -86,9 +86,10 @@ impl Assembly<'_> {
         let reason = unfinished.as_deref().or(blind.as_deref()).or(odd.as_deref());
         let verdict = with_faults(physics, &self.faults, self.is_open(physics, &proof));
         let next = || next::experiment(self.request.model, &self.bench, &self.found, verdict, reason);
-        let next_experiment = match &unlike {
+        let next_experiment = match (&unlike, &self.found.fallen) {
             _ if unfinished.is_some() => Some(next::PATIENCE.to_string()),
-            Some(Unlike::Steps(k, _)) => Some(next::second_sensor(&self.request.model.outputs[*k].name)),
+            (_, Some(fallen)) if verdict == Verdict::Unknown => Some(next::wider(fallen)),
+            (Some(Unlike::Steps(k, _)), _) => Some(next::second_sensor(&self.request.model.outputs[*k].name)),
             _ => next(),
         };
         let paragraph = Paragraph {
@@ -171,6 +172,8 @@ impl Assembly<'_> {
         let alone = || {
             let unseen = || locate::unseen(model, base);
             let astray = || locate::astray(base, after);
+            // What fits where it is fitted and cannot be run beyond says why what is held out is not explained.
+            let astray = || astray().filter(|_| self.found.fallen.is_none());
             let reason = locate::mute(model, &self.bench, base).or_else(unseen).or_else(astray);
             reason.filter(|_| self.found.taken.is_empty())
         };
@@ -304,6 +307,7 @@ impl Assembly<'_> {
     /// What was detected, beside a residual that is no noise by some chance.
     fn detection(&self, unlike: f64) -> Detection {
         let found = self.found.taken.iter().map(|t| t.p_value).fold(unlike, f64::min);
+        let found = self.found.fallen.as_ref().map_or(found, |f| f.p_value.min(found));
         let mut visible: Vec<Visible> = Vec::new();
         for s in &self.found.rest.screened {
             let p = &s.proposal;

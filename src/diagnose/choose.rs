@@ -101,6 +101,11 @@ fn commute(a: &str, b: &str) -> bool {
     a != b && FAMILIES.iter().any(|f| f.contains(&a) && f.contains(&b))
 }
 
+/// Whether an extension may stand for a better one that has fallen out: it gains nearly as much.
+pub fn rivals(r: &Refitted, fallen: &Refitted, now: &Measure) -> bool {
+    gain(now, &r.measure) >= RIVAL * gain(now, &fallen.measure)
+}
+
 /// What a round takes.
 pub struct Choice {
     /// Number of the extension among those fitted.

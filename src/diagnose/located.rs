@@ -70,6 +70,7 @@ impl Mismatch<'_> {
         let all = taken.flat_map(|t| std::iter::once(&t.proposal).chain(&t.ties).chain(&t.elsewhere));
         let mut sites: Vec<SiteName> = all.map(|p| site_name(&p.site)).collect();
         if physics == Verdict::Unknown {
+            sites.extend(self.found.fallen.iter().map(|f| site_name(&f.proposal.site)));
             sites.extend(self.left.iter().flat_map(|rest| rest.sites()).map(site_name));
             if sites.is_empty() {
                 sites = self.stepping.map_or_else(|| self.nearest(), |k| self.output(k));
@@ -117,7 +118,11 @@ impl Mismatch<'_> {
     }
 
     fn signals(&self) -> Vec<SignalChance> {
-        let mut signals: Vec<SignalChance> = Vec::new();
+        let fallen = self.found.fallen.iter();
+        let mut signals: Vec<SignalChance> = fallen
+            .flat_map(|f| f.proposal.depends.iter().map(|s| (s.clone(), f.p_value)))
+            .map(|(name, p_value)| SignalChance { name, p_value })
+            .collect();
         let laws = &self.rest.laws;
         for law in laws.iter().filter(|l| l.signals.len() == 1) {
             let p = (laws.len() as f64 * (-law.score.statistic).exp()).min(1.0);

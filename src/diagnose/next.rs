@@ -4,7 +4,7 @@ use super::answer::Verdict;
 use super::apart::{self, Apart};
 use super::bench::Bench;
 use super::catalogue::{Proposal, SiteKind};
-use super::search::{Found, Taken};
+use super::search::{Found, Refitted, Taken};
 use super::words;
 use crate::model::Model;
 use crate::units::figure;
@@ -22,6 +22,14 @@ pub const PATIENCE: &str =
 pub fn second_sensor(output: &str) -> String {
     format!(
         "Record {output} by a second, independent sensor too: a step of one sensor's zero does not show in the other, a push on the thing shows in both."
+    )
+}
+
+/// What tells of a law that fits and cannot be run beyond where it was fitted.
+pub fn wider(fallen: &Refitted) -> String {
+    let over = listed(fallen.proposal.depends.iter()).unwrap_or_else(|| fallen.proposal.site.name.clone());
+    format!(
+        "Fit a part in which {over} ranges as widely as where it is held out: what fits here cannot be run there."
     )
 }
 

@@ -110,6 +110,14 @@ impl Paragraph<'_> {
     fn unknown(&self, list: &str) -> String {
         let named = |s: &String| words::signal(self.model, s);
         let law = self.law.map(|l| l.signals.iter().map(named).collect::<Vec<_>>().join(" and "));
+        if let ("", Some(fallen)) = (list, &self.found.fallen) {
+            let goes = fallen.proposal.depends.iter().map(named).collect::<Vec<_>>().join(" and ");
+            let goes = if goes.is_empty() { goes } else { format!("; it goes with {goes}") };
+            return format!(
+                "Something is missing{goes}. Where it is fitted it is as if {}; that cannot be run over what was held out, so that nothing proves the name.",
+                words::sentence(&fallen.proposal, &fallen.fit)
+            );
+        }
         if let ("", None, Some(odd)) = (list, &law, self.odd) {
             return format!("Something is missing that the catalogue has no name for: {odd}.");
         }

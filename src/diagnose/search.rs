@@ -93,6 +93,8 @@ pub struct Found {
     pub measures: (Measure, Measure),
     /// What a reader should know of fits that were ended early.
     pub notes: Vec<String>,
+    /// What would have been taken and cannot be run over what is held out, where nothing else was taken.
+    pub fallen: Option<Box<Refitted>>,
 }
 
 impl Found {
@@ -102,7 +104,7 @@ impl Found {
         let measure = Measure::of(&base, &scale);
         let (first, rest, measures) = (Screening::nothing(), Screening::nothing(), (measure, measure));
         let (taken, notes) = (Vec::new(), Vec::new());
-        Self { last: base.clone(), base, taken, first, rest, scale, measures, notes }
+        Self { last: base.clone(), base, taken, first, rest, scale, measures, notes, fallen: None }
     }
 
     /// ln of the fall of the left-out sum of squares from the given model to the last.
@@ -119,6 +121,14 @@ pub struct Round {
     pub fitted: Vec<Refitted>,
     /// What a reader should know of fits that were ended early.
     pub notes: Vec<String>,
+    /// The best of those that cannot be run over what is held out, if it would have been taken.
+    pub fallen: Option<Box<Refitted>>,
+}
+
+impl Round {
+    fn nothing() -> Self {
+        Self { screening: Screening::nothing(), fitted: Vec::new(), notes: Vec::new(), fallen: None }
+    }
 }
 
 /// What a round is judged against.
@@ -137,7 +147,7 @@ struct State<'a> {
 
 fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[f64]) -> Result<Round> {
     if bench.budget.cut() == Some(Early::Time) {
-        return Ok(Round { screening: Screening::nothing(), fitted: Vec::new(), notes: Vec::new() });
+        return Ok(Round::nothing());
     }
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
@@ -169,7 +179,7 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
         .collect();
     let notes = cut::retry(bench, &mut fitted, (squares, scale), &judged);
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
-    Ok(Round { screening, fitted, notes })
+    Ok(Round { screening, fitted, notes, fallen: None })
 }
 
 /// Searches from a fitted model.
@@ -211,8 +221,8 @@ pub fn search(
             };
             let scale = Scale::of(&base, bench.is_trials());
             let measures = (start, Measure::of(&current, &scale));
-            let notes = round.notes;
-            let mut found = Found { base, last: current, taken, first, rest, scale, measures, notes };
+            let (notes, fallen) = (round.notes, round.fallen.filter(|_| taken.is_empty()));
+            let mut found = Found { base, last: current, taken, first, rest, scale, measures, notes, fallen };
             drop_needless(bench, separate, &mut found);
             return Ok(found);
         };
@@ -235,7 +245,8 @@ fn is_over(bench: &Bench) -> bool {
 }
 
 /// The best extension of a round, with what the next one sees of it. Those that cannot be run, there or over
-/// what is held out, fall out, and so do those that fit as well as it.
+/// what is held out, fall out, and so do those that fit as well as it; then nothing that gains far less may
+/// stand for them.
 fn standing(
     bench: &Bench,
     separate: &[Recording],
@@ -244,11 +255,19 @@ fn standing(
 ) -> Option<(Choice, View)> {
     loop {
         let choice = choose(round, now)?;
+        let best = &round.fitted[choice.best];
+        if round.fallen.as_ref().is_some_and(|fallen| !choose::rivals(best, fallen, now)) {
+            return None;
+        }
         let runs = |i: &usize| prove::runs(bench, &round.fitted[*i].fit, separate);
         let ahead = ahead(bench, separate, &round.fitted[choice.best].fit);
         let fallen =
             if ahead.is_none() { Some(choice.best) } else { choice.near.iter().copied().find(|i| !runs(i)) };
         match (fallen, ahead) {
+            (Some(i), None) => {
+                let best = round.fitted.remove(i);
+                round.fallen.get_or_insert_with(|| Box::new(best));
+            }
             (Some(i), _) => drop(round.fitted.remove(i)),
             (None, ahead) => return ahead.map(|view| (choice, view)),
         }

@@ -56,7 +56,8 @@ impl Evidence<'_> {
             return Verdict::NotIdentifiable;
         }
         let Some(first) = self.found.taken.first() else {
-            let something = self.is_left() || self.found.first.p_value < SURE;
+            let found = self.found;
+            let something = self.is_left() || found.first.p_value < SURE || found.fallen.is_some();
             return if something { Verdict::Unknown } else { Verdict::NothingMissing };
         };
         let doubtful = self.is_pressed() || is_wave(&first.proposal);

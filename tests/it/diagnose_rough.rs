@@ -201,6 +201,38 @@ fn a_law_that_blows_up_where_it_is_held_out_is_no_finding() {
     assert!(!d.answer.findings.iter().any(straight), "{}", d.answer.says);
 }
 
+/// The same where the straight line crosses zero far from what the outputs allow; the model's other laws do not
+/// reach so far.
+#[test]
+fn a_law_that_cannot_be_run_where_it_is_held_out_is_said_and_not_taken_for_an_explanation() {
+    let time = clock(0.02, 1500);
+    let warm = |t: f64| if t < 18.0 { 2.0 * (0.7 * t).sin() } else { 7.0 * (18.0 - t) };
+    let mut channels = vec![channel("u", "V", &time, voltage), channel("speed", "rpm", &time, |_| 0.0)];
+    channels.push(channel("warm", "K", &time, warm));
+    let mut model = Model::parse(MOTOR).unwrap();
+    let mut truth = model.clone();
+    truth.inputs.push(gyrospec::model::Input {
+        name: "warm".into(),
+        unit: Unit::parse("K").unwrap(),
+        meaning: None,
+    });
+    truth.parameters[0].value = 0.5;
+    truth.states[0].rate = Expr::parse("(K*u - w)/(T*max(0.1, 1 + 0.1*warm))").unwrap();
+    let mut recording = Recording::from_channels("motor", channels).unwrap();
+    let speed = Stepper::new(&truth, &recording).unwrap().outputs(&time).remove(0);
+    for ((v, y), e) in recording.channels[1].values.iter_mut().zip(speed).zip(noise(time.len(), 10)) {
+        *v = y + 0.02 * e;
+    }
+    model.parameters[0].value = 0.6;
+    model.states[0].initial = Initial::Fit;
+    let a = diagnosed(&model, recording).answer;
+    assert_eq!(a.verdict, Verdict::Unknown, "{}", a.says);
+    assert!(a.says.contains("goes with warm") && a.says.contains("cannot be run"), "{}", a.says);
+    assert!(!a.says.contains("is explained") && a.findings.is_empty(), "{}", a.says);
+    assert!(a.located.signals.iter().any(|s| s.name == "warm"), "{:?}", a.located);
+    assert!(a.detection.p_value < 1e-3 && a.next_experiment.is_some_and(|n| n.contains("warm")));
+}
+
 const ROOM: &str = r#"
     name = "room"
     [inputs]
