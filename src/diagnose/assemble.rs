@@ -1,8 +1,8 @@
 //! From the outcome of the search to the answer.
 
 use super::answer::{
-    Answer, DataFault, Detection, Finding, InputFile, Made, ParameterChange, Proof, SCHEMA, Unexplained,
-    Value, Verdict, Visible,
+    Answer, DataFault, Detection, Finding, InputFile, Made, ParameterChange, Proof, SCHEMA, Value, Verdict,
+    Visible,
 };
 use super::bench::Bench;
 use super::faults::{self, Spoiled};
@@ -127,7 +127,7 @@ impl Assembly<'_> {
             located,
             findings,
             faults: self.faults.clone(),
-            unexplained: if left { unexplained(&rest) } else { None },
+            unexplained: if left { rest.unexplained() } else { None },
             proof,
             next_experiment,
             parameters: self.parameters(),
@@ -388,18 +388,4 @@ const NOT_HELD_OUT: &str = "nothing was held out, so that all this is the word o
 /// That the search was not through, and why.
 fn unfinished(early: Early) -> String {
     format!("the search ended early, with the best so far: {}", early.words())
-}
-
-fn unexplained(rest: &Rest) -> Option<Unexplained> {
-    let best = rest.laws.first()?;
-    let shaped = rest.laws.iter().find(|l| !l.places.is_empty());
-    let shape = shaped.map(|l| {
-        let rows = l.places.iter().zip(&l.weights).zip(&l.deviations).filter(|(_, s)| s.is_finite());
-        rows.map(|((x, w), s)| [*x, *w, w - 1.96 * s, w + 1.96 * s]).collect()
-    });
-    Some(Unexplained {
-        p_value: rest.p_value,
-        signal: best.signals.join(", "),
-        shape: shape.unwrap_or_default(),
-    })
 }

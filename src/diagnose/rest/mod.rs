@@ -15,6 +15,7 @@
 mod laws;
 mod surface;
 
+use super::answer::Unexplained;
 use super::bench::{Bench, Track};
 use super::catalogue::{Scene, Site};
 use super::propose::View;
@@ -63,6 +64,21 @@ pub struct Rest {
 }
 
 impl Rest {
+    /// The best law in the answer, with the shape of the best along one signal.
+    pub fn unexplained(&self) -> Option<Unexplained> {
+        let best = self.laws.first()?;
+        let shaped = self.laws.iter().find(|l| !l.places.is_empty());
+        let shape = shaped.map(|l| {
+            let rows = l.places.iter().zip(&l.weights).zip(&l.deviations).filter(|(_, s)| s.is_finite());
+            rows.map(|((x, w), s)| [*x, *w, w - 1.96 * s, w + 1.96 * s]).collect()
+        });
+        Some(Unexplained {
+            p_value: self.p_value,
+            signal: best.signals.join(", "),
+            shape: shape.unwrap_or_default(),
+        })
+    }
+
     /// The sites at which some law fits as well as the best law of all, the best first.
     pub fn sites(&self) -> Vec<&Site> {
         let mut best: Vec<(&Site, f64)> = Vec::new();
