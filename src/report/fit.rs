@@ -223,13 +223,17 @@ fn parameters(r: &FitReport<'_>) -> String {
 }
 
 fn parameter(p: &ParameterEstimate) -> Vec<String> {
-    let remark = match p.status {
+    row(&p.name, [p.value, p.low, p.high], &p.unit, remark(p.status))
+}
+
+/// What stands beside a value that the fit was not free to choose.
+fn remark(status: Status) -> Option<&'static str> {
+    match status {
         Status::Fitted => None,
         Status::AtBound(_) => Some("at its bound"),
         Status::Fixed => Some("fixed"),
         Status::Constant => Some("given by the recording"),
-    };
-    row(&p.name, [p.value, p.low, p.high], &p.unit, remark)
+    }
 }
 
 fn row(name: &str, values: [f64; 3], unit: &Unit, remark: Option<&str>) -> Vec<String> {

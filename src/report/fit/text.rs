@@ -1,7 +1,7 @@
 //! The result of a fit in words and a table.
 
-use super::{FitReport, untold};
-use crate::estimate::fit::{ParameterEstimate, Status};
+use super::{FitReport, remark, untold};
+use crate::estimate::fit::ParameterEstimate;
 use crate::units::{Unit, digits_within, significant};
 use std::fmt::Write;
 
@@ -36,13 +36,7 @@ pub fn render(told: &FitReport<'_>) -> String {
 }
 
 fn parameter(p: &ParameterEstimate) -> String {
-    let remark = match p.status {
-        Status::Fitted => None,
-        Status::AtBound(_) => Some("at its bound"),
-        Status::Fixed => Some("fixed"),
-        Status::Constant => Some("given by the recording"),
-    };
-    row(&p.name, [p.value, p.low, p.high], &p.unit, remark)
+    row(&p.name, [p.value, p.low, p.high], &p.unit, remark(p.status))
 }
 
 fn row(name: &str, values: [f64; 3], unit: &Unit, remark: Option<&str>) -> String {
