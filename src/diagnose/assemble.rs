@@ -89,7 +89,9 @@ impl Assembly<'_> {
         let next_experiment = match (&unlike, &self.found.fallen) {
             _ if unfinished.is_some() => Some(next::PATIENCE.to_string()),
             (_, Some(fallen)) if verdict == Verdict::Unknown => Some(next::wider(fallen)),
-            (Some(Unlike::Steps(k, _)), _) => Some(next::second_sensor(&self.request.model.outputs[*k].name)),
+            (Some(Unlike::Steps(k, _) | Unlike::Strays(k, _)), _) => {
+                Some(next::second_sensor(&self.request.model.outputs[*k].name))
+            }
             _ => next(),
         };
         let paragraph = Paragraph {
@@ -102,6 +104,7 @@ impl Assembly<'_> {
             blind: reason,
             is_held_out: held_out > 0,
             odd: odd.as_deref(),
+            is_cut: self.ended_early.is_some(),
             law: rest.laws.first().filter(|_| left),
         };
         let says = paragraph.text();
@@ -110,7 +113,7 @@ impl Assembly<'_> {
             found: &self.found,
             rest: first_rest.as_ref().unwrap_or(&rest),
             left: Some(&rest).filter(|_| left),
-            stepping: unlike.as_ref().and_then(Unlike::stepping),
+            stepping: unlike.as_ref().and_then(Unlike::output),
             faults: &self.faults,
             spoiled: &self.spoiled,
             recordings: self.given(),

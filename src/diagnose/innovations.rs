@@ -25,6 +25,7 @@ use super::bench::Bench;
 use super::choose::SURE;
 use super::few::agree_by_luck;
 use super::prove::Held;
+use super::stray::{Stray, stray};
 use super::words;
 use crate::estimate::Fit;
 use crate::estimate::noise::{Autoregression, robust_deviation};
@@ -72,19 +73,25 @@ pub struct LevelShift {
 pub enum Unlike {
     /// Its level steps: output and step.
     Steps(usize, LevelShift),
+    /// Some of its samples stand apart: output and samples.
+    Strays(usize, Stray),
     /// It forgets too slowly: output and number of independent values.
     Slow(usize, f64),
 }
 
 impl Unlike {
-    /// The output whose residual steps.
-    pub fn stepping(&self) -> Option<usize> {
-        if let Self::Steps(k, _) = self { Some(*k) } else { None }
+    /// The output whose residual steps, or has samples that stand apart.
+    pub fn output(&self) -> Option<usize> {
+        if let Self::Steps(k, _) | Self::Strays(k, _) = self { Some(*k) } else { None }
     }
 
     /// Chance that noise is so.
     pub fn p_value(&self) -> f64 {
-        if let Self::Steps(_, step) = self { step.p_value } else { 1.0 }
+        match self {
+            Self::Steps(_, step) => step.p_value,
+            Self::Strays(_, strays) => strays.p_value,
+            Self::Slow(..) => 1.0,
+        }
     }
 
     /// In words; `rmse` by output, SI.
@@ -99,6 +106,10 @@ impl Unlike {
                 outputs[*k].name,
                 shown(*k, s.size),
                 figure(s.at)
+            ),
+            Self::Strays(k, s) => format!(
+                "{} samples of “{}” stand apart from the noise of all others, far beyond what noise with heavy tails does: outliers, or something that acts now and then; look at what the model leaves over there",
+                s.count, outputs[*k].name
             ),
             Self::Slow(k, values) => format!(
                 "what the model leaves over of “{}”, {}, changes so slowly that the fitted part holds no more than {} independent values of it, and noise so slow cannot be told from something missing",
@@ -116,9 +127,8 @@ pub fn unlike_noise(bench: &Bench, fit: &Fit, held: &[Held]) -> Option<Unlike> {
         return None;
     }
     let outputs = fit.model.outputs.len();
-    let looked: Vec<(Option<LevelShift>, Option<f64>)> =
-        (0..outputs).map(|k| look(bench, fit, held, k)).collect();
-    let steps = looked.iter().enumerate().filter_map(|(k, l)| Some((k, l.0?)));
+    let looked: Vec<Looked> = (0..outputs).map(|k| look(bench, fit, held, k)).collect();
+    let steps = looked.iter().enumerate().filter_map(|(k, l)| Some((k, l.step?)));
     let surest = steps.min_by(|a, b| a.1.p_value.total_cmp(&b.1.p_value));
     if let Some((k, step)) = surest {
         // Every output was looked at twice: fitted and held out.
@@ -127,13 +137,30 @@ pub fn unlike_noise(bench: &Bench, fit: &Fit, held: &[Held]) -> Option<Unlike> {
             return Some(Unlike::Steps(k, LevelShift { p_value, ..step }));
         }
     }
-    let slow = looked.iter().enumerate().filter_map(|(k, l)| Some((k, l.1?)));
+    let strays = looked.iter().enumerate().filter_map(|(k, l)| Some((k, l.strays?)));
+    if let Some((k, strays)) = strays.min_by(|a, b| a.1.p_value.total_cmp(&b.1.p_value)) {
+        let p_value = (outputs as f64 * strays.p_value).min(1.0);
+        if p_value < SURE {
+            return Some(Unlike::Strays(k, Stray { p_value, ..strays }));
+        }
+    }
+    let slow = looked.iter().enumerate().filter_map(|(k, l)| Some((k, l.values?)));
     let slowest = slow.min_by(|a, b| a.1.total_cmp(&b.1));
     slowest.filter(|s| agree_by_luck(s.1 as usize)).map(|s| Unlike::Slow(s.0, s.1))
 }
 
-/// The plainest step of an output, and how many independent values its fitted part has.
-fn look(bench: &Bench, fit: &Fit, held: &[Held], k: usize) -> (Option<LevelShift>, Option<f64>) {
+/// What is seen of an output.
+#[derive(Default)]
+struct Looked {
+    /// Its plainest step.
+    step: Option<LevelShift>,
+    /// What of its fitted part stands apart.
+    strays: Option<Stray>,
+    /// How many independent values its fitted part has.
+    values: Option<f64>,
+}
+
+fn look(bench: &Bench, fit: &Fit, held: &[Held], k: usize) -> Looked {
     let series = fit.records.iter().flat_map(|r| &r.series).filter(|s| s.output == k);
     let own: Vec<Stretch> = series
         .flat_map(|s| joined(s.stretches.iter().map(|r| (&s.time[r.clone()], &s.residual[r.clone()]))))
@@ -141,16 +168,21 @@ fn look(bench: &Bench, fit: &Fit, held: &[Held], k: usize) -> (Option<LevelShift
     let samples: usize = own.iter().map(|s| s.residual.len()).sum();
     let floor = floor(bench, &fit.model.outputs[k].name);
     if samples < FEWEST || fit.rmse[k] <= floor {
-        return (None, None);
+        return Looked::default();
     }
     let views: Vec<&[f64]> = own.iter().map(|s| &s.residual[..]).collect();
     let noise = Autoregression::fit(&views, ORDER);
     let later = held.get(k).map_or_else(Vec::new, |h| {
         joined(h.time.iter().zip(&h.residual).map(|(time, residual)| (&time[..], &residual[..])))
     });
+    let strays = {
+        let innovations: Vec<f64> = own.iter().flat_map(|s| noise.whiten(&s.residual)).collect();
+        let deviation = robust_deviation(&innovations).max(floor / noise.innovation_variance().sqrt());
+        stray(&innovations, deviation)
+    };
     let steps = [own, later].into_iter().filter_map(|all| level_shift(&all, &noise, floor));
     let plainest = steps.min_by(|a, b| a.p_value.total_cmp(&b.p_value));
-    (plainest, Some(independent_values(&noise)))
+    Looked { step: plainest, strays, values: Some(independent_values(&noise)) }
 }
 
 /// Stretches, joined where next to nothing is missing between them: a sample that was masked hides no step.

@@ -32,6 +32,7 @@ mod response;
 mod rest;
 mod screen;
 mod search;
+mod stray;
 mod verdict;
 mod watch;
 mod words;

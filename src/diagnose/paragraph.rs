@@ -26,6 +26,8 @@ pub struct Paragraph<'a> {
     pub is_held_out: bool,
     /// Why what is left is no noise, where nothing else tells that something is missing.
     pub odd: Option<&'a str>,
+    /// Whether the search ended before it was through.
+    pub is_cut: bool,
     /// The law that is left, if one is.
     pub law: Option<&'a Law>,
 }
@@ -123,6 +125,9 @@ impl Paragraph<'_> {
         }
         match (list, law) {
             ("", None) => {
+                if self.is_cut {
+                    return "Something is missing; the search ended before it could say what. Give it more time.".into();
+                }
                 let nearest = self.found.first.screened.first().map_or_else(String::new, |s| {
                     format!(" Nearest in shape: {} at {}.", s.proposal.code, s.proposal.site.name)
                 });

@@ -75,7 +75,7 @@ impl Evidence<'_> {
 /// nobody can tell.
 pub fn with_noise(verdict: Verdict, unlike: Option<&Unlike>) -> Verdict {
     match (verdict, unlike) {
-        (Verdict::NothingMissing, Some(Unlike::Steps(..))) => Verdict::Unknown,
+        (Verdict::NothingMissing, Some(Unlike::Steps(..) | Unlike::Strays(..))) => Verdict::Unknown,
         (Verdict::NothingMissing, Some(Unlike::Slow(..))) => Verdict::NotIdentifiable,
         _ => verdict,
     }

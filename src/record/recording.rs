@@ -254,8 +254,13 @@ impl Recording {
         self.find(name).ok_or_else(|| {
             let names: Vec<&str> = self.channels.iter().map(|c| c.name.as_str()).collect();
             let meant = nearest(name, names.iter().copied()).map(|n| format!("did you mean `{n}`? "));
-            Error::bad_input(format!("the recording `{}` has no channel `{name}`", self.name))
-                .with_hint(format!("{}it has {}", meant.unwrap_or_default(), names.join(", ")))
+            let e = Error::bad_input(format!("the recording `{}` has no channel `{name}`", self.name));
+            match (names.is_empty(), meant) {
+                (true, _) => e,
+                (false, meant) => {
+                    e.with_hint(format!("{}it has {}", meant.unwrap_or_default(), names.join(", ")))
+                }
+            }
         })
     }
 

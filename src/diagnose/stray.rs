@@ -1,0 +1,92 @@
+//! Samples that stand apart from the rest of a noise.
+//!
+//! # Purpose
+//! A residual of small noise and a few wild samples is no noise of one kind, though it has no colour and no law.
+//!
+//! # Method
+//! Of the innovations beyond x robust deviations, those beyond 2x are counted. Least squares supposes a noise whose
+//! variance exists; the heaviest tail that just does not have one is that of Student's t with two degrees of freedom,
+//! of which a share q = P(|t| > 2x)/P(|t| > x) ≈ 1/4 lies beyond twice any far point. So many of so many by
+//! luck: the binomial distribution, times the number of points x that are tried.
+//!
+//! # References
+//! V. Barnett, T. Lewis, Outliers in Statistical Data, 3rd ed., Wiley 1994, chapter 6, on tests against heavy tails.
+//!
+//! # Numerical aspects
+//! The deviation never falls below the resolution of the channel or the error of the simulation.
+
+use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, StudentsT};
+
+/// Points tried, in robust deviations: beyond all that normal noise reaches in any recording.
+const BEYOND: [f64; 8] = [6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0];
+/// Φ⁻¹(3/4) and that of Student's t with two degrees of freedom, √(2/3): what both call a robust deviation.
+const MIDDLES: (f64, f64) = (0.674_489_750_196_081_7, 0.816_496_580_927_726);
+
+/// Samples that stand apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stray {
+    /// How many.
+    pub count: usize,
+    /// Chance of so many among innovations with heavy tails.
+    pub p_value: f64,
+}
+
+/// What of innovations stands apart, by their robust deviation.
+pub fn stray(innovations: &[f64], deviation: f64) -> Option<Stray> {
+    let tail = StudentsT::new(0.0, 1.0, 2.0).ok()?;
+    let beyond = |x: f64| innovations.iter().filter(|e| e.abs() > x * deviation).count();
+    let judged = BEYOND.iter().filter_map(|x| {
+        let (near, far) = (beyond(*x), beyond(2.0 * x));
+        // the same point of t₂
+        let at = x * MIDDLES.1 / MIDDLES.0;
+        let share = tail.sf(2.0 * at) / tail.sf(at);
+        let by_luck = Binomial::new(share, near as u64).ok()?;
+        // P(at least so many)
+        let p_value = if far == 0 { 1.0 } else { by_luck.sf(far as u64 - 1) };
+        Some(Stray { count: far, p_value: (BEYOND.len() as f64 * p_value).min(1.0) })
+    });
+    judged.min_by(|a, b| a.p_value.total_cmp(&b.p_value))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::choose::SURE;
+    use crate::estimate::noise::robust_deviation;
+    use rand::SeedableRng;
+    use rand_distr::{Distribution, Exp1, StandardNormal, StudentT};
+
+    fn draws(n: usize, seed: u64, law: impl Fn(&mut rand_chacha::ChaCha8Rng) -> f64) -> Vec<f64> {
+        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+        (0..n).map(|_| law(&mut rng)).collect()
+    }
+
+    fn is_seen(e: &[f64]) -> bool {
+        stray(e, robust_deviation(e)).is_some_and(|s| s.p_value < SURE)
+    }
+
+    #[test]
+    fn noise_with_heavy_tails_has_none() {
+        let mut seen = [0; 3];
+        for seed in 0..200 {
+            let heavy = StudentT::new(3.0).unwrap();
+            seen[0] += usize::from(is_seen(&draws(2000, seed, |r| StandardNormal.sample(r))));
+            seen[1] += usize::from(is_seen(&draws(2000, seed, |r| {
+                let (a, b): (f64, f64) = (Exp1.sample(r), Exp1.sample(r));
+                a - b
+            })));
+            seen[2] += usize::from(is_seen(&draws(2000, seed, |r| heavy.sample(r))));
+        }
+        assert!(seen.iter().all(|n| *n <= 1), "{seen:?} of 200 each");
+    }
+
+    #[test]
+    fn wild_samples_are_counted() {
+        for (count, size) in [(60, 150.0), (30, 50.0), (10, 20.0), (7, 200.0)] {
+            let mut e = draws(2000, 5, |r| StandardNormal.sample(r));
+            (0..count).for_each(|k| e[2000 / count * k + 3] += if k % 2 == 0 { size } else { -size });
+            let s = stray(&e, robust_deviation(&e)).unwrap();
+            assert!(s.p_value < SURE && s.count == count, "{count} of {size}: {s:?}");
+        }
+    }
+}
