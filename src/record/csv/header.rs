@@ -108,10 +108,11 @@ impl Header {
             (None, Ok(Some(own))) => own,
             (None, Err(e)) => return Err(e.with_line(1).with_column(cell.at + 1)),
             (None, Ok(None)) => {
+                let likely = if index == 0 { "s" } else { "deg" };
                 return Err(Error::bad_input(format!("column {} `{}` has no unit", index + 1, cell.name))
                     .with_column(cell.at + 1)
                     .with_hint(format!(
-                        "write it in the header as `{} [deg]` ([1] for none), or give units in a TOML recording",
+                        "write it in the header as `{} [{likely}]` ([1] for none), or give units in a TOML recording",
                         cell.name
                     )));
             }
