@@ -40,7 +40,7 @@ pub enum ErrorKind {
 /// assert_eq!(e.kind(), ErrorKind::BadInput);
 /// assert!(e.to_string().contains("give a0"));
 /// ```
-#[derive(Debug, Clone)]
+#[derive(Clone)]
 pub struct Error(Box<Inner>);
 
 #[derive(Debug, Clone)]
@@ -211,6 +211,13 @@ impl Error {
     /// What to do about it.
     pub fn hint(&self) -> Option<&str> {
         self.0.hint.as_deref()
+    }
+}
+
+/// What a program shows that ends with `fn main() -> gyrospec::Result<()>`: the text for people, hint included.
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -86,18 +86,19 @@ pub struct Readme;
 pub use error::{Error, ErrorKind, Result};
 pub use integral::crosscheck::{Crosscheck, crosscheck};
 pub use integral::{Estimate, Integral, Integrand, evaluate, evaluate_fast};
+pub use num_complex::Complex64;
 
 #[cfg(feature = "symbolic")]
 pub use symbolic::{Formula, FormulaRequest, Table, TableFormat, formula, print_tables};
 
 #[cfg(feature = "instruments")]
-pub use gyro::{Gyrosphere, Instrument, MonteCarlo, Motion};
+pub use gyro::{Axis, Gyrosphere, Instrument, MonteCarlo, Motion};
 #[cfg(feature = "instruments")]
 pub use lti::{StateSpace, TransferFunction};
 #[cfg(feature = "instruments")]
 pub use record::Recording;
 #[cfg(feature = "instruments")]
-pub use spectrum::Roll;
+pub use spectrum::{Hull, Roll, Sea};
 
 #[cfg(feature = "diagnose")]
 pub use diagnose::answer::{Finding, Proof, Verdict};
@@ -111,6 +112,6 @@ pub use facade::{
 #[cfg(feature = "diagnose")]
 pub use model::Model;
 #[cfg(feature = "diagnose")]
-pub use rolling::Compass;
+pub use rolling::{Against, Compass, Waves};
 #[cfg(any(feature = "symbolic", feature = "instruments"))]
 pub use units::Unit;

@@ -4,6 +4,7 @@ use crate::diagnose::Request;
 use crate::estimate::fit::{Progress, Silent};
 use crate::model::Model;
 use crate::record::{Recording, Source};
+use std::fmt;
 use std::marker::PhantomData;
 use std::time::Duration;
 
@@ -62,5 +63,11 @@ impl<'a, R> Asking<'a, R> {
     pub fn source(mut self, source: &'a Source) -> Self {
         self.request.source = Some(source);
         self
+    }
+}
+
+impl<R> fmt::Debug for Asking<'_, R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Asking").field("model", &self.request.model.name).finish_non_exhaustive()
     }
 }

@@ -7,6 +7,7 @@ use crate::model::Model;
 use crate::record::Recording;
 use crate::report::diagnosis;
 use crate::{Error, Result};
+use std::fmt;
 
 /// Asks what a model leaves out: fits it to recordings, locates the mismatch, names what was left out, and proves it
 /// on what was held out.
@@ -102,5 +103,11 @@ impl Diagnosed {
     /// All of the answer, as the JSON has it.
     pub fn answer(&self) -> &Answer {
         &self.0.answer
+    }
+}
+
+impl fmt::Debug for Diagnosed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Diagnosed").field("verdict", &self.verdict()).finish_non_exhaustive()
     }
 }

@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::report::fit::{FitReport, json, page, text};
 use crate::simulate::Budget;
+use std::fmt;
 use std::path::Path;
 
 /// Asks for a fit of a model's free parameters and initial states to recordings, by simulation.
@@ -172,5 +173,11 @@ impl Fitted<'_> {
             spectra: &self.spectra,
             seed: self.seed,
         }
+    }
+}
+
+impl fmt::Debug for Fitted<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Fitted").field("model", &self.fit.model.name).finish_non_exhaustive()
     }
 }

@@ -51,6 +51,19 @@ impl<'a> Rolling<'a> {
     }
 
     /// The motions of a ship in a sea.
+    ///
+    /// ```
+    /// use gyrospec::{Axis, Compass, Hull, Sea, Waves, roll_error};
+    /// let waves = Waves {
+    ///     sea: Sea::Jonswap { height: 3.0, peak: 0.8, gamma: 3.3 }, // m, rad/s
+    ///     from: 60f64.to_radians(),                                 // off the bow
+    ///     hull: Hull::default(),
+    ///     also: vec![Axis::Pitch],
+    /// };
+    /// let errors = roll_error(&Compass::paper()).sea(waves).headings(&[0.0, 0.8]).run()?;
+    /// assert_eq!(errors.rows().len(), 2);
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
     #[must_use]
     pub fn sea(self, waves: Waves) -> Self {
         self.moved_by(Source::Sea(waves))
@@ -107,6 +120,7 @@ impl<'a> Rolling<'a> {
 }
 
 /// Rolling errors, row by row; see [`roll_error`].
+#[derive(Debug, Clone)]
 pub struct Rolled {
     table: Table,
     seed: u64,
@@ -118,7 +132,8 @@ impl Rolled {
         &self.table.rows
     }
 
-    /// The mean error of a row, rad; + where the compass reads high.
+    /// The mean error of a row to trust, rad; + where the compass reads high. It is that of `row.error`, but where a
+    /// measured spectrum gives a surer one.
     pub fn mean(&self, row: &Row) -> f64 {
         self.table.mean(row)
     }

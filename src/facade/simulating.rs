@@ -57,6 +57,7 @@ impl Simulating<'_> {
 }
 
 /// A run of a model; see [`simulate`].
+#[derive(Debug, Clone)]
 pub struct Simulated {
     simulator: Simulator,
     ran: Trajectory,

@@ -21,7 +21,7 @@
 //! | `h` | a0 … an of (3.11) | any, s in rad/s |
 //! | `g` | b0 … b(n−1) of (3.11) | any |
 //! | `c` | C with G = C(s)C(−s), descending | any |
-//! | `condition` | Σ|x·∂I/∂x|/|I| over all coefficients x | 1 |
+//! | `condition` | Σ\|x·∂I/∂x\|/\|I\| over all coefficients x | 1 |
 
 mod adjoint;
 pub mod batch;

@@ -86,3 +86,20 @@ pub fn cross_moment(
     let CrossIntegral { h, g } = cross_integrand(shaping, first, second)?;
     integral::evaluate(&Integrand::new(&h, &g)?)
 }
+
+impl TransferFunction {
+    /// The variance of the answer to white noise of unit intensity, (1/2π)∫|W(jω)|² dω, with its bound.
+    ///
+    /// ```
+    /// use gyrospec::TransferFunction;
+    /// let lag = TransferFunction::new(&[1.0], &[2.0, 1.0])?;          // 1/(2 s + 1)
+    /// assert_eq!(lag.variance()?.value, 0.25);                        // 1/(2T)
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`integral::evaluate`]; where W has as many zeros as poles the variance is infinite.
+    pub fn variance(&self) -> Result<Integral> {
+        cross_moment(&Self::constant(1.0), self, self)
+    }
+}

@@ -93,8 +93,15 @@ impl Excitation {
             Source::Irregular(roll) => {
                 of(Motion::roll(&Roll::new(roll.variance, roll.decay, roll.frequency)?))
             }
+            Source::Regular(roll) if !(roll.amplitude > 0.0 && roll.frequency > 0.0) => {
+                return Err(Error::bad_input(format!(
+                    "regular roll has an amplitude and a frequency above 0, not {} rad and {} rad/s",
+                    roll.amplitude, roll.frequency
+                )));
+            }
             Source::Regular(roll) => ShipMotion { regular: Some(*roll), ..of(narrow(roll)?) },
             Source::Sea(waves) => {
+                range::SEA_FROM.check(waves.from)?;
                 let fit = rational(&waves.sea)?;
                 let motion = Motion::in_sea(&fit.shaping, &waves.responses()?)?;
                 ShipMotion { fit: Some(fit), ..of(motion) }

@@ -60,6 +60,9 @@ impl Request {
             Ok(Case { instrument, motion, sea, heading, value, height, measured: None })
         };
         match &self.against {
+            Against::Heading(headings) if headings.is_empty() => {
+                Err(Error::bad_input("no heading is asked for"))
+            }
             Against::Heading(headings) => headings.iter().map(|k| case(*k, None, k.to_degrees())).collect(),
             Against::Latitude { heading } => (0..=16)
                 .map(|k| {

@@ -285,11 +285,12 @@ pub struct Derived {
 /// Bad input for what is no integral of this kind; not computed, where a check fails.
 ///
 /// ```
-/// use gyrospec::expression::Expr;
-/// use gyrospec::symbolic::{Derivation, Simplifier, Source, formula};
-/// let source = Source::Ratio { h: Expr::parse("m*s^2 + r*s + c")?, g: Expr::parse("N")? };
-/// let derivation = Derivation { name: "x2".into(), source, times: Expr::parse("1")? };
-/// assert_eq!(formula(&derivation, &Simplifier::default())?.formula.text(), "x2 = N / (2 r c)");
+/// use gyrospec::{FormulaRequest, formula};
+/// // G(jω)/(H(jω)H(−jω)): white noise N through an oscillator; ω² in G is written −s^2
+/// let text = |t: &str| Some(t.to_owned());
+/// let request = FormulaRequest { h: text("m*s^2 + r*s + c"), g: text("N"), name: text("x2"), ..FormulaRequest::default() };
+/// let derived = formula(&request.derivation()?, &request.simplifier()?)?;
+/// assert_eq!(derived.formula.text(), "x2 = N / (2 r c)");
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn formula(derivation: &Derivation, simplifier: &Simplifier) -> Result<Derived> {
