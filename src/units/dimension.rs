@@ -120,6 +120,8 @@ impl Dimension {
     pub const NONE: Self = Self([Ratio::ZERO; 5]);
     /// Time.
     pub const TIME: Self = Self::base(2);
+    /// Temperature.
+    pub const TEMPERATURE: Self = Self::base(4);
 
     const fn base(i: usize) -> Self {
         let mut exponents = [Ratio::ZERO; 5];

@@ -332,3 +332,14 @@ fn values_are_given_where_h_is_stable() {
         assert!(text.contains(says), "{values}: {text}");
     }
 }
+
+#[test]
+fn an_odd_part_of_g_is_refused() {
+    for g in ["s", "s + N", "(s + N)^2"] {
+        let text = |t: &str| Some(t.to_owned());
+        let request = FormulaRequest { h: text("m*s^2 + r*s + c"), g: text(g), ..FormulaRequest::default() };
+        let derived = formula(&request.derivation().unwrap(), &request.simplifier().unwrap());
+        let e = derived.map(|d| d.formula.text()).unwrap_err();
+        assert!(e.kind() == gyrospec::ErrorKind::Usage && e.hint().is_some(), "{g}: {e}");
+    }
+}

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! # What else looks like this
-//! dry-friction where the load is constant; parameter-dependence of the friction.
+//! dry-friction where the load is constant (a temperature is no load); parameter-dependence of the friction.
 //!
 //! # Reference
 //! P. Hamon, M. Gautier, P. Garrec, Dynamic identification of robots with a dry friction model
@@ -21,6 +21,7 @@
 //! A crane's slewing ring whose friction follows the recorded load.
 
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, draft::POSITIVE};
+use crate::units::Dimension;
 
 /// Dry friction that grows with a load.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -32,7 +33,10 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    let loads: Vec<&Signal> = scene.moving(&[SignalKind::Input, SignalKind::Channel]).collect();
+    // a temperature presses nothing together
+    let presses = |s: &&Signal| s.unit.dimension() != Dimension::TEMPERATURE;
+    let loads: Vec<&Signal> =
+        scene.moving(&[SignalKind::Input, SignalKind::Channel]).filter(presses).collect();
     let motions = scene.motions();
     let pairs = motions.iter().flat_map(|m| loads.iter().map(move |load| (m, *load)));
     pairs.filter_map(|(m, load)| at(scene, m, load)).collect()

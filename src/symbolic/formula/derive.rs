@@ -27,7 +27,7 @@ pub enum Source {
     Ratio {
         /// H, all roots in the left half plane.
         h: Expr,
-        /// G; its odd part counts for nothing.
+        /// G, even in s.
         g: Expr,
     },
     /// The mean product of two signals.
@@ -76,6 +76,17 @@ impl Source {
         let (h, g, factor) = match self {
             Self::Ratio { h, g } => {
                 let (h, g) = (fraction(h)?, fraction(g)?);
+                let odd = |s: usize| {
+                    Ok::<_, Error>(
+                        g.numerator.coefficients(s)?.iter().skip(1).step_by(2).any(|c| !c.is_zero()),
+                    )
+                };
+                if laplace(alphabet).map_or(Ok(false), odd)? {
+                    return Err(Error::usage(
+                        "G has an odd part in s, which counts for nothing in the integral",
+                    )
+                    .with_hint("write G in even powers: G(jω) with ω² as -s^2"));
+                }
                 let scale = Fraction::whole(h.denominator.times(&h.denominator)?);
                 (h.numerator, g.numerator, scale.over(&Fraction::whole(g.denominator))?)
             }
