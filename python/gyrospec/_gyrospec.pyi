@@ -15,6 +15,7 @@ __all__ = [
     "Simulated",
     "Told",
     "diagnose",
+    "elastic_options",
     "fit",
     "integral",
     "integral_batch",
