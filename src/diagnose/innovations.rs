@@ -175,11 +175,8 @@ fn look(bench: &Bench, fit: &Fit, held: &[Held], k: usize) -> Looked {
     let later = held.get(k).map_or_else(Vec::new, |h| {
         joined(h.time.iter().zip(&h.residual).map(|(time, residual)| (&time[..], &residual[..])))
     });
-    let strays = {
-        let innovations: Vec<f64> = own.iter().flat_map(|s| noise.whiten(&s.residual)).collect();
-        let deviation = robust_deviation(&innovations).max(floor / noise.innovation_variance().sqrt());
-        stray(&innovations, deviation)
-    };
+    let (innovations, scale) = innovations(&own, &noise, floor);
+    let strays = stray(&innovations.concat(), scale);
     let steps = [own, later].into_iter().filter_map(|all| level_shift(&all, &noise, floor));
     let plainest = steps.min_by(|a, b| a.p_value.total_cmp(&b.p_value));
     Looked { step: plainest, strays, values: Some(independent_values(&noise)) }
@@ -216,15 +213,21 @@ fn independent_values(noise: &Autoregression) -> f64 {
     noise.samples() as f64 * noise.variance() / noise.density(0.0)
 }
 
+/// The innovations of each stretch, and their robust deviation, no finer than `floor`, SI.
+fn innovations(stretches: &[Stretch], noise: &Autoregression, floor: f64) -> (Vec<Vec<f64>>, f64) {
+    let each: Vec<Vec<f64>> = stretches.iter().map(|s| noise.whiten(&s.residual)).collect();
+    let scale = robust_deviation(&each.concat()).max(floor / noise.innovation_variance().sqrt());
+    (each, scale)
+}
+
 /// The plainest step of the level of a residual, whose innovations are no finer than `floor`, SI.
 pub fn level_shift(stretches: &[Stretch], noise: &Autoregression, floor: f64) -> Option<LevelShift> {
-    let innovations: Vec<Vec<f64>> = stretches.iter().map(|s| noise.whiten(&s.residual)).collect();
+    let (innovations, scale) = innovations(stretches, noise, floor);
     let all = innovations.concat();
     if all.len() < FEWEST || all.iter().any(|e| !e.is_finite()) {
         return None;
     }
     let deviation = noise.innovation_variance().sqrt();
-    let scale = robust_deviation(&all).max(floor / deviation);
     let (outlier, step) = filters(noise);
     let mut plainest: Option<(f64, LevelShift)> = None;
     for (stretch, e) in stretches.iter().zip(&innovations) {
