@@ -12,6 +12,6 @@ fn main() -> Result<()> {
     }
     let model = Model::read("examples/clinometer.toml")?;
     let found = diagnose(&model, &[Recording::read("examples/clinometer.csv")?]).run()?;
-    println!("{}", found.says());
+    println!("{}", found.summary());
     Ok(())
 }

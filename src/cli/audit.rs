@@ -92,8 +92,8 @@ pub fn run(call: &Audit) -> Result<Outcome> {
 fn text(title: &str, examined: &[Examined]) -> String {
     let mut text = if title.is_empty() { String::new() } else { format!("{title}\n\n") };
     for one in examined {
-        let says = if one.says.is_empty() { String::new() } else { format!(": {}", one.says) };
-        let _ = writeln!(text, "{}{says}", one.name);
+        let message = if one.message.is_empty() { String::new() } else { format!(": {}", one.message) };
+        let _ = writeln!(text, "{}{message}", one.name);
         let _ = writeln!(text, "  printed     {}", one.printed);
         if let Some(right) = &one.right {
             let _ = writeln!(text, "  right       {right}");
@@ -103,8 +103,8 @@ fn text(title: &str, examined: &[Examined]) -> String {
         }
         for check in &one.checks {
             let mark = if check.holds { "ok" } else { "WRONG" };
-            let says = check.says.replace('\n', "\n                    ");
-            let _ = writeln!(text, "  {:<11} {mark:<5} {says}", check.kind.name());
+            let message = check.message.replace('\n', "\n                    ");
+            let _ = writeln!(text, "  {:<11} {mark:<5} {message}", check.kind.name());
         }
         text.push('\n');
     }
@@ -122,14 +122,14 @@ fn json(title: &str, examined: &[Examined]) -> String {
                     serde_json::json!({
                         "kind": check.kind.name(),
                         "holds": check.holds,
-                        "says": check.says,
+                        "says": check.message,
                         "ratio": check.ratio.filter(|ratio| ratio.is_finite()),
                     })
                 })
                 .collect();
             serde_json::json!({
                 "name": one.name,
-                "says": one.says,
+                "says": one.message,
                 "printed": one.printed,
                 "right": one.right,
                 "holds": one.checked().then(|| one.holds()),

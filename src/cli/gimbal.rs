@@ -217,7 +217,7 @@ fn json(given: &Given, corner: f64) -> Result<String> {
             "base_passed": noise.base_passed, "base_folded": noise.base_folded,
         },
         "validity": g.smallness(&given.noise, LARGEST_RATE)?.iter().map(|s| serde_json::json!({
-            "figure": s.figure, "says": s.says, "value": s.value, "limit": s.limit, "unit": s.unit, "holds": s.holds(),
+            "figure": s.figure, "says": s.message, "value": s.value, "limit": s.limit, "unit": s.unit, "holds": s.holds(),
         })).collect::<Vec<_>>(),
     });
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;

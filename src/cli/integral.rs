@@ -234,7 +234,7 @@ fn batch(path: &Path, check: bool) -> Result<Outcome> {
         if block.is_empty() {
             return Ok(Outcome::Done);
         }
-        Meter.says(&format!("integrating, {} read", counted(number, "line")), None);
+        Meter.report(&format!("integrating, {} read", counted(number, "line")), None);
         let answers: Vec<String> =
             block.par_iter().map(|(number, line)| answer_line(*number, line, check).line()).collect();
         let write =

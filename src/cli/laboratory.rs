@@ -65,12 +65,12 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let made = if call.cases == 1 { "1 recording".to_string() } else { format!("{} recordings", call.cases) };
     words(&format!("{made} made; the truth is sealed, SHA-256 {seal}\n\n"))?;
     drop(cases);
-    Meter.says("diagnosing", Some(0.0));
+    Meter.report("diagnosing", Some(0.0));
     let ended = AtomicUsize::new(0);
     let examine = |number: usize| {
         let answer = laboratory::examine(folder, number, call.seed);
         let ended = 1 + ended.fetch_add(1, Ordering::Relaxed);
-        Meter.says("diagnosing", Some(ended as f64 / call.cases as f64));
+        Meter.report("diagnosing", Some(ended as f64 / call.cases as f64));
         answer.map_err(|e| warn(&format!("case {number}: {e}"))).ok()
     };
     let answers: Vec<Option<Answer>> = (0..call.cases).into_par_iter().with_max_len(1).map(examine).collect();

@@ -50,10 +50,10 @@ impl Board {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn says(&self, what: &str, share: Option<f64>) {
+    fn report(&self, stage: &str, share: Option<f64>) {
         let share = share.map(|s| format!(" ({:.0} %)", 100.0 * s)).unwrap_or_default();
         let mut state = self.state();
-        state.doing = in_line(what).into_owned() + &share;
+        state.doing = in_line(stage).into_owned() + &share;
         state.rests = false;
     }
 
@@ -92,7 +92,7 @@ pub fn watch(doing: &str) -> Watch {
     if std::env::var_os("GYROSPEC_PROGRESS").is_some_and(|v| v == "never") {
         return Watch(None);
     }
-    BOARD.says(doing, None);
+    BOARD.report(doing, None);
     let look = || {
         if std::io::stderr().is_terminal() {
             BOARD.watch(ON_A_TERMINAL, move_the_line);
@@ -143,8 +143,8 @@ pub fn rest() {
 pub struct Meter;
 
 impl Progress for Meter {
-    fn says(&self, what: &str, share: Option<f64>) {
-        BOARD.says(what, share);
+    fn report(&self, stage: &str, share: Option<f64>) {
+        BOARD.report(stage, share);
     }
 }
 
@@ -160,7 +160,7 @@ mod tests {
         std::thread::scope(|scope| {
             let always = Pace { first: Duration::ZERO, every: Duration::ZERO };
             scope.spawn(move || board.watch(always, move |doing, _| drop(line.send(doing.to_owned()))));
-            board.says("fitting\u{1b}[2J", Some(0.4));
+            board.report("fitting\u{1b}[2J", Some(0.4));
             let same = told.iter().filter(|l| l == "fitting\\u{1b}[2J (40 %)").take(3);
             assert_eq!(same.count(), 3);
             board.end();

@@ -358,7 +358,7 @@ impl Assembly<'_> {
     /// What a reader should know: what was not compared, what ended at a bound, what was left unfinished.
     fn notes(&self, held_out: usize) -> Vec<String> {
         let fits = [&self.found.base, &self.found.last];
-        let warnings = fits.into_iter().flat_map(|f| f.warnings.iter().map(|w| w.says.clone()));
+        let warnings = fits.into_iter().flat_map(|f| f.warnings.iter().map(|w| w.message.clone()));
         let mut all: Vec<String> = self.ended_early.map(unfinished).into_iter().collect();
         if self.is_left && held_out == 0 {
             all.push(NOT_HELD_OUT.into());

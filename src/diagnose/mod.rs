@@ -92,7 +92,7 @@ pub struct Diagnosis {
 /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated or fitted at all.
 pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     setup::keep_apart(request.model, request.recordings, request.separate)?;
-    request.progress.says("looking for faults in the data", None);
+    request.progress.report("looking for faults in the data", None);
     let Cleaned { spoiled, told, recordings, separate } = faults::clean(request);
     let (left, recordings, separate) = Left::of(request, recordings, separate);
     let asked = Request { model: &left.model, ..*request };
@@ -121,7 +121,7 @@ impl Case<'_> {
     /// The diagnosis; where nothing is left to compare, no law is looked for.
     fn diagnosed(mut self, is_left: bool) -> Result<Diagnosis> {
         let (model, progress) = (self.request.model, self.request.progress);
-        progress.says("fitting the model as it stands", None);
+        progress.report("fitting the model as it stands", None);
         let base = self.bench.full_fit(model)?;
         self.bench.budget.tell(base.ended_early);
         let few = is_left.then(|| few::too_few(&self.bench, &base, self.spoiled_samples())).flatten();
@@ -139,7 +139,7 @@ impl Case<'_> {
             open |=
                 faults::coarse(model, &self.bench.recordings, &found.base.rmse).len() == model.outputs.len();
         }
-        progress.says("running what was held out", None);
+        progress.report("running what was held out", None);
         for fit in [&mut found.base, &mut found.last] {
             if self.bench.budget.cut() != Some(Early::Time) {
                 self.bench.ascertain(fit)?;

@@ -201,7 +201,7 @@ pub fn search(
     let mut given = given.to_vec();
     let mut view = patiently(bench, || View::of(bench, &base))?;
     loop {
-        progress.says(&format!("trying the catalogue, {} found", taken.len()), None);
+        progress.report(&format!("trying the catalogue, {} found", taken.len()), None);
         let scale = Scale::of(&current, bench.is_trials());
         let now = Measure::of(&current, &scale);
         let mut round = patiently(bench, || {

@@ -52,7 +52,7 @@ impl Diagnosed {
     }
 
     /// The verdict and its reasons in a paragraph.
-    pub fn says(&self) -> &str {
+    pub fn summary(&self) -> &str {
         &self.0.answer.says
     }
 

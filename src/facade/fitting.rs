@@ -142,7 +142,7 @@ impl Fitted<'_> {
 
     /// What should be known about the fit though it went on.
     pub fn warnings(&self) -> impl Iterator<Item = &str> {
-        self.fit.warnings.iter().map(|w| w.says.as_str())
+        self.fit.warnings.iter().map(|w| w.message.as_str())
     }
 
     /// The fit in words and a table.

@@ -32,7 +32,7 @@ pub struct Smallness {
     /// Its name in a report: `mean`, `spread`, `roll`, `acceleration`, `shift`, `latitude` or `steepness`.
     pub figure: &'static str,
     /// What it is, in words.
-    pub says: &'static str,
+    pub message: &'static str,
     /// Its size, in `unit`; infinite where the motion gives it no end.
     pub value: f64,
     /// Up to where the theory holds.
@@ -56,7 +56,7 @@ impl Smallness {
     pub fn told(&self) -> String {
         let unit = if self.unit == "deg" { "°" } else { "" };
         let (value, limit) = (significant(self.value, 3), figure(self.limit));
-        format!("{} {value}{unit} (it holds to {limit}{unit})", self.says)
+        format!("{} {value}{unit} (it holds to {limit}{unit})", self.message)
     }
 }
 
@@ -81,7 +81,7 @@ const HIGHEST: f64 = 0.142;
 pub fn steepness(sea: &Sea) -> Smallness {
     Smallness {
         figure: "steepness",
-        says: "height of the waves against their length, which break beyond Michell's limit,",
+        message: "height of the waves against their length, which break beyond Michell's limit,",
         value: sea.steepness(),
         limit: HIGHEST,
         unit: "1",
@@ -138,8 +138,9 @@ impl Instrument {
         let (roll, acceleration) = swing(motion, self.sphere.lever, regular)?;
         let s = &self.sphere;
         let arm = s.pendulous / s.weight;
-        let degrees = |figure, says, value: f64, limit| Smallness { figure, says, value, limit, unit: "deg" };
-        let ratio = |figure, says, value| Smallness { figure, says, value, limit: RATIO, unit: "1" };
+        let degrees =
+            |figure, message, value: f64, limit| Smallness { figure, message, value, limit, unit: "deg" };
+        let ratio = |figure, message, value| Smallness { figure, message, value, limit: RATIO, unit: "1" };
         Ok(vec![
             degrees("mean", "mean error", error.mean().to_degrees(), MEAN),
             degrees("spread", "swing of the error", error.deviation.to_degrees(), MEAN),

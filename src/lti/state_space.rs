@@ -49,9 +49,14 @@ impl StateSpace {
     pub fn from_rows(a: &[Vec<f64>], b: &[Vec<f64>], c: &[Vec<f64>], d: &[Vec<f64>]) -> Result<Self> {
         let [a, b, c, d] = [a, b, c, d].map(|rows| {
             let width = rows.first().map_or(0, Vec::len);
-            let even = rows.iter().all(|row| row.len() == width);
-            even.then(|| Mat::from_fn(rows.len(), width, |i, j| rows[i][j]))
-                .ok_or_else(|| Error::bad_input("the rows of a matrix differ in length"))
+            match rows.iter().position(|row| row.len() != width) {
+                None => Ok(Mat::from_fn(rows.len(), width, |i, j| rows[i][j])),
+                Some(odd) => Err(Error::bad_input(format!(
+                    "row {} of a matrix has {} numbers, its first {width}",
+                    odd + 1,
+                    rows[odd].len()
+                ))),
+            }
         });
         Self::new(a?, b?, c?, d?)
     }
@@ -68,7 +73,15 @@ impl StateSpace {
             && d.nrows() == c.nrows()
             && d.ncols() == b.ncols();
         if !fits {
-            return Err(Error::bad_input("the matrices of a state space do not fit together"));
+            let size = |m: &Mat<f64>| format!("{} × {}", m.nrows(), m.ncols());
+            return Err(Error::bad_input(format!(
+                "the matrices of a state space do not fit together: A is {}, B {}, C {}, D {}",
+                size(&a),
+                size(&b),
+                size(&c),
+                size(&d)
+            ))
+            .with_hint("of n states, m inputs and k outputs, A is n × n, B n × m, C k × n, D k × m"));
         }
         let finite = |m: &Mat<f64>| m.col_iter().all(|col| col.iter().all(|v| v.is_finite()));
         if ![&a, &b, &c, &d].into_iter().all(finite) {
@@ -116,7 +129,8 @@ impl StateSpace {
     /// `BadInput` when the numbers of signals differ.
     pub fn then(&self, next: &Self) -> Result<Self> {
         if self.outputs() != next.inputs() {
-            return Err(Error::bad_input("one system's outputs are not the other's inputs"));
+            let (given, taken) = (self.outputs(), next.inputs());
+            return Err(Error::bad_input(format!("{given} outputs cannot drive {taken} inputs")));
         }
         let (n, m) = (self.order(), next.order());
         let (bc, bd) = (&next.b * &self.c, &next.b * &self.d);

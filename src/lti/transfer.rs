@@ -36,7 +36,9 @@ impl TransferFunction {
             return Err(Error::bad_input("the denominator of a transfer function is zero"));
         }
         if numerator.len() > denominator.len() {
-            return Err(Error::bad_input("a transfer function has more zeros than poles"));
+            let (zeros, poles) = (numerator.len() - 1, denominator.len() - 1);
+            let text = format!("a transfer function has more zeros ({zeros}) than poles ({poles})");
+            return Err(Error::bad_input(text).with_hint("coefficients stand from the highest power of s down"));
         }
         Ok(Self { numerator, denominator })
     }

@@ -312,8 +312,8 @@ impl File<'_> {
         for span in recording.spans.fit.iter().chain(&recording.spans.holdout) {
             let empty = recording.channels.iter().all(|c| !c.time.iter().any(|t| span.contains(*t)));
             if empty {
-                let says = format!("no sample lies in the span from {} to {}", span.from, span.to);
-                recording.notes.push(Note { file: self.path.to_owned(), line: None, says });
+                let message = format!("no sample lies in the span from {} to {}", span.from, span.to);
+                recording.notes.push(Note { file: self.path.to_owned(), line: None, message });
             }
         }
     }

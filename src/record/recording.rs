@@ -161,7 +161,7 @@ pub struct Note {
     /// The first line that it is about, counted from 1.
     pub line: Option<usize>,
     /// What was noticed, in a sentence.
-    pub says: String,
+    pub message: String,
 }
 
 impl fmt::Display for Note {
@@ -170,7 +170,7 @@ impl fmt::Display for Note {
         if let Some(line) = self.line {
             write!(f, "{line}:")?;
         }
-        write!(f, " {}", self.says)
+        write!(f, " {}", self.message)
     }
 }
 

@@ -289,5 +289,5 @@ pub fn unseen(directions: &[Direction], determined: &[Combination]) -> String {
 }
 
 fn warnings(fit: &Fit) -> String {
-    fit.warnings.iter().map(|w| format!("<p>{}</p>", escaped(&w.says))).collect()
+    fit.warnings.iter().map(|w| format!("<p>{}</p>", escaped(&w.message))).collect()
 }

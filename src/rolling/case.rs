@@ -92,7 +92,7 @@ impl Moments {
         let count = distinct.len() as f64;
         let moment = |(i, case): (usize, &&Case)| {
             let told =
-                |share: f64| progress.says("following the part in time", Some((i as f64 + share) / count));
+                |share: f64| progress.report("following the part in time", Some((i as f64 + share) / count));
             told(0.0);
             Ok((case.key(), case.instrument.moment_with(&case.motion.motion, case.heading, &told)?))
         };

@@ -125,7 +125,7 @@ fn rows(cases: &[Case], days: Option<Days>, progress: &dyn Progress) -> Result<V
     let row = |case: &Case| {
         let row = case.row(days, &moments)?;
         let share = (1 + done.fetch_add(1, Ordering::Relaxed)) as f64 / cases.len() as f64;
-        progress.says("rows of the table", Some(share));
+        progress.report("rows of the table", Some(share));
         Ok(row)
     };
     cases.par_iter().map(row).collect()

@@ -98,7 +98,10 @@ impl Sea {
     pub fn check(&self) -> Result<()> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
         if !positive(self.height()) || !positive(self.peak()) {
-            return Err(Error::bad_input("a sea needs a positive height and a positive period"));
+            let (height, peak) = (self.height(), self.peak());
+            return Err(Error::bad_input(format!(
+                "a sea needs a positive height and a positive peak, not {height} m and {peak} rad/s"
+            )));
         }
         match *self {
             Self::Jonswap { gamma, .. } if !(1.0..=20.0).contains(&gamma) => {

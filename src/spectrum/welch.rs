@@ -61,7 +61,9 @@ impl MeasuredSpectrum {
 /// positive.
 pub fn welch(values: &[f64], step: f64, length: usize) -> Result<MeasuredSpectrum> {
     if !(step.is_finite() && step > 0.0) || length < 8 {
-        return Err(Error::bad_input("a spectrum needs a positive step and segments of at least 8 samples"));
+        return Err(Error::bad_input(format!(
+            "a spectrum needs a positive step and segments of at least 8 samples, not {step} s and {length}"
+        )));
     }
     let window: Vec<f64> =
         (0..length).map(|k| 0.5 - 0.5 * (TAU * (k as f64 + 0.5) / length as f64).cos()).collect();

@@ -50,9 +50,9 @@ fn every_slip_of_the_papers_is_found_and_placed() {
         ("gimbal (1), line 2", CheckKind::Value, "printed Ψ_d, must be Ψ_dd"),
     ] {
         let found = check(&examined, name, kind);
-        assert!(!found.holds, "{name}: {}", found.says);
-        let text = found.says.replace("θ_dd", "theta_dd");
-        assert!(text.contains(says), "{name}: {}", found.says);
+        assert!(!found.holds, "{name}: {}", found.message);
+        let text = found.message.replace("θ_dd", "theta_dd");
+        assert!(text.contains(says), "{name}: {}", found.message);
     }
 }
 
@@ -72,7 +72,7 @@ fn the_constant_is_recognised() {
             "relations = ['c^2 = a^2 + d^2']\n[[formulas]]\nname = 'x'\nprinted = '{printed}'\nright = '{right}'\n"
         );
         let examined = audit(&AuditRequest::parse(&request).unwrap()).unwrap();
-        examined[0].checks[0].says.clone()
+        examined[0].checks[0].message.clone()
     };
     for (printed, right, says) in [
         ("a*sin(K)*3", "a*sin(K)", "1/3"),
@@ -163,7 +163,7 @@ fn limits_are_judged_by_the_difference() {
         let found = first(&format!(
             "printed = '{printed}'\n[[formulas.limits]]\nsymbol = '{symbol}'\nto = {to}\nbecomes = '{becomes}'\n"
         ));
-        assert!(found.holds == holds && found.says.contains(says), "{printed}: {}", found.says);
+        assert!(found.holds == holds && found.message.contains(says), "{printed}: {}", found.message);
     }
 }
 
@@ -181,6 +181,6 @@ fn what_is_equal_by_identities_or_up_to_a_factor_of_an_equation_passes() {
         ("x", "0", false, "must be 0"),
     ] {
         let found = first(&format!("printed = '{printed}'\nright = '{right}'\n"));
-        assert!(found.holds == holds && found.says.contains(says), "{printed}: {}", found.says);
+        assert!(found.holds == holds && found.message.contains(says), "{printed}: {}", found.message);
     }
 }

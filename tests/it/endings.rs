@@ -69,15 +69,15 @@ fn a_whole_file_without_a_last_line_end_reads() {
     ] {
         let r = read("a.csv", format!("t [s],x [m]\n{rows}")).unwrap();
         assert_eq!(r.channels[0].values.last(), Some(&last), "{rows}");
-        assert!(r.notes.iter().any(|n| n.says.contains("no line end")), "{rows}");
+        assert!(r.notes.iter().any(|n| n.message.contains("no line end")), "{rows}");
     }
     // a gap where there were gaps before
     assert!(values("t [s],x [m]\n0,1.5\n1,\n2,2.5\n3,").last().unwrap().is_nan());
     // integers of any width may be whole: it is said
     let r = read("a.csv", "t [s],x [m]\n0,1012\n1,1013\n2,10").unwrap();
-    assert!(r.notes[0].says.contains("`10`, has fewer digits"), "{}", r.notes[0]);
+    assert!(r.notes[0].message.contains("`10`, has fewer digits"), "{}", r.notes[0]);
     let r = read("a.csv", "t [s],x [m]\n0,8\n1,11\n2,9").unwrap();
-    assert!(!r.notes[0].says.contains("fewer digits"), "{}", r.notes[0]);
+    assert!(!r.notes[0].message.contains("fewer digits"), "{}", r.notes[0]);
 }
 
 /// The shape of the lines above is known wherever the blocks of a long file end.
@@ -171,13 +171,13 @@ fn gzip_reads_all_members_and_tells_what_follows_them() {
     for more in [&b"3,4.5\n"[..], b"\x1f", b"\0\0x"] {
         let r = read("a.csv.gz", [&both[..], more].concat()).unwrap();
         assert_eq!(r.channels[0].len(), 3);
-        let says = &r.notes[0].says;
+        let says = &r.notes[0].message;
         assert!(says.contains(&format!("{} bytes follow", more.len())), "{says}");
     }
     for cut in 2..both.len() {
         match read("a.csv.gz", &both[..cut]) {
             // Behind a whole member: it ends in mid-line, or one byte of what would be the next one follows.
-            Ok(r) => assert!(r.notes.iter().any(|n| n.says.contains("no line end")), "{cut}"),
+            Ok(r) => assert!(r.notes.iter().any(|n| n.message.contains("no line end")), "{cut}"),
             Err(e) => assert!(e.to_string().contains("cut short") && e.line().is_some(), "{cut}: {e}"),
         }
     }
@@ -209,11 +209,11 @@ fn a_leap_second_is_a_second() {
         read("a.nmea", "2018-06-30T23:59:60Z $HEHDT,092.34,T*13\n2018-07-01T00:00:00Z $HEHDT,092.34,T*13\n")
             .unwrap();
     assert_eq!(r.channels[0].len(), 1);
-    assert!(r.notes[0].says.contains("1 of 2 lines have no time stamp"), "{}", r.notes[0]);
-    assert!(r.notes[0].says.contains("there was no leap second then"), "{}", r.notes[0]);
+    assert!(r.notes[0].message.contains("1 of 2 lines have no time stamp"), "{}", r.notes[0]);
+    assert!(r.notes[0].message.contains("there was no leap second then"), "{}", r.notes[0]);
     let lost = "2017-02-29T00:00:00Z $HEHDT,092.34,T*13\n2017-03-01T00:00:00Z $HEHDT,092.34,T*13\n";
     let r = read("a.nmea", lost).unwrap();
-    assert!(r.notes[0].says.contains("month 2 of 2017 has 28 days"), "{}", r.notes[0]);
+    assert!(r.notes[0].message.contains("month 2 of 2017 has 28 days"), "{}", r.notes[0]);
     let zero =
         "[[tables]]\nfile = \"a.nmea\"\nformat = \"nmea0183\"\ntime = { start = \"2017-02-29T00:00:00Z\" }\n";
     let e = read("a.toml", zero).unwrap_err();

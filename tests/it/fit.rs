@@ -145,15 +145,25 @@ fn what_is_not_seen_is_named_and_what_presses_on_a_bound_is_said() {
     assert!(fitted.unseen.len() == 1 && names.contains(&"k") && names.contains(&"g"), "{names:?}");
     assert!((value(&fitted, "k").0 * value(&fitted, "g").0 - 3.0).abs() < 0.05);
     assert_eq!(fitted.parameters[2].status, Status::AtBound(Side::Lower));
-    let said =
-        fitted.warnings.iter().find(|w| w.says.contains("b is pressed against its lower bound 0")).unwrap();
-    assert!(said.says.contains("ask for none of it") && !said.says.contains("widen"), "{}", said.says);
+    let said = fitted
+        .warnings
+        .iter()
+        .find(|w| w.message.contains("b is pressed against its lower bound 0"))
+        .unwrap();
+    assert!(
+        said.message.contains("ask for none of it") && !said.message.contains("widen"),
+        "{}",
+        said.message
+    );
     // a bound that is no 0 may be too narrow
     let other = Model::parse(&model.to_toml().replace("min = 0.0", "min = 0.5"));
     let fitted = fit(&other.unwrap(), &[recording], &FitOptions::default()).unwrap();
-    let said =
-        fitted.warnings.iter().find(|w| w.says.contains("b is pressed against its lower bound 0.5")).unwrap();
-    assert!(said.says.contains("widen the bound"), "{}", said.says);
+    let said = fitted
+        .warnings
+        .iter()
+        .find(|w| w.message.contains("b is pressed against its lower bound 0.5"))
+        .unwrap();
+    assert!(said.message.contains("widen the bound"), "{}", said.message);
 }
 
 #[test]
@@ -188,7 +198,7 @@ fn a_short_recording_and_a_start_that_blows_up_are_warned_of() {
     let recording = decay("short", (0.12, 0.01, 1.0), &noise(400, 1e-4, 0.0, 7));
     let fitted = fit(&slow, &[recording], &FitOptions::default()).unwrap();
     assert!(
-        fitted.warnings.iter().any(|w| w.says.contains("longest time constant")),
+        fitted.warnings.iter().any(|w| w.message.contains("longest time constant")),
         "{:?}",
         fitted.warnings
     );
@@ -210,7 +220,11 @@ fn a_short_recording_and_a_start_that_blows_up_are_warned_of() {
         Recording::from_channels("dying", vec![Channel::new("place", unit("m"), time, values)]).unwrap();
     let fitted = fit(&wild, &[dying], &FitOptions::default()).unwrap();
     assert!((value(&fitted, "r").0 + 0.1).abs() < 1e-4);
-    assert!(fitted.warnings.iter().any(|w| w.says.contains("does not stay finite")), "{:?}", fitted.warnings);
+    assert!(
+        fitted.warnings.iter().any(|w| w.message.contains("does not stay finite")),
+        "{:?}",
+        fitted.warnings
+    );
 }
 
 #[test]
@@ -286,7 +300,7 @@ fn a_gap_in_an_input_spoils_nothing_but_itself() {
         let (value, low, high) = value(&fitted, name);
         assert!((value - truth).abs() < 2.0 * (high - low) && high - low < 0.01, "{name}: {low} to {high}");
     }
-    assert!(fitted.warnings.iter().any(|w| w.says.contains("too soon after")), "{:?}", fitted.warnings);
+    assert!(fitted.warnings.iter().any(|w| w.message.contains("too soon after")), "{:?}", fitted.warnings);
 }
 
 #[test]
@@ -299,7 +313,7 @@ fn as_many_unknowns_as_samples_have_no_interval() {
     let fitted = fit(&Model::parse(LAG).unwrap(), &[recording], &FitOptions::default()).unwrap();
     assert!(value(&fitted, "k").1.is_nan());
     assert!(
-        fitted.warnings.iter().any(|w| w.says.contains("3 samples for 3 unknowns")),
+        fitted.warnings.iter().any(|w| w.message.contains("3 samples for 3 unknowns")),
         "{:?}",
         fitted.warnings
     );

@@ -119,6 +119,6 @@ fn an_even_effect_that_is_truly_absent_rests_at_its_bound_without_a_call_for_a_w
     let t = "T = { value = 1, unit = \"1\", fit = true, min = 0 }";
     let found = fitted(t, "1/(1 + u^2*T^2)", curve(|u| 1.0 + 0.01 * u * u));
     assert_eq!(found.parameters[0].status, Status::AtBound(Side::Lower));
-    assert!(found.warnings.iter().all(|w| !w.says.contains("widen")), "{:?}", found.warnings);
-    assert!(found.warnings.iter().any(|w| w.says.contains("T rests at its lower bound 0")));
+    assert!(found.warnings.iter().all(|w| !w.message.contains("widen")), "{:?}", found.warnings);
+    assert!(found.warnings.iter().any(|w| w.message.contains("T rests at its lower bound 0")));
 }

@@ -81,7 +81,7 @@ fn how_far_parameters_may_go_is_not_looked_for_beyond_the_time() {
         let mut late = plain.clone();
         ascertain(&mut late, &recordings, &FitOptions { budget, ..options.clone() }).unwrap();
         assert_eq!(late.ended_early, Some(Early::Time), "{micros}");
-        assert!(late.warnings.iter().any(|w| w.says.contains("may be far too narrow")), "{micros}");
+        assert!(late.warnings.iter().any(|w| w.message.contains("may be far too narrow")), "{micros}");
         assert!(bounds(&late) == bounds(&plain) && late.determined.is_empty(), "{micros}");
     }
 }

@@ -23,7 +23,7 @@ struct Listener(Arc<AtomicBool>);
 struct Abandoned;
 
 impl Progress for Listener {
-    fn says(&self, _what: &str, _share: Option<f64>) {
+    fn report(&self, _stage: &str, _share: Option<f64>) {
         if self.0.load(Ordering::Relaxed) {
             resume_unwind(Box::new(Abandoned));
         }

@@ -9,7 +9,7 @@ pub(crate) mod edit;
 mod scene;
 
 pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind};
-pub use scene::{Lag, Motion, Scene, Signal, SignalKind};
+pub use scene::{MasslessLag, Motion, Scene, Signal, SignalKind};
 
 use crate::error::nearest;
 use crate::{Error, Result};

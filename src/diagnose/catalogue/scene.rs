@@ -250,7 +250,7 @@ impl Scene<'_> {
     }
 
     /// A draft in a table of trials whose model has a lag factor 1 + w²T², with what it consists of.
-    pub fn richer_lag(&self, code: &'static str) -> Option<(Draft<'_>, Lag)> {
+    pub fn richer_lag(&self, code: &'static str) -> Option<(Draft<'_>, MasslessLag)> {
         let output = self.model.outputs.first().filter(|_| self.trials)?;
         let is_frequency = |name: &str| {
             let input = self.model.inputs.iter().find(|i| i.name == name);
@@ -269,7 +269,7 @@ impl Scene<'_> {
         let amplitude = self.model.inputs.iter().find(|i| {
             i.name != frequency.name && edit::find(&output.equals, &|e| squared(e, &i.name)).is_some()
         });
-        let lag = Lag {
+        let lag = MasslessLag {
             square: format!("({square})"),
             frequency: frequency.name.clone(),
             amplitude: amplitude.map(|a| a.name.clone()),
@@ -280,7 +280,7 @@ impl Scene<'_> {
 
 /// The factor 1 + w²T² of a massless lag in a formula for steady trials.
 #[derive(Debug, Clone)]
-pub struct Lag {
+pub struct MasslessLag {
     /// w²T² as it stands, in parentheses.
     pub square: String,
     /// The input w.
@@ -289,7 +289,7 @@ pub struct Lag {
     pub amplitude: Option<String>,
 }
 
-impl Lag {
+impl MasslessLag {
     /// The unit of amplitude times w².
     pub fn acceleration_unit(&self, scene: &Scene) -> Unit {
         let w = scene.unit(&self.frequency).power(2.0);

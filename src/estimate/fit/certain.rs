@@ -29,7 +29,7 @@ pub fn ascertain(fit: &mut Fit, recordings: &[Recording], options: &FitOptions<'
     // runs that the time has cut off say nothing of how far anything may go
     if options.budget.over() == Some(Early::Time) {
         fit.ended_early = Some(Early::Time);
-        fit.warnings.push(Warning { says: CUT_OFF.into() });
+        fit.warnings.push(Warning { message: CUT_OFF.into() });
         return Ok(());
     }
     if let Some((profiles, determined)) = found? {
@@ -74,7 +74,7 @@ fn profiled(fit: &Fit, recordings: &[Recording], options: &FitOptions<'_>) -> Re
     let mut profiles = Vec::new();
     for j in wanted {
         let name = &fit.unknowns[j];
-        options.progress.says(&format!("how far {name} may go"), None);
+        options.progress.report(&format!("how far {name} may go"), None);
         profiles.push((problem.free[j], valley.profile(j)));
     }
     let points: Vec<Vec<f64>> = profiles.iter().flat_map(|(_, p)| p.points.iter().cloned()).collect();

@@ -55,7 +55,7 @@ pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) ->
     let (mut fitted, wanted, met) = once(model, recordings, options)?;
     let finer = wanted < options.tolerance && !options.is_rough && !model.states.is_empty();
     if finer && fitted.ended_early.is_none() {
-        options.progress.says("fitting with finer steps", None);
+        options.progress.report("fitting with finer steps", None);
         let finer = FitOptions {
             tolerance: wanted.max(FINEST),
             effort: Effort::Near,
@@ -80,11 +80,11 @@ pub fn fit(model: &Model, recordings: &[Recording], options: &FitOptions<'_>) ->
 
 /// A fit whose runs cannot be made as fine as its noise asks for.
 fn coarse_alone(coarse: Fit, e: &Error, options: &FitOptions<'_>) -> Fit {
-    let says = format!("the noise is so small that finer steps would be needed, which failed: {e}");
+    let message = format!("the noise is so small that finer steps would be needed, which failed: {e}");
     let ended_early = options.budget.over();
     let mut warnings = coarse.warnings;
     if ended_early.is_none() {
-        warnings.push(Warning { says });
+        warnings.push(Warning { message });
     }
     Fit { warnings, ended_early, ..coarse }
 }

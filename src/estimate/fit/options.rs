@@ -7,7 +7,7 @@ use crate::simulate::Budget;
 /// Hears how far a long computation has come.
 pub trait Progress: Sync {
     /// What is being done, and the share done so far where it is known.
-    fn says(&self, what: &str, share: Option<f64>);
+    fn report(&self, stage: &str, share: Option<f64>);
 }
 
 /// Hears nothing.
@@ -15,7 +15,7 @@ pub trait Progress: Sync {
 pub struct Silent;
 
 impl Progress for Silent {
-    fn says(&self, _what: &str, _share: Option<f64>) {}
+    fn report(&self, _stage: &str, _share: Option<f64>) {}
 }
 
 /// How the residuals of several outputs, and of one output over time, are weighed.

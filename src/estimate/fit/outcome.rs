@@ -137,7 +137,7 @@ pub struct RecordFit {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Warning {
     /// What, and what to do.
-    pub says: String,
+    pub message: String,
 }
 
 /// A fitted model.

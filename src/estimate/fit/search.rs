@@ -85,7 +85,7 @@ impl<'a> Search<'a> {
         self.walk("from the given values", given);
         if self.found.is_empty() {
             self.warnings.push(Warning {
-                says: "from the values given in the model file the simulation does not stay finite; \
+                message: "from the values given in the model file the simulation does not stay finite; \
                        the fit began elsewhere: give values nearer to the instrument's"
                     .into(),
             });
@@ -142,8 +142,8 @@ impl<'a> Search<'a> {
         own
     }
 
-    fn walk(&mut self, says: &str, start: &[f64]) {
-        self.options.progress.says(&format!("fitting {says}"), None);
+    fn walk(&mut self, stage: &str, start: &[f64]) {
+        self.options.progress.report(&format!("fitting {stage}"), None);
         self.problem.begin_walk();
         match minimise(self.problem, start, self.ranges, self.options.stopping) {
             Ok(minimum) => {

@@ -14,7 +14,7 @@ impl Assembly<'_> {
         let unknowns = self.minimum.x.len();
         if samples <= unknowns && unknowns > 0 {
             found.push(Warning {
-                says: format!(
+                message: format!(
                     "{samples} samples for {unknowns} unknowns: the model can follow anything, and no interval can be \
                      given; fit a longer stretch"
                 ),
@@ -22,20 +22,20 @@ impl Assembly<'_> {
         }
         found.extend(too_short(self));
         let radians = self.problem.records.iter().flat_map(|r| &r.radians);
-        found.extend(radians.map(|says| Warning { says: says.clone() }));
+        found.extend(radians.map(|text| Warning { message: text.clone() }));
         found.extend(self.problem.records.iter().filter(|r| worth_telling(r)).map(|r| Warning {
-            says: format!(
+            message: format!(
                 "{} samples of '{}' are not compared: they lie outside the inputs, in a gap of theirs, or too soon after one",
                 r.lost, r.name
             ),
         }));
         if let Some(early) = self.ended_early {
             found.push(Warning {
-                says: format!("the fit ended early, with the best so far: {}", early.words()),
+                message: format!("the fit ended early, with the best so far: {}", early.words()),
             });
         } else if self.minimum.end != End::Converged {
             found.push(Warning {
-                says: "the fit ended before it came to rest: take its values with care, or start nearer"
+                message: "the fit ended before it came to rest: take its values with care, or start nearer"
                     .into(),
             });
         }
@@ -58,7 +58,7 @@ fn at_bounds(fit: &Assembly<'_>) -> Vec<Warning> {
             Side::Upper => ("upper", p.max?),
         };
         let (name, unit, bound) = (&p.name, &p.unit, p.unit.decimal_from_si(bound));
-        let says = if *is_level {
+        let message = if *is_level {
             format!(
                 "{name} rests at its {which} bound {bound} {unit}, where its effect has no slope: these data ask for \
                  no other value, and a wider bound changes nothing"
@@ -74,7 +74,7 @@ fn at_bounds(fit: &Assembly<'_>) -> Vec<Warning> {
                  model needs {name} at all"
             )
         };
-        Some(Warning { says })
+        Some(Warning { message })
     })
     .collect()
 }
@@ -89,7 +89,7 @@ fn astray(fit: &Assembly<'_>) -> Vec<Warning> {
         .map(|((record, state), at)| {
             let state = &fit.model.states[state];
             Warning {
-                says: format!(
+                message: format!(
                     "{} starts at {} {} in '{}', as far off as it may: the recording hardly shows it; start it steady \
                      or from a number",
                     state.name,
@@ -117,7 +117,7 @@ fn too_short(fit: &Assembly<'_>) -> Option<Warning> {
     }
     let (longest, length, name) = worst?;
     Some(Warning {
-        says: format!(
+        message: format!(
             "the fitted part of '{name}' lasts {length:.3} s, less than the longest time constant \
              of the model, {longest:.3} s: what acts so slowly is hardly seen"
         ),

@@ -119,7 +119,7 @@ impl Gimbal {
     /// As [`Gimbal::noise_equivalent`].
     pub fn smallness(&self, noise: &Noise, rate: f64) -> Result<Vec<Smallness>> {
         noise.check()?;
-        let small = |figure, says, value| Smallness { figure, says, value, limit: 0.3, unit: "1" };
+        let small = |figure, message, value| Smallness { figure, message, value, limit: 0.3, unit: "1" };
         let scale = self.scale_factor(0.0).norm();
         let sigma = noise.base.map_or(0.0, |b| b[0]);
         let random = match noise.base {

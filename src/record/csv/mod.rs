@@ -32,7 +32,8 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     let (source, note) = input::read_lines(input, &mut reader).map_err(|e| place(e, path))?;
     let (channels, mut notes) = reader.finish().map_err(|e| place(e, path))?;
     notes.extend(note.map(|says| (None, says)));
-    let notes = notes.into_iter().map(|(line, says)| Note { file: path.to_owned(), line, says }).collect();
+    let notes =
+        notes.into_iter().map(|(line, message)| Note { file: path.to_owned(), line, message }).collect();
     let first_row = request.rows.map_or(0, |r| r.0);
     Ok(Table { channels, origin: Origin { source, first_row, is_table: true }, notes })
 }

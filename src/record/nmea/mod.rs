@@ -35,12 +35,13 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };
     let (source, note) = input::read_lines(input, &mut collector).map_err(place)?;
     let (groups, mut notes) = collector.finish().map_err(place)?;
-    notes.extend(note.map(|says| (None, says)));
+    notes.extend(note.map(|text| (None, text)));
     let mut channels: Vec<_> = groups.into_iter().flat_map(|g| finish_group(g, request.table)).collect();
     // In the order of the request, which names each channel once.
     let order = |name: &str| request.wanted.iter().position(|s| s.wanted.name == name);
     channels.sort_by_key(|c| order(&c.name));
-    let notes = notes.into_iter().map(|(line, says)| Note { file: path.to_owned(), line, says }).collect();
+    let notes =
+        notes.into_iter().map(|(line, message)| Note { file: path.to_owned(), line, message }).collect();
     Ok(Table { channels, origin: Origin { source, first_row: 0, is_table: false }, notes })
 }
 

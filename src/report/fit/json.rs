@@ -30,7 +30,7 @@ pub fn render(told: &FitReport<'_>) -> Result<String> {
             "relative_deviation": number(d.deviation),
         })).collect::<Vec<_>>(),
         "determined": fit.determined.iter().map(combination).collect::<Vec<_>>(),
-        "warnings": fit.warnings.iter().map(|w| w.says.clone()).collect::<Vec<_>>(),
+        "warnings": fit.warnings.iter().map(|w| w.message.clone()).collect::<Vec<_>>(),
         "end": end(told),
         "simulations": fit.simulations,
         "made": {

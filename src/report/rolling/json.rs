@@ -47,7 +47,7 @@ pub fn json(table: &Table) -> Result<String> {
 /// One figure that the linear theory takes for small, where the mean is largest.
 pub fn smallness(s: &Smallness) -> Value {
     let holds = s.is_judged().then(|| s.holds());
-    json!({ "figure": s.figure, "says": s.says, "value": s.value, "limit": s.limit, "unit": s.unit, "holds": holds })
+    json!({ "figure": s.figure, "says": s.message, "value": s.value, "limit": s.limit, "unit": s.unit, "holds": holds })
 }
 
 /// The mean on heading 45° by the frequencies up to each, and by what share of the largest ends of the band above

@@ -81,7 +81,7 @@ pub fn examine(request: &AuditRequest, entry: &FormulaEntry) -> Result<Examined>
     }
     Ok(Examined {
         name: entry.name.clone(),
-        says: entry.says.clone(),
+        message: entry.message.clone(),
         printed: bench.printed.text(),
         right: bench.right.as_ref().map(Printed::text),
         checks,
@@ -141,7 +141,7 @@ impl<'a> Bench<'a> {
         Ok(Check {
             kind: CheckKind::Dimensions,
             holds: wrong.is_none(),
-            says: wrong.map_or_else(|| "every term has the right dimension".into(), |e| e.to_string()),
+            message: wrong.map_or_else(|| "every term has the right dimension".into(), |e| e.to_string()),
             ratio: None,
         })
     }
@@ -152,21 +152,21 @@ impl<'a> Bench<'a> {
         let equations = self.printed.left.is_some() && right.left.is_some();
         let equal = equality(&printed, &wanted, &self.simplifier);
         let ratio = constant_ratio(&printed, &wanted, &self.simplifier.relations)?;
-        let says = match equal {
+        let message = match equal {
             Equality::Always => Some("equal to the right formula"),
             Equality::Positive => Some("equal to the right formula while all symbols are positive"),
             Equality::Never if equations && ratio.is_some() => Some("equal to the right equation"),
             Equality::Never => None,
         };
-        if let Some(says) = says {
-            let says = says.to_owned();
-            return Ok(Some(Check { kind: CheckKind::Value, holds: true, says, ratio: Some(1.0) }));
+        if let Some(text) = message {
+            let message = text.to_owned();
+            return Ok(Some(Check { kind: CheckKind::Value, holds: true, message, ratio: Some(1.0) }));
         }
-        let says = match ratio {
+        let message = match ratio {
             Some(ratio) => format!("off by a constant: right/printed = {}", in_words(ratio)),
             None => places(&self.differences(right)),
         };
-        Ok(Some(Check { kind: CheckKind::Value, holds: false, says, ratio }))
+        Ok(Some(Check { kind: CheckKind::Value, holds: false, message, ratio }))
     }
 
     /// Equations are compared side by side.
@@ -186,7 +186,7 @@ impl<'a> Bench<'a> {
             relations.push(Relation::parse(text)?);
         }
         let name = format!("{} → {}", limit.symbol, limit.to);
-        let about = if limit.says.is_empty() { name } else { format!("{name} ({})", limit.says) };
+        let about = if limit.message.is_empty() { name } else { format!("{name} ({})", limit.message) };
         let question = Question { printed: &printed, becomes: &becomes, symbol: &limit.symbol, to: limit.to };
         judge(&question, &relations, &about, &shown(&becomes))
     }
@@ -195,13 +195,13 @@ impl<'a> Bench<'a> {
         let zero = Expr::parse(&identity.zero)?.substitute("printed", &self.printed.whole());
         let rest = self.simplifier.simplify(&zero)?;
         let holds = rest == Expr::Number(0.0);
-        let says = match (holds, identity.says.as_str()) {
+        let message = match (holds, identity.message.as_str()) {
             (true, "") => "holds".into(),
             (true, about) => format!("holds: {about}"),
             (false, "") => format!("broken: {} is left where 0 must be", shown(&rest)),
             (false, about) => format!("broken ({about}): {} is left where 0 must be", shown(&rest)),
         };
-        Ok(Check { kind: CheckKind::Identity, holds, says, ratio: None })
+        Ok(Check { kind: CheckKind::Identity, holds, message, ratio: None })
     }
 
     fn example(&self, example: &ExampleEntry) -> Result<Check> {
@@ -224,22 +224,24 @@ impl<'a> Bench<'a> {
         let own = unit.from_si(value(&self.printed.right, &of)?);
         let tolerance = half_last_digit(&example.result);
         let holds = (own - printed).abs() <= tolerance;
-        let about = if example.says.is_empty() { String::new() } else { format!("{}: ", example.says) };
-        let mut says = format!(
+        let about = if example.message.is_empty() { String::new() } else { format!("{}: ", example.message) };
+        let mut message = format!(
             "{about}the printed formula gives {own:.4e} {}, {} is printed",
             unit.text(),
             example.result
         );
         if let Some(right) = &self.right {
             let right = unit.from_si(value(&right.right, &of)?);
-            let _ = write!(says, "; the right formula gives {right:.4e}");
+            let _ = write!(message, "; the right formula gives {right:.4e}");
         }
         let decades = (own / printed).abs().log10();
         if decades.abs() > 1.5 {
-            let _ =
-                write!(says, "; that is some 10^{decades:.0} times as much: check the units of the numbers");
+            let _ = write!(
+                message,
+                "; that is some 10^{decades:.0} times as much: check the units of the numbers"
+            );
         }
-        Ok(Check { kind: CheckKind::Example, holds, says, ratio: (!holds).then_some(own / printed) })
+        Ok(Check { kind: CheckKind::Example, holds, message, ratio: (!holds).then_some(own / printed) })
     }
 }
 

@@ -76,7 +76,7 @@ pub fn judge(question: &Question, relations: &[Relation], about: &str, wanted: &
     let ratios: Vec<f64> =
         shown.iter().filter_map(|one| if let Shown::Differs(r) = one { Some(*r) } else { None }).collect();
     let ratio = constant(&ratios, CLOSE).filter(|_| ratios.len() == shown.len());
-    let says = if shown.is_empty() {
+    let message = if shown.is_empty() {
         "no values were found at which it can be tried".into()
     } else if all(Shown::Holds) {
         format!("turns into {wanted}")
@@ -91,7 +91,7 @@ pub fn judge(question: &Question, relations: &[Relation], about: &str, wanted: &
     };
     let holds = all(Shown::Holds);
     let ratio = if holds { Some(1.0) } else { ratio };
-    Ok(Check { kind: CheckKind::Limit, holds, says: format!("{about}: {says}"), ratio })
+    Ok(Check { kind: CheckKind::Limit, holds, message: format!("{about}: {message}"), ratio })
 }
 
 /// The place after a number of half decades.

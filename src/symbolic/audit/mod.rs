@@ -94,7 +94,7 @@ pub struct Check {
     /// Whether it holds.
     pub holds: bool,
     /// In words: what was found, and where.
-    pub says: String,
+    pub message: String,
     /// What the printed formula must be multiplied by, where that is one number.
     pub ratio: Option<f64>,
 }
@@ -105,7 +105,7 @@ pub struct Examined {
     /// Its name.
     pub name: String,
     /// What it is about.
-    pub says: String,
+    pub message: String,
     /// The printed formula, set as text.
     pub printed: String,
     /// The right formula, set as text, where there is one.

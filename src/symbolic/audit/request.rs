@@ -30,7 +30,8 @@ pub struct FormulaEntry {
     pub name: String,
     /// What it is about.
     #[serde(default)]
-    pub says: String,
+    #[serde(rename = "says")]
+    pub message: String,
     /// An expression, or an equation `left = right`.
     pub printed: String,
     /// The unit that the expression has.
@@ -59,7 +60,8 @@ pub struct FormulaEntry {
 pub struct LimitEntry {
     /// What the limit means.
     #[serde(default)]
-    pub says: String,
+    #[serde(rename = "says")]
+    pub message: String,
     /// The symbol that goes to the limit.
     pub symbol: String,
     /// Where it goes.
@@ -77,7 +79,8 @@ pub struct LimitEntry {
 pub struct IdentityEntry {
     /// Why it must.
     #[serde(default)]
-    pub says: String,
+    #[serde(rename = "says")]
+    pub message: String,
     /// The expression; `printed` stands for the formula.
     pub zero: String,
 }
@@ -88,7 +91,8 @@ pub struct IdentityEntry {
 pub struct ExampleEntry {
     /// Its name.
     #[serde(default)]
-    pub says: String,
+    #[serde(rename = "says")]
+    pub message: String,
     /// The numbers put in, in the units of the symbols.
     pub values: BTreeMap<String, f64>,
     /// The printed result.
