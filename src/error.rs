@@ -183,7 +183,7 @@ impl Error {
         self.0.decimal.as_deref()
     }
 
-    /// The kind.
+    /// What sort of error it is, which decides the program's exit code.
     pub fn kind(&self) -> ErrorKind {
         self.0.kind
     }

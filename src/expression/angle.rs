@@ -35,7 +35,6 @@ enum Power {
     Any,
     /// Nothing is known.
     Open,
-    /// The power.
     Of(Ratio),
 }
 

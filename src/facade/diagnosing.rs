@@ -46,7 +46,7 @@ impl Diagnosing<'_> {
 pub struct Diagnosed(Diagnosis);
 
 impl Diagnosed {
-    /// The verdict.
+    /// Whether nothing is missing, something was named, or it cannot be told.
     pub fn verdict(&self) -> Verdict {
         self.0.answer.verdict
     }

@@ -82,15 +82,15 @@ pub struct Fitted<'a> {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Estimated {
-    /// Its name.
+    /// The parameter's name in the model.
     pub name: String,
-    /// Its value.
+    /// The estimate, in `unit`.
     pub value: f64,
     /// Lower end of the 95 % interval; NaN where there is none.
     pub low: f64,
     /// Upper end of the 95 % interval; NaN where there is none.
     pub high: f64,
-    /// Its unit.
+    /// The unit that the model gives the parameter.
     pub unit: String,
     /// Whether the fit was free to move it.
     pub is_free: bool,

@@ -127,7 +127,7 @@ pub struct Rolled {
 }
 
 impl Rolled {
-    /// The rows.
+    /// One row a heading and question, in the order asked.
     pub fn rows(&self) -> &[Row] {
         &self.table.rows
     }

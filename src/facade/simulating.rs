@@ -72,12 +72,12 @@ pub struct SimulatedOutput<'a> {
 }
 
 impl<'a> SimulatedOutput<'a> {
-    /// Its name.
+    /// The output's name in the model.
     pub fn name(&self) -> &'a str {
         &self.signal.name
     }
 
-    /// Its unit.
+    /// The unit of the values, as the model gives it.
     pub fn unit(&self) -> &'a str {
         self.signal.unit.text()
     }

@@ -70,7 +70,7 @@ pub fn evaluate_fast(p: &Integrand<'_>) -> Result<Estimate> {
 /// A value of I_n with its bound alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
-    /// I_n.
+    /// I_n in plain doubles, within `error_bound` of the exact one.
     pub value: f64,
     /// |value − exact| ≤ error_bound for the doubles given, guaranteed.
     pub error_bound: f64,

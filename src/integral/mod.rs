@@ -112,7 +112,7 @@ impl<'a> Integrand<'a> {
         self.h
     }
 
-    /// The numerator.
+    /// G, as it was given: a constant, or coefficients of even powers.
     pub fn numerator(&self) -> Numerator<'a> {
         self.numerator
     }
@@ -177,7 +177,7 @@ pub enum Method {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
 pub struct Integral {
-    /// The integral.
+    /// I_n, in the unit of G/H² times rad/s.
     pub value: f64,
     /// |value − exact| ≤ error_bound for the doubles given, guaranteed.
     pub error_bound: f64,

@@ -29,7 +29,7 @@ use std::cell::Cell;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(Serialize))]
 pub struct Quadrature {
-    /// The integral.
+    /// I_n as the sum of the pieces of the frequency axis.
     pub value: f64,
     /// Estimated absolute error.
     pub error_estimate: f64,

@@ -51,7 +51,6 @@ impl Magnitude for f64 {
 
 /// A number that the recursions can run on.
 pub(super) trait Real: Copy {
-    /// Its magnitudes.
     type Mag: Magnitude;
     /// Bound of the relative rounding error of one operation.
     const UNIT: f64;

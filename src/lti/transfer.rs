@@ -38,7 +38,9 @@ impl TransferFunction {
         if numerator.len() > denominator.len() {
             let (zeros, poles) = (numerator.len() - 1, denominator.len() - 1);
             let text = format!("a transfer function has more zeros ({zeros}) than poles ({poles})");
-            return Err(Error::bad_input(text).with_hint("coefficients stand from the highest power of s down"));
+            return Err(
+                Error::bad_input(text).with_hint("coefficients stand from the highest power of s down")
+            );
         }
         Ok(Self { numerator, denominator })
     }

@@ -38,7 +38,7 @@ pub struct Parameter {
 pub struct Definition {
     /// Name in expressions.
     pub name: String,
-    /// Its expression.
+    /// The expression that gives its value.
     pub equals: Expr,
     /// Unit of the model file.
     pub unit: Unit,
@@ -77,7 +77,7 @@ pub struct State {
 pub struct Output {
     /// Name, also of the recording's channel.
     pub name: String,
-    /// Its expression.
+    /// The expression that is compared with the measured channel.
     pub equals: Expr,
     /// Unit of the model file.
     pub unit: Unit,

@@ -118,7 +118,7 @@ impl Channel {
 /// A constant that is known for a recording, by the name of the model's parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constant {
-    /// The parameter.
+    /// The parameter of the model, by name.
     pub name: String,
     /// Its value, SI.
     pub value: f64,
@@ -145,7 +145,7 @@ impl Source {
 /// Where a table's samples come from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Origin {
-    /// The file.
+    /// The file, with the hash of what was read.
     pub source: Source,
     /// The row of the file that is the first sample.
     pub first_row: usize,
@@ -156,7 +156,7 @@ pub struct Origin {
 /// Something that a reader noticed and that did not stop it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
-    /// The file.
+    /// The file that it is about.
     pub file: PathBuf,
     /// The first line that it is about, counted from 1.
     pub line: Option<usize>,

@@ -28,13 +28,13 @@ pub struct Summary {
     pub min: f64,
     /// Largest value.
     pub max: f64,
-    /// Mean.
+    /// Mean of the samples that are there.
     pub mean: f64,
     /// Standard deviation.
     pub spread: f64,
     /// The step of which values are multiples.
     pub quantum: Option<f64>,
-    /// The clock.
+    /// How it is sampled; none of trials.
     pub sampling: Option<Sampling>,
     /// Peaks of the spectrum, largest first.
     pub peaks: Vec<Peak>,
@@ -52,7 +52,7 @@ pub struct Peak {
 }
 
 impl Peak {
-    /// s.
+    /// Length of one period 2π/ω, s.
     pub fn period(&self) -> f64 {
         TAU / self.omega
     }

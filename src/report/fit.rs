@@ -35,7 +35,6 @@ pub struct FitReport<'a> {
     pub separate: &'a [Recording],
     /// Spectra of the residuals, by output.
     pub spectra: &'a [ResidualSpectrum],
-    /// Seed.
     pub seed: u64,
 }
 

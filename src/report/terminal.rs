@@ -5,7 +5,6 @@ use std::fmt::Write;
 /// One row of numbers drawn with one character.
 #[derive(Debug, Clone, Copy)]
 pub struct Trace<'a> {
-    /// The character.
     pub mark: char,
     /// Equally spaced values, not finite where there is none.
     pub values: &'a [f64],

@@ -174,7 +174,7 @@ impl Simulator {
         !self.program.rates.is_empty() || self.program.has_memory
     }
 
-    /// The model.
+    /// The model that is run.
     pub fn model(&self) -> &Model {
         &self.model
     }

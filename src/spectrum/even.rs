@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 pub struct EvenSamples {
     /// The step, s.
     pub step: f64,
-    /// The values.
+    /// The samples, NaN where the recording has a gap.
     pub values: Vec<f64>,
 }
 

@@ -44,9 +44,9 @@ use crate::{Error, Result};
 pub struct Hull {
     /// ω_φ, rad/s.
     pub frequency: f64,
-    /// ζ_φ.
+    /// Damping ratio ζ_φ of her free roll.
     pub damping: f64,
-    /// χ.
+    /// Effective part χ of the wave's slope that rolls her.
     pub slope: f64,
     /// B, m.
     pub beam: f64,

@@ -3,7 +3,7 @@
 /// A number with its 95 % interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// The number.
+    /// The estimate that the two ends lie about.
     pub value: f64,
     /// Lower end.
     pub low: f64,

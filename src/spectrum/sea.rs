@@ -43,7 +43,7 @@ pub enum Sea {
         height: f64,
         /// ω_p, rad/s.
         peak: f64,
-        /// γ.
+        /// Peak enhancement γ over the Pierson-Moskowitz form, 1 to 20.
         gamma: f64,
     },
 }

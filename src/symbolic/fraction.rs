@@ -76,7 +76,7 @@ impl Fraction {
         self.numerator.is_zero()
     }
 
-    /// Sum.
+    /// Sum over the common denominator.
     pub fn plus(&self, other: &Self) -> Result<Self> {
         if self.denominator == other.denominator {
             return Self::new(&self.numerator.plus(&other.numerator), &self.denominator);
@@ -93,12 +93,12 @@ impl Fraction {
         Self { numerator, denominator: self.denominator.clone() }
     }
 
-    /// Product.
+    /// Product, reduced.
     pub fn times(&self, other: &Self) -> Result<Self> {
         Self::new(&self.numerator.times(&other.numerator)?, &self.denominator.times(&other.denominator)?)
     }
 
-    /// Quotient.
+    /// Quotient, reduced; an error where `other` is zero.
     pub fn over(&self, other: &Self) -> Result<Self> {
         Self::new(&self.numerator.times(&other.denominator)?, &self.denominator.times(&other.numerator)?)
     }

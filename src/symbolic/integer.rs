@@ -26,9 +26,9 @@ pub enum Integer {
 }
 
 impl Integer {
-    /// 0.
+    /// The neutral element of a sum.
     pub const ZERO: Self = Self::Word(0);
-    /// 1.
+    /// The neutral element of a product.
     pub const ONE: Self = Self::Word(1);
 
     /// Whether it is 0.
@@ -60,7 +60,7 @@ impl Integer {
         }
     }
 
-    /// Sum.
+    /// Sum, exact whatever its size.
     #[must_use]
     pub fn plus(&self, other: &Self) -> Self {
         if let (Self::Word(x), Self::Word(y)) = (self, other)
@@ -71,7 +71,7 @@ impl Integer {
         (self.to_big() + other.to_big()).into()
     }
 
-    /// Product.
+    /// Product, exact whatever its size.
     #[must_use]
     pub fn times(&self, other: &Self) -> Self {
         if let (Self::Word(x), Self::Word(y)) = (self, other)

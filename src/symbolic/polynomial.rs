@@ -61,7 +61,7 @@ impl Polynomial {
         Self { ring: ring.clone(), terms: kept }
     }
 
-    /// The ring.
+    /// The ring of its symbols and their order.
     pub fn ring(&self) -> &Arc<Ring> {
         &self.ring
     }

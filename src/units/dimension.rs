@@ -14,9 +14,9 @@ pub struct Ratio {
 }
 
 impl Ratio {
-    /// Zero.
+    /// The exponent of a base unit that does not stand in a unit.
     pub const ZERO: Self = Self { numerator: 0, denominator: 1 };
-    /// One.
+    /// The exponent of a base unit itself.
     pub const ONE: Self = Self { numerator: 1, denominator: 1 };
 
     /// n/d in lowest terms; `None` for d = 0.
@@ -52,7 +52,7 @@ impl Ratio {
         })
     }
 
-    /// The value.
+    /// The ratio as the nearest double.
     pub fn to_f64(self) -> f64 {
         f64::from(self.numerator) / f64::from(self.denominator)
     }
@@ -118,9 +118,9 @@ pub struct Dimension([Ratio; 5]);
 impl Dimension {
     /// No dimension: pure numbers and angles.
     pub const NONE: Self = Self([Ratio::ZERO; 5]);
-    /// Time.
+    /// Time, s.
     pub const TIME: Self = Self::base(2);
-    /// Temperature.
+    /// Thermodynamic temperature, K.
     pub const TEMPERATURE: Self = Self::base(4);
 
     const fn base(i: usize) -> Self {

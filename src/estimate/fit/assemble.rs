@@ -21,7 +21,6 @@ pub struct Assembly<'a> {
     pub model: &'a Model,
     /// The problem that was solved.
     pub problem: &'a FreeRun<'a>,
-    /// Its minimum.
     pub minimum: &'a Minimum,
     /// The ranges of the unknowns.
     pub ranges: &'a [Range],
@@ -36,7 +35,6 @@ pub struct Assembly<'a> {
 }
 
 impl Assembly<'_> {
-    /// The fit.
     pub fn finish(self) -> Result<Fit> {
         let records = self.records()?;
         let names = self.names();

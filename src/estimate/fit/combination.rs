@@ -25,13 +25,11 @@ pub struct Combination {
     pub expression: String,
     /// The parameters in it that the fit moves.
     pub names: Vec<String>,
-    /// Its value.
     pub value: f64,
     /// Lower end of the 95 % interval.
     pub low: f64,
     /// Upper end of the 95 % interval.
     pub high: f64,
-    /// Its unit.
     pub unit: Unit,
 }
 
@@ -75,7 +73,6 @@ pub struct Search<'a> {
     pub free: &'a [usize],
     /// The minimum and its surroundings.
     pub valley: &'a Valley<'a>,
-    /// Its directions.
     pub directions: &'a Directions,
     /// Points that the data allow.
     pub points: &'a [Vec<f64>],

@@ -99,7 +99,6 @@ pub struct Record {
     pub recording: usize,
     /// s, where the free run starts.
     pub start: f64,
-    /// The simulation.
     pub harness: Box<dyn Harness>,
     /// What is compared.
     pub tracks: Vec<Track>,

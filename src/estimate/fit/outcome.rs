@@ -29,7 +29,6 @@ pub enum Status {
 pub struct ParameterEstimate {
     /// The parameter's name.
     pub name: String,
-    /// Its value.
     pub value: f64,
     /// Lower end of the 95 % interval; NaN where there is none.
     pub low: f64,
@@ -48,7 +47,6 @@ pub struct InitialEstimate {
     pub recording: usize,
     /// The state's name.
     pub state: String,
-    /// Its value.
     pub value: f64,
     /// Lower end of the 95 % interval.
     pub low: f64,
@@ -112,7 +110,6 @@ impl Series {
 pub struct Beside {
     /// s of the recording's clock, or row number.
     pub time: f64,
-    /// Measured.
     pub measured: f64,
     /// Predicted; of an output that wraps, on the turn of the measured value.
     pub predicted: f64,

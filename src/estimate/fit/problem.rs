@@ -31,7 +31,6 @@ pub struct FreeRun<'a> {
     pub parameters: Vec<f64>,
     /// Numbers of the free parameters.
     pub free: Vec<usize>,
-    /// The records.
     pub records: &'a [Record],
     /// Weight of the squared residuals of each output.
     pub weights: Vec<f64>,

@@ -16,7 +16,6 @@ struct Simulated {
 
 /// A model on a window of a recording, ready to run, and the samples of its outputs at the times used.
 pub struct Ready {
-    /// The simulation.
     pub harness: Box<dyn Harness>,
     /// One track an output that has samples.
     pub tracks: Vec<Track>,

@@ -5,7 +5,6 @@ use crate::spectrum::welch;
 
 /// The spectrum of what an output leaves over.
 pub struct ResidualSpectrum {
-    /// The output.
     pub output: String,
     /// Unit of the density.
     pub unit: String,

@@ -45,7 +45,6 @@ pub struct Valley<'a> {
     pub problem: &'a FreeRun<'a>,
     /// The ranges of the unknowns.
     pub ranges: &'a [Range],
-    /// The minimum.
     pub x: &'a [f64],
     /// The sum of squares there.
     pub sum: f64,
@@ -69,7 +68,6 @@ pub struct Profile {
 
 /// One unknown on its way outwards.
 struct Walk {
-    /// Which.
     j: usize,
     /// 1 upwards, -1 downwards.
     side: f64,

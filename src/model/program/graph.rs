@@ -83,7 +83,6 @@ pub(super) enum Memory {
     Past { slot: usize, signal: Id, delay: Id },
 }
 
-/// The graph.
 #[derive(Debug, Default)]
 pub(super) struct Graph {
     pub nodes: Vec<Node>,

@@ -58,7 +58,7 @@ impl FaultKind {
 pub struct Fault {
     /// What it is.
     pub kind: FaultKind,
-    /// The channel.
+    /// The channel that it stands in, by name.
     pub channel: String,
     /// Where it lies, s (rows of trials); empty means everywhere.
     pub spans: Vec<Span>,

@@ -15,7 +15,6 @@ const STYLE: &str = include_str!("style.css");
 pub struct Section {
     /// Name, by which links find it.
     pub name: &'static str,
-    /// Heading.
     pub heading: &'static str,
     /// HTML; a section without content is left out.
     pub content: String,

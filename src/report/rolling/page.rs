@@ -32,7 +32,6 @@ struct Rolling<'a> {
     motion: &'a str,
     /// What the rows run over, with its unit, such as `heading, °`.
     against: &'a str,
-    /// The errors.
     rows: Vec<Row>,
     /// The compass card, where the rows run around it.
     card: Option<Polar>,
@@ -56,7 +55,6 @@ struct Rolling<'a> {
 struct Row {
     /// What the rows run over, in its unit.
     value: f64,
-    /// Mean.
     mean: f64,
     /// Standard deviation.
     spread: f64,
@@ -72,7 +70,6 @@ struct Row {
 
 /// A recorded roll and its fit.
 struct Recorded<'a> {
-    /// Its name.
     name: &'a str,
     /// s and degrees.
     roll: Vec<[f64; 2]>,
@@ -88,7 +85,6 @@ struct Recorded<'a> {
     says: &'a str,
 }
 
-/// The page.
 pub fn page(sheet: &Sheet<'_>) -> String {
     let (t, recorded) = (sheet.table, sheet.table.recorded.as_ref().map(|r| &r.analysis));
     let says = recorded.map(told::words).unwrap_or_default();

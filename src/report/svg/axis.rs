@@ -3,7 +3,6 @@
 /// How values lie along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scale {
-    /// Evenly.
     Linear,
     /// Evenly in their logarithm; what is not above zero is left out.
     Logarithmic,

@@ -31,7 +31,6 @@ const DIGIT: f64 = 13.4;
 pub enum Layer {
     /// A line through points.
     Line {
-        /// Class.
         class: &'static str,
         /// Name in the legend; empty for none.
         name: String,
@@ -40,16 +39,13 @@ pub enum Layer {
     },
     /// A dot at each point.
     Dots {
-        /// Class.
         class: &'static str,
         /// Name in the legend; empty for none.
         name: String,
-        /// Points.
         points: Vec<[f64; 2]>,
     },
     /// A band between two values along x: x, low, high.
     Ribbon {
-        /// Class.
         class: &'static str,
         /// Name in the legend; empty for none.
         name: String,
@@ -58,7 +54,6 @@ pub enum Layer {
     },
     /// A dot with a bar from low to high: x, y, low, high.
     Bars {
-        /// Class.
         class: &'static str,
         /// Name in the legend; empty for none.
         name: String,
@@ -67,7 +62,6 @@ pub enum Layer {
     },
     /// A span of x over the whole height; a span of no width is drawn as a thin mark.
     Span {
-        /// Class.
         class: &'static str,
         /// Name in the legend; empty for none.
         name: String,
@@ -82,7 +76,6 @@ impl Layer {
         Self::Line { class, name: name.into(), points }
     }
 
-    /// Dots.
     pub fn dots(class: &'static str, name: &str, points: Vec<[f64; 2]>) -> Self {
         Self::Dots { class, name: name.into(), points }
     }

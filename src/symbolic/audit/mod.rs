@@ -102,7 +102,7 @@ pub struct Check {
 /// One formula with all its checks.
 #[derive(Clone, Debug)]
 pub struct Examined {
-    /// Its name.
+    /// Its number or name in the source.
     pub name: String,
     /// What it is about.
     pub message: String,
@@ -110,7 +110,7 @@ pub struct Examined {
     pub printed: String,
     /// The right formula, set as text, where there is one.
     pub right: Option<String>,
-    /// The checks.
+    /// What was looked at, in order.
     pub checks: Vec<Check>,
 }
 

@@ -18,7 +18,7 @@ pub struct AuditRequest {
     /// The unit of every symbol.
     #[serde(default)]
     pub units: BTreeMap<String, String>,
-    /// The formulas.
+    /// The printed formulas, in the order of the source.
     pub formulas: Vec<FormulaEntry>,
 }
 
@@ -43,10 +43,10 @@ pub struct FormulaEntry {
     /// Units that are printed otherwise for this formula.
     #[serde(default)]
     pub units: BTreeMap<String, String>,
-    /// Limits.
+    /// Limits in which it must turn into another formula.
     #[serde(default)]
     pub limits: Vec<LimitEntry>,
-    /// Identities.
+    /// Expressions of it that must vanish.
     #[serde(default)]
     pub identities: Vec<IdentityEntry>,
     /// Worked examples.
@@ -89,7 +89,7 @@ pub struct IdentityEntry {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ExampleEntry {
-    /// Its name.
+    /// Where the example stands in the source.
     #[serde(default)]
     #[serde(rename = "says")]
     pub message: String,
@@ -97,7 +97,7 @@ pub struct ExampleEntry {
     pub values: BTreeMap<String, f64>,
     /// The printed result.
     pub result: String,
-    /// Its unit.
+    /// The unit in which `result` is printed.
     pub unit: String,
 }
 

@@ -31,7 +31,6 @@ struct Written {
 
 /// Alphabet, relations and known factors: what a ratio is written with.
 pub struct Writer<'a> {
-    /// The symbols.
     pub alphabet: &'a Alphabet,
     /// The relations, left to right.
     pub rules: &'a [Rule],

@@ -27,11 +27,11 @@ const C: &str = "alignas alignof asm auto bool break case char const constexpr c
 /// A language that a formula is written in.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum CodeLanguage {
-    /// Rust.
+    /// Rust, edition 2018 or later.
     Rust,
     /// Python 3.
     Python,
-    /// C99.
+    /// C99 with `math.h`.
     C,
 }
 

@@ -271,7 +271,7 @@ impl Derivation {
 /// A derived formula and how it was checked.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Derived {
-    /// The formula.
+    /// The derived formula, simplified.
     pub formula: Formula,
     /// The order n of the integral.
     pub order: usize,

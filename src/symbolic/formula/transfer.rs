@@ -15,7 +15,7 @@ use crate::{Error, ErrorKind, Result};
 /// A mean value over doubles and the size of what it is summed from.
 #[derive(Clone, Copy, Debug)]
 pub struct Mean {
-    /// The value.
+    /// The mean at these numbers, by the engine.
     pub value: f64,
     /// The largest of its parts, one for each coefficient of G; what is small against it is rounding.
     pub scale: f64,

@@ -10,7 +10,7 @@ use std::fmt::Write;
 /// A file of the folder.
 #[derive(Clone, Debug)]
 pub struct FolderFile {
-    /// Its name.
+    /// Its name in the folder, with its ending.
     pub name: &'static str,
     /// Its whole text.
     pub text: String,

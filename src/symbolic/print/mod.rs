@@ -58,7 +58,7 @@ impl TableFormat {
         EXPORTERS.iter().map(|e| Self(*e))
     }
 
-    /// Its name.
+    /// Its name on the command line, such as `latex`.
     pub fn name(self) -> &'static str {
         self.0.name()
     }

@@ -18,7 +18,6 @@ pub struct Recursion {
     pub steps: Vec<(String, String)>,
     /// The names of the multipliers q_1 … q_n, all above 0 where H is stable.
     pub multipliers: Vec<String>,
-    /// I_n.
     pub value: String,
 }
 

@@ -4,7 +4,6 @@
 pub struct Item {
     /// Whether it is subtracted.
     pub negative: bool,
-    /// The item.
     pub text: String,
     /// Its width, in the unit of the line's width.
     pub width: f64,
