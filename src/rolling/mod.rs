@@ -32,6 +32,7 @@ mod free;
 mod obstacle;
 mod recorded;
 mod request;
+mod scorsby;
 mod table;
 
 pub use against::Against;
@@ -45,4 +46,5 @@ pub use free::{LeftAlone, left_alone};
 pub use obstacle::Obstacle;
 pub use recorded::Recorded;
 pub use request::{Prepared, Request};
+pub use scorsby::{Approval, Scorsby, TableError, TableMotion};
 pub use table::{MeasuredRoll, Table};

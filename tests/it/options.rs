@@ -50,9 +50,9 @@ fn called(name: &str, folder: &Path, parts: &[&Given], before: &[&str]) -> (i32,
     (code, String::from_utf8_lossy(&out.stdout).into_owned())
 }
 
-/// Words beside those of a call; the free motion takes none.
+/// Words beside those of a call; the free motion and the Scorsby table take none.
 fn beside<'a>(parts: &[&Given], before: &[&'a str]) -> Vec<&'a str> {
-    if parts.iter().any(|g| g.id == "free") { Vec::new() } else { before.to_vec() }
+    if parts.iter().any(|g| g.id == "free" || g.id == "scorsby") { Vec::new() } else { before.to_vec() }
 }
 
 /// What is wrong with a pair: neither refused nor seen in the answer, as text or JSON, beside each alone.
@@ -113,7 +113,7 @@ fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {
 }
 
 /// Values that no argument has by default.
-const ROLL_ERROR: [(&str, &str); 31] = [
+const ROLL_ERROR: [(&str, &str); 32] = [
     ("model_or_parameters", "compass.toml"),
     ("recording", "compass.toml roll.csv"),
     ("roll", "--roll starboard"),
@@ -143,6 +143,7 @@ const ROLL_ERROR: [(&str, &str); 31] = [
     ("simulate", "--simulate 2"),
     ("seed", "--seed 7"),
     ("free", "--free"),
+    ("scorsby", "--scorsby"),
     ("formula", "--formula"),
     ("svg", "--svg %"),
 ];

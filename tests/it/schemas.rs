@@ -209,4 +209,5 @@ fn rolling_errors_fit_their_schemas() {
         fits("roll-error", &said(call));
     }
     fits("roll-error-formula", &said(&["roll-error", "--formula", "--json"]));
+    fits("scorsby", &said(&["roll-error", "--scorsby", "--json"]));
 }

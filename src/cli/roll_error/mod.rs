@@ -15,7 +15,8 @@ use crate::gyro::SIGN;
 use crate::record::read_once;
 use crate::report::polar;
 use crate::report::rolling::{Sheet, card, formula_json, formula_text, free_text, json, page, text};
-use crate::rolling::{Compass, Recorded, Request, Table, closed_form, closed_values, left_alone};
+use crate::report::rolling::{approval_json, approval_text};
+use crate::rolling::{Compass, Recorded, Request, Scorsby, Table, closed_form, closed_values, left_alone};
 use crate::{Error, ErrorKind, Result};
 use hints::worded;
 use options::RowOptions;
@@ -41,12 +42,8 @@ pub struct Arguments {
     motion: options::MotionOptions,
     #[command(flatten)]
     rows: options::RowOptions,
-    /// Free motion instead: periods, damping and settling against latitude.
-    #[arg(long, conflicts_with_all = FREE_OF)]
-    free: bool,
-    /// Closed form of the mean error, with its value on each --heading.
-    #[arg(long, conflicts_with_all = LETTERS_HAVE_NO)]
-    formula: bool,
+    #[command(flatten)]
+    instead: Instead,
     /// Polar picture of the error against heading, as SVG; - is standard output.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
@@ -56,6 +53,27 @@ pub struct Arguments {
     /// One JSON object instead of text.
     #[arg(long)]
     json: bool,
+}
+
+/// What may be told in place of a table of errors.
+#[derive(clap::Args)]
+struct Instead {
+    /// Free motion instead: periods, damping and settling against latitude.
+    #[arg(long, conflicts_with_all = FREE_OF)]
+    free: bool,
+    /// The largest errors on a Scorsby table instead, beside what type approval allows.
+    #[arg(long, conflicts_with_all = SCORSBY_SETS)]
+    scorsby: bool,
+    /// Closed form of the mean error, with its value on each --heading.
+    #[arg(long, conflicts_with_all = LETTERS_HAVE_NO)]
+    formula: bool,
+}
+
+impl Instead {
+    /// Whether it is asked for.
+    fn is_given(&self) -> bool {
+        self.free || self.scorsby || self.formula
+    }
 }
 
 /// What says nothing of the free motion.
@@ -75,6 +93,24 @@ const FREE_OF: [&str; 15] = [
     "svg",
     "html",
     "json",
+];
+
+/// What the table sets itself, or what is not told of it.
+const SCORSBY_SETS: [&str; 14] = [
+    "free",
+    "formula",
+    "recording",
+    "roll",
+    "speed",
+    "motion",
+    "waves",
+    "band",
+    "against",
+    "headings",
+    "simulate",
+    "seed",
+    "svg",
+    "html",
 ];
 
 /// What the closed form cannot show.
@@ -97,6 +133,7 @@ Examples:
   gyrospec roll-error --sea jonswap --height 3m --period 8s --sea-from 60deg --also pitch,heave --against latitude
   gyrospec roll-error compass.toml ship.csv --roll roll_deg:deg --json
   gyrospec roll-error --free
+  gyrospec roll-error --scorsby --lever 1m
   gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --band 2.5rad/s --heading 45deg --simulate 4";
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
@@ -122,11 +159,18 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
     }
     let named = |e: Error| parameters.map_or(e.clone(), |held| held.place(e));
     let compass = compass::read(parameters.map(Held::path), &a.instrument).map_err(named)?;
-    if a.formula || a.free {
+    if a.instead.is_given() {
         if file.is_some() {
-            return Err(Error::usage("a recording says nothing of the closed form or of the free motion"));
+            return Err(Error::usage(
+                "a recording says nothing of the closed form, of the free motion or of a Scorsby table",
+            ));
         }
-        told(&if a.free { free(&compass)? } else { formula(&compass, a)? }, a.json)?;
+        let text = match (a.instead.free, a.instead.scorsby) {
+            (true, _) => free(&compass)?,
+            (_, true) => scorsby(&compass, a.json)?,
+            _ => formula(&compass, a)?,
+        };
+        told(&text, a.json)?;
         return Ok(Outcome::Done);
     }
     computed(a, (compass, file), (picture, html), read)
@@ -135,6 +179,12 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
 /// The compass left alone, and a sudden change of 10 kn.
 fn free(compass: &Compass) -> Result<String> {
     Ok(free_text(compass, &left_alone(&compass.sphere, 10.0 * 1852.0 / 3600.0)?))
+}
+
+/// The largest errors on a Scorsby table.
+fn scorsby(compass: &Compass, as_json: bool) -> Result<String> {
+    let approval = Scorsby::default().test(compass)?;
+    if as_json { approval_json(compass, &approval) } else { Ok(approval_text(compass, &approval)) }
 }
 
 /// The closed form, with its value on each heading.
@@ -241,7 +291,7 @@ fn told(text: &str, json: bool) -> Result<()> {
 
 /// Whether nothing is asked for but the paper's examples.
 fn is_bare(a: &Arguments) -> bool {
-    let wants = a.formula || a.json || a.free || a.svg.is_some() || a.html.is_some();
+    let wants = a.instead.is_given() || a.json || a.svg.is_some() || a.html.is_some();
     !wants && a.model_or_parameters.is_none() && !a.motion.given() && !a.rows.given() && a.instrument.plain()
 }
 

@@ -1,5 +1,6 @@
 //! The rolling error of a gyrocompass as text, as JSON, as a card and as a page with pictures.
 
+mod approval;
 mod card;
 #[cfg(feature = "symbolic")]
 mod formula;
@@ -11,6 +12,7 @@ mod tail;
 mod text;
 mod words;
 
+pub use approval::{approval_json, approval_text};
 pub use card::card;
 #[cfg(feature = "symbolic")]
 pub use formula::{formula_json, formula_text};

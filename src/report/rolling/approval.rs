@@ -1,0 +1,98 @@
+//! The test on a Scorsby table, in words and as JSON.
+
+use super::words;
+use crate::gyro::SIGN;
+use crate::rolling::{Approval, Compass, TableError, TableMotion};
+use crate::units::figure;
+use crate::{Error, Result};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// The largest errors, the limit and the margin.
+pub fn approval_text(compass: &Compass, a: &Approval) -> String {
+    let t = &a.table;
+    let mut out = format!(
+        "Scorsby table: roll {:.0}°, pitch {:.0}° and yaw, by sines of {} to {} s, at most {} m/s² at the compass\n\
+         (IMO resolution A.424(XI), 5.2; the lever h = {} m makes the acceleration)\n\
+         compass: {}, part: {}, latitude {}°\n\n\
+         motion           period   heading   pitch leads   acceleration   largest mean error\n",
+        t.roll.to_degrees(),
+        t.pitch.to_degrees(),
+        figure(t.periods[0]),
+        figure(t.periods[1]),
+        figure(t.acceleration),
+        figure(compass.sphere.lever),
+        words::origin(&compass.origin),
+        compass.part.name(),
+        figure(compass.sphere.latitude.to_degrees()),
+    );
+    a.worst.iter().for_each(|e| line(&mut out, e));
+    out.push_str("yaw              none: it tilts the sphere and turns no heading\n");
+    let (word, by) = if a.passes() { ("PASSES", "with") } else { ("FAILS", "by") };
+    let _ = writeln!(
+        out,
+        "\nlimit 1° sec φ = {:.2}°: {word} {by} {:.2}°; what costs most: {}.\nsign: {SIGN}",
+        a.limit.to_degrees(),
+        a.margin().abs().to_degrees(),
+        motion(a.largest().motion),
+    );
+    out.push_str(
+        "The theory is linear in the angles: at 20° it is off by some percent. Motions of different periods add no\n\
+         more than each alone.\n",
+    );
+    out
+}
+
+fn line(out: &mut String, e: &TableError) {
+    let phase =
+        if e.motion == TableMotion::Both { format!("{:.0}°", e.phase.to_degrees()) } else { String::new() };
+    let _ = writeln!(
+        out,
+        "{:<15}  {:>4} s   {:>6.1}°   {phase:>11}   {:>7.2} m/s²   {:>+17.2}°",
+        motion(e.motion),
+        figure(e.period),
+        e.heading.to_degrees(),
+        e.acceleration,
+        e.error.to_degrees(),
+    );
+}
+
+fn motion(m: TableMotion) -> &'static str {
+    match m {
+        TableMotion::Roll => "roll alone",
+        TableMotion::Pitch => "pitch alone",
+        TableMotion::Both => "roll and pitch",
+    }
+}
+
+/// The test as JSON, by `docs/schemas/scorsby.json`.
+///
+/// # Errors
+/// `NotComputed` for what JSON cannot hold.
+pub fn approval_json(compass: &Compass, a: &Approval) -> Result<String> {
+    let value = json!({
+        "schema": "gyrospec.scorsby/1",
+        "instrument": compass.part.name(),
+        "lat_deg": compass.sphere.latitude.to_degrees(),
+        "h_m": compass.sphere.lever,
+        "sign": SIGN,
+        "limit_deg": a.limit.to_degrees(),
+        "margin_deg": a.margin().to_degrees(),
+        "passes": a.passes(),
+        "worst": a.worst.iter().map(worst).collect::<Vec<_>>(),
+    });
+    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn worst(e: &TableError) -> Value {
+    json!({
+        "motion": motion(e.motion),
+        "period_s": e.period,
+        "heading_deg": e.heading.to_degrees(),
+        "phase_deg": e.phase.to_degrees(),
+        "acceleration_m_per_s2": e.acceleration,
+        "error_deg": e.error.to_degrees(),
+    })
+}
