@@ -2,9 +2,12 @@
 //!
 //! `cargo bench --bench accuracy -- --cases 1000000`; without a number a short run. Prints the
 //! distance of `evaluate` from the exact integral in units in the last place, the share of cases
-//! that needed the exact tier, and relative errors of the other methods.
+//! that needed the exact tier, and relative errors of the other methods; then mean products of two filtered signals
+//! beside partial fractions in rationals.
 #![allow(missing_docs, clippy::print_stdout)]
 
+#[path = "../tests/it/integral/crossed.rs"]
+mod crossed;
 #[path = "../tests/it/integral/families.rs"]
 mod families;
 
@@ -12,6 +15,7 @@ use dashu_ratio::RBig;
 use families::{FAMILIES, Family, coefficients, generator, polynomial};
 use gyrospec::exact::rational;
 use gyrospec::integral::{Integrand, Method, determinant, evaluate, evaluate_fast, exact, quadrature};
+use gyrospec::lti::{cross_moment, cross_rate_moment};
 use rayon::prelude::*;
 
 /// Worst figures of one family.
@@ -85,6 +89,35 @@ fn case(family: Family, seed: u64) -> Worst {
     out
 }
 
+/// One mean product of two filtered signals, or of one with the rate of the other, beside partial fractions.
+fn product(family: Family, seed: u64) -> Worst {
+    let x = crossed::case(family, seed);
+    let mean = if x.rate { cross_rate_moment } else { cross_moment };
+    let (answer, truth) = (mean(&x.shaping, &x.first, &x.second), crossed::exactly(&x));
+    let (Ok(answer), Some(truth)) = (&answer, &truth) else {
+        // refused where there is none, and only there
+        return Worst {
+            refused: 1,
+            broken_bounds: usize::from(answer.is_ok() != truth.is_some()),
+            ..Worst::default()
+        };
+    };
+    let error = size(rational(answer.value) - truth);
+    let ulp = f64::from_bits(answer.value.abs().to_bits() + 1) - answer.value.abs();
+    Worst {
+        cases: 1,
+        ulps: (error.clone() / rational(ulp)).to_f64().value(),
+        broken_bounds: usize::from(error > rational(answer.error_bound)),
+        ..Worst::default()
+    }
+}
+
+/// The worst over a family's cases.
+fn worst(cases: u64, f: usize, one: impl Fn(u64) -> Worst + Send + Sync) -> Worst {
+    let seeds = (0..cases / 4).into_par_iter().map(|seed| seed + (f as u64) * 10_000_019);
+    seeds.map(one).reduce(Worst::default, Worst::join)
+}
+
 fn main() {
     let words: Vec<String> = std::env::args().collect();
     let given = words.iter().position(|w| w == "--cases").and_then(|i| words.get(i + 1)?.parse::<u64>().ok());
@@ -93,10 +126,7 @@ fn main() {
         "family    cases  evaluate[ulp]  by exact  fast[rel]  bounds broken  determinant[rel]  quadrature[rel]  refused"
     );
     for (f, family) in FAMILIES.into_iter().enumerate() {
-        let w = (0..cases / 4)
-            .into_par_iter()
-            .map(|seed| case(family, seed + (f as u64) * 10_000_019))
-            .reduce(Worst::default, Worst::join);
+        let w = worst(cases, f, |seed| case(family, seed));
         println!(
             "{:9} {:5} {:13.4} {:9} {:10.1e} {:14} {:17.1e} {:16.1e} {:8}",
             format!("{family:?}"),
@@ -109,5 +139,12 @@ fn main() {
             w.quadrature,
             w.refused
         );
+    }
+    println!("\nmean products of two filtered signals");
+    println!("family    cases  [ulp]  bounds broken  without a mean");
+    for (f, family) in FAMILIES.into_iter().enumerate() {
+        let w = worst(cases, f, |seed| product(family, seed));
+        let name = format!("{family:?}");
+        println!("{name:9} {:5} {:6.4} {:14} {:15}", w.cases, w.ulps, w.broken_bounds, w.refused);
     }
 }

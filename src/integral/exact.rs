@@ -18,6 +18,7 @@
 //! One rounding at the very end. The integers grow with the order: n²/2 products of n·53 bits for
 //! coefficients of like exponents.
 
+use super::scale::Scale;
 use super::{Integral, Integrand, Method, Numerator};
 use crate::exact::{IBig, RBig, Rounded, integers, integers_time_shift, round_ratio};
 use crate::poly::routh;
@@ -97,14 +98,39 @@ struct Ratio {
 /// # Errors
 /// As [`super::evaluate`].
 pub fn evaluate(p: &Integrand<'_>) -> Result<Integral> {
-    let ratio = ratio(p)?;
+    rounded(&ratio(p)?, Some(p))
+}
+
+/// An integral whose polynomials are integers over powers of two, in a time s = 2^`time`·s′.
+pub(crate) struct Whole {
+    /// a0 … an times 2^−`of_h`.
+    pub h: Vec<IBig>,
+    /// b0 … b(n−1) times 2^−`of_g`.
+    pub g: Vec<IBig>,
+    pub of_h: i64,
+    pub of_g: i64,
+    pub time: i32,
+}
+
+/// The exact integral of integers, rounded once; `near` are the same polynomials in doubles, whose condition is told.
+pub(crate) fn of_whole(w: Whole, near: Option<&Integrand<'_>>) -> Result<Integral> {
+    let array = tested(w.h)?;
+    let (numerator, denominator) = eliminate(w.g, &array);
+    let exponent = i64::from(w.time) + w.of_g - 2 * w.of_h;
+    // the condition is told in the time of the doubles
+    let near = near.filter(|p| Scale::choose(p).is_some_and(|s| s.time == w.time));
+    rounded(&Ratio { numerator, denominator, exponent, array, of_h: w.of_h }, near)
+}
+
+fn rounded(ratio: &Ratio, p: Option<&Integrand<'_>>) -> Result<Integral> {
     let (value, whole) = match round_ratio(&ratio.numerator, &ratio.denominator, ratio.exponent) {
         Rounded::Value(value, whole) => (value, whole),
         Rounded::OutOfRange(decimal) => return Err(Refusal::OutOfRange(decimal).into()),
     };
     let half_ulp = (value.abs() * f64::EPSILON / 2.0).max(f64::from_bits(1));
     let error_bound = if whole { 0.0 } else { half_ulp };
-    let condition = super::adjoint::condition_of_exact(p, &ratio.array, ratio.of_h, value);
+    let condition =
+        p.map_or(f64::INFINITY, |p| super::adjoint::condition_of_exact(p, &ratio.array, ratio.of_h, value));
     Ok(Integral { value, error_bound, condition, method: Method::Exact })
 }
 

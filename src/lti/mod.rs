@@ -12,7 +12,7 @@ mod transfer;
 
 #[doc(hidden)]
 pub use covariance::{Covariance, stationary_covariance};
-pub use cross::{CrossIntegral, cross_integrand, cross_moment};
+pub use cross::{CrossIntegral, cross_integrand, cross_moment, cross_rate_moment};
 #[doc(hidden)]
 pub use discrete::Discrete;
 #[doc(hidden)]

@@ -6,6 +6,7 @@ pub mod roots;
 pub mod routh;
 pub mod stability;
 mod sturm;
+pub mod whole;
 
 use num_complex::Complex64;
 

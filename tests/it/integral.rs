@@ -1,7 +1,8 @@
 //! The spectral integral against exact rational arithmetic.
 
+pub mod crossed;
 mod exactness;
-mod families;
+pub mod families;
 mod laws;
 mod methods;
 mod refusals;
