@@ -28,7 +28,7 @@
 //! | [`lti`] | transfer functions, state space, covariance |
 //! | [`spectrum`] | roll and sea spectra |
 //! | [`record`] | recordings |
-//! | [`gyro`] | gyrospheres and the rotating gimbal |
+//! | [`gyro`] | gyrospheres, the rotating gimbal, strapdown systems |
 //! | [`model`] | model files |
 //! | [`simulate`](mod@simulate) | a model on a recording |
 //! | [`diagnose`](mod@diagnose) | what is missing |

@@ -1,4 +1,4 @@
-//! The gyrosphere family, its rectified error, and the rotating gimbal.
+//! The gyrosphere family, its rectified error, the rotating gimbal, and strapdown systems that vibrate.
 //!
 //! The horizontal directions are those of the rolling-error paper: W₁ along the parallel,
 //! W₂ along the meridian (east and north positive), with W₁ = −hθ̈ cos K and W₂ = +hθ̈ sin K for roll θ of a ship on
@@ -20,6 +20,7 @@ mod path;
 pub mod range;
 pub(crate) mod rectified;
 pub mod seed;
+pub mod strapdown;
 mod sweep;
 mod tail;
 pub mod validity;
