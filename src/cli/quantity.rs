@@ -1,7 +1,9 @@
 //! Quantities as options take them: `3m`, `3 m` or `3`.
 
 use crate::gyro::range::Range;
+use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
+use std::f64::consts::TAU;
 
 /// A number and its unit.
 fn parted<'a>(option: &str, text: &'a str, si: &str) -> Result<(f64, Option<&'a str>)> {
@@ -32,6 +34,61 @@ pub fn angle(option: &str, text: &str, range: &Range) -> Result<f64> {
     range.read(value, unit.or(Some("deg"))).map_err(|e| e.about(&format!("--{option}")))
 }
 
+/// A latitude, rad: `60.2`, `60.2deg`, or as a chart has it, `60°12'N`, `60 12.5 N`, `33°52'10"S`.
+pub fn latitude(option: &str, text: &str, range: &Range) -> Result<f64> {
+    let Some((marks, south)) = hemisphere(text.trim()) else { return angle(option, text, range) };
+    let wrong = || {
+        Error::usage(format!("--{option}: `{text}` is no latitude"))
+            .with_hint("write 60.2, 60.2N, 60°12'N or 33 52 10 S: degrees, minutes and seconds below 60")
+    };
+    let parts: Vec<f64> = marks
+        .split(|c: char| c.is_whitespace() || "°ºd'′’\"″”m".contains(c))
+        .filter(|p| !p.is_empty())
+        .map(|p| p.parse().map_err(|_| wrong()))
+        .collect::<Result<_>>()?;
+    let [degrees, ref smaller @ ..] = parts[..] else { return Err(wrong()) };
+    // only the last may be broken, and none but the hemisphere has a sign
+    let whole = parts[..parts.len() - 1].iter().all(|p| p.fract() == 0.0);
+    let signed = parts.iter().any(|p| !p.is_finite() || p.is_sign_negative());
+    if smaller.len() > 2 || !whole || signed || smaller.iter().any(|p| *p >= 60.0) {
+        return Err(wrong());
+    }
+    let value = smaller.iter().rev().fold(0.0, |sum, part| (sum + part) / 60.0) + degrees;
+    let value = if south { -value } else { value };
+    range.read(value, Some("deg")).map_err(|e| e.about(&format!("--{option}")))
+}
+
+/// What stands before `N` or `S`, and whether it is `S`; also a number with marks of degrees and minutes alone.
+fn hemisphere(text: &str) -> Option<(&str, bool)> {
+    let before = |letters: [char; 2]| text.strip_suffix(letters);
+    match (before(['N', 'n']), before(['S', 's'])) {
+        (Some(marks), _) => Some((marks, false)),
+        (_, Some(marks)) => Some((marks, true)),
+        _ => None,
+    }
+}
+
+/// A frequency, rad/s, or the period that it has, as `12s`.
+pub fn frequency(option: &str, text: &str, range: &Range) -> Result<f64> {
+    let (value, unit) = parted(option, text, range.unit)?;
+    let Some(time) = unit.and_then(|u| Unit::parse(u).ok()).filter(|u| u.dimension() == Dimension::TIME)
+    else {
+        return quantity(option, text, range);
+    };
+    let period = time.to_si(value);
+    if period <= 0.0 {
+        return Err(Error::usage(format!("--{option}: a period is above 0, not {text}")));
+    }
+    // p = 2π/period
+    range.read(TAU / period, None).map_err(|e| e.about(&format!("--{option}")))
+}
+
+/// The parts of a list with commas between.
+pub fn listed<'a, const N: usize>(option: &str, text: &'a str) -> Result<[&'a str; N]> {
+    let parts: Vec<&str> = text.split(',').collect();
+    parts.try_into().map_err(|_| Error::usage(format!("--{option} takes {N} numbers with commas between")))
+}
+
 /// A list of quantities, each in its range.
 pub fn quantities(option: &str, text: &str, ranges: &[&Range]) -> Result<Vec<f64>> {
     let parts: Vec<&str> = text.split(',').collect();
@@ -39,4 +96,44 @@ pub fn quantities(option: &str, text: &str, ranges: &[&Range]) -> Result<Vec<f64
         return Err(Error::usage(format!("--{option} takes {} numbers with commas between", ranges.len())));
     }
     parts.iter().zip(ranges).map(|(p, r)| quantity(option, p, r)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::gyro::range::{LATITUDE, ROLL_FREQUENCY};
+
+    #[test]
+    fn latitudes_as_a_chart_has_them() {
+        for (text, wanted) in [
+            ("60.2", 60.2),
+            ("-33deg", -33.0),
+            ("1rad", 1f64.to_degrees()),
+            ("55N", 55.0),
+            ("55 s", -55.0),
+            ("60°12'N", 60.2),
+            ("60 12.6 N", 60.21),
+            ("33°52'12\"S", -33.87),
+            ("0°30′N", 0.5),
+        ] {
+            let found = latitude("latitude", text, &LATITUDE).unwrap().to_degrees();
+            assert!((found - wanted).abs() < 1e-12, "{text}: {found}");
+        }
+        for text in ["N", "60°72'N", "-60N", "60.5°10'N", "95N", "60°12'E", "1 2 3 4 N", "60°12'", "infN"]
+        {
+            assert!(latitude("latitude", text, &LATITUDE).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_frequency_by_its_period() {
+        let read = |text| frequency("regular", text, &ROLL_FREQUENCY);
+        assert_eq!(read("12s").unwrap(), TAU / 12.0);
+        assert_eq!(read("0.2min").unwrap(), TAU / 12.0);
+        assert_eq!(read("0.5").unwrap(), 0.5);
+        assert_eq!(read("0.5rad/s").unwrap(), 0.5);
+        for text in ["0s", "-3s", "infs", "2h", "3m", "0.1Hz"] {
+            assert!(read(text).is_err(), "{text}");
+        }
+    }
 }

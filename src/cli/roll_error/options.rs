@@ -1,7 +1,7 @@
 //! What the command line says of the instrument, the motion and the rows wanted.
 
 use super::part::PartOptions;
-use crate::cli::quantity::{angle, quantities, quantity};
+use crate::cli::quantity::{angle, frequency, latitude, listed, quantities, quantity};
 use crate::gyro::elastic::{Elastic, Lag};
 use crate::gyro::range::{self, Range};
 use crate::gyro::seed::Regular;
@@ -15,7 +15,7 @@ use clap::{Args, ValueEnum};
 pub struct InstrumentOptions {
     #[command(flatten)]
     part: PartOptions,
-    /// Latitude; a bare number is in degrees; less than 90, and the error grows as 1/cos towards the pole.
+    /// Latitude, in degrees or as 60°12'N; less than 90, and the error grows as 1/cos towards the pole.
     #[arg(long, allow_hyphen_values = true)]
     pub latitude: Option<String>,
     /// Height of the compass above the roll axis.
@@ -37,7 +37,7 @@ impl InstrumentOptions {
     pub fn put(&self, compass: &mut Compass) -> Result<()> {
         let s = &mut compass.sphere;
         if let Some(text) = &self.latitude {
-            s.latitude = angle("latitude", text, &range::LATITUDE)?;
+            s.latitude = latitude("latitude", text, &range::LATITUDE)?;
         }
         let places: [(&str, &Option<String>, &Range, &mut f64); 2] = [
             ("lever", &self.lever, &range::LEVER, &mut s.lever),
@@ -77,10 +77,10 @@ pub enum Also {
 
 #[derive(Args)]
 pub struct MotionOptions {
-    /// Irregular roll of the paper's form: standard deviation, decay mu, frequency eps.
+    /// Irregular roll of the paper's form: standard deviation, decay mu, frequency eps (rad/s) or its period (12s).
     #[arg(long, value_name = "SIGMA,MU,EPS", group = "motion")]
     irregular: Option<String>,
-    /// Regular roll: amplitude, frequency.
+    /// Regular roll: amplitude, frequency (rad/s) or period (12s).
     #[arg(long, value_name = "AMPLITUDE,FREQUENCY", group = "motion")]
     regular: Option<String>,
     /// Motion in a wind sea.
@@ -140,13 +140,18 @@ impl MotionOptions {
         let source = match (self.sea, &self.regular, &self.irregular) {
             (Some(kind), _, _) => Source::Sea(self.waves.waves(kind)?),
             (None, Some(text), _) => {
-                let v = quantities("regular", text, &[&range::ROLL_AMPLITUDE, &range::ROLL_FREQUENCY])?;
-                Source::Regular(Regular { amplitude: v[0], frequency: v[1] })
+                let [amplitude, swing] = listed("regular", text)?;
+                Source::Regular(Regular {
+                    amplitude: quantity("regular", amplitude, &range::ROLL_AMPLITUDE)?,
+                    frequency: frequency("regular", swing, &range::ROLL_FREQUENCY)?,
+                })
             }
             (None, None, Some(text)) => {
-                let ranges = [&range::ROLL_DEVIATION, &range::ROLL_DECAY, &range::ROLL_FREQUENCY];
-                let v = quantities("irregular", text, &ranges)?;
-                Source::Irregular(Roll::new(v[0] * v[0], v[1], v[2])?)
+                let [sigma, mu, eps] = listed("irregular", text)?;
+                let sigma = quantity("irregular", sigma, &range::ROLL_DEVIATION)?;
+                let mu = quantity("irregular", mu, &range::ROLL_DECAY)?;
+                let eps = frequency("irregular", eps, &range::ROLL_FREQUENCY)?;
+                Source::Irregular(Roll::new(sigma * sigma, mu, eps)?)
             }
             (None, None, None) => Source::Irregular(default.unwrap_or_else(|| seed::example_3_1().1)),
         };
