@@ -12,10 +12,12 @@ pub mod gimbal;
 mod gyrosphere;
 mod identify;
 mod instrument;
+mod manoeuvre;
 mod monte_carlo;
 mod motion;
 mod nonlinear;
 mod path;
+mod pendulous;
 #[doc(hidden)]
 pub mod range;
 pub(crate) mod rectified;
@@ -31,10 +33,12 @@ pub use free::FreeMotion;
 pub use gyrosphere::Gyrosphere;
 pub use identify::{Identified, Trial, identify};
 pub use instrument::{EARTH_RADIUS, HeadingError, Instrument};
+pub use manoeuvre::Manoeuvres;
 pub use monte_carlo::{MonteCarlo, SimulatedError};
 pub use motion::{Axis, LinearSignal, Motion};
 pub use nonlinear::{Moment, folded};
 pub use path::Drive;
+pub use pendulous::{Corrector, PendulousCompass};
 pub use sweep::sweep;
 pub use tail::Tail;
 
