@@ -17,6 +17,7 @@ from ._api import (
     roll_error,
     roll_error_sweep,
     simulate,
+    strapdown,
     table,
 )
 from ._errors import (
@@ -66,5 +67,6 @@ __all__ = [
     "roll_error",
     "roll_error_sweep",
     "simulate",
+    "strapdown",
     "table",
 ]

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -209,6 +210,48 @@ def roll_error_sweep(**columns: Column) -> Floats:
     shape = spread[0].shape
     flat = {n: np.ravel(a) for n, a in zip(names, spread, strict=True)}
     return native.roll_error_sweep(flat).reshape(shape)
+
+
+def strapdown(
+    *,
+    angular: Mapping[str, Quantities] | None = None,
+    linear: Mapping[str, Quantities] | None = None,
+    resonance: Quantities | None = None,
+    coherence: float | None = None,
+    anisoinertia: Quantities | None = None,
+    anisoelasticity: Quantities | None = None,
+    square: Quantity | None = None,
+    tuned_rotor: Quantities | None = None,
+    latitude: Quantity | None = None,
+    heading: Quantity | None = None,
+    walk: Quantity | None = None,
+    loop: Quantities | None = None,
+    align: Quantity | None = None,
+    irregular: Quantities | None = None,
+    lever: Quantity | None = None,
+) -> dict[str, Any]:
+    """What vibration and noise do to a strapdown system, to single gyros, and to a heading found with them.
+
+    The arguments are the options of `gyrospec strapdown`; quantities are numbers in SI (phases, latitude
+    and heading in degrees) or texts with their unit. The result has the fields of its JSON.
+
+    angular, linear: by axis, as `angular={"x": "0.1mrad", "y": ("0.1mrad", -90)}`: standard deviation,
+    phase, and frequency and damping ratio where they are not those of `resonance`.
+
+    >>> cone = gyrospec.strapdown(resonance="30Hz,0.05", angular={"x": 1e-4, "y": (1e-4, -90)})
+    >>> cone["effects"][0]["effect"]
+    'coning'
+    """
+    texts = {
+        "resonance": resonance, "coherence": coherence, "anisoinertia": anisoinertia,
+        "anisoelasticity": anisoelasticity, "square": square, "tuned-rotor": tuned_rotor, "latitude": latitude,
+        "heading": heading, "walk": walk, "loop": loop, "align": align, "irregular": irregular, "lever": lever,
+    }  # fmt: skip
+    options = [f"--{name}={_words(value)}" for name, value in texts.items() if value is not None]
+    for name, axes in (("angular", angular), ("linear", linear)):
+        options += [f"--{name}={axis}={_words(value)}" for axis, value in (axes or {}).items()]
+    answer: dict[str, Any] = json.loads(native.strapdown(options))
+    return answer
 
 
 def _single(

@@ -21,6 +21,7 @@ mod record;
 pub mod roll_error;
 mod signals;
 mod simulate;
+pub mod strapdown;
 mod table;
 mod task;
 mod threads;
@@ -79,6 +80,8 @@ enum Command {
     RollError(Box<roll_error::Arguments>),
     /// A gyroscope in a rotating gimbal as a sensor of slow rates.
     Gimbal(gimbal::GimbalCall),
+    /// Strapdown systems and gyros that vibrate, and the heading found with them.
+    Strapdown(Box<strapdown::Call>),
     /// The spectral integral I_n, exact to the last place.
     Integral(integral::Arguments),
     /// A mean value as a formula in your own letters.
@@ -106,6 +109,7 @@ impl Command {
             Self::Simulate(_) => "simulating",
             Self::RollError(_) => "computing the rolling error",
             Self::Gimbal(_) => "simulating the gimbal",
+            Self::Strapdown(_) => "integrating spectra",
             Self::Laboratory(_) => "making recordings",
             Self::Fit(_) | Self::Diagnose(_) | Self::Record(_) | Self::New(_) => "reading",
             _ => "working",
@@ -137,6 +141,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Simulate(call) => return simulate::run(&call),
         Command::Models(call) => return models::run(&call),
         Command::Gimbal(call) => return gimbal::run(&call),
+        Command::Strapdown(call) => return strapdown::run(&call),
         Command::RollError(a) => return roll_error::run(&a),
         Command::New(call) => return new::run(&call),
         Command::Completions(call) => return completions::completions(&call),

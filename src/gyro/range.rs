@@ -99,6 +99,44 @@ pub const STIFFNESS: Range = range("a stiffness", "N/m", [1e-2, 1e12]);
 pub const RELAXATION: Range = range("a time of relaxation", "s", [1e-6, 1e5]);
 /// κ.
 pub const SHARE: Range = range("a share of the spring's give", "1", [-100.0, 100.0]);
+/// σ of φ, and θ₀ of a tuned rotor.
+pub const SHAKEN_ANGLE: Range = Range {
+    meant: &["mrad", "urad"],
+    why: "the products are of second order in the angle; what they leave out is of fourth",
+    ..range("an angular vibration", "rad", [1e-12, 0.1])
+};
+/// σ of a.
+pub const SHAKEN_ACCELERATION: Range = range("a linear vibration", "m/s^2", [1e-9, 1e5]);
+/// ω₀/2π of a vibration, and of a float on its suspension.
+pub const VIBRATION_FREQUENCY: Range = range("a frequency of vibration", "Hz", [1e-4, 1e6]);
+/// ζ of a vibration, and of a float on its suspension.
+pub const VIBRATION_DAMPING: Range = range("a damping ratio of vibration", "1", [1e-7, 10.0]);
+/// ψ of a vibration.
+pub const PHASE: Range = angle("a phase", [-360.0, 360.0]);
+/// The part of two vibrations that goes together.
+pub const COHERENCE: Range = range("a coherence", "1", [0.0, 1.0]);
+/// I_s − I_i of a float.
+pub const INERTIA_DIFFERENCE: Range =
+    meant("a difference of moments of inertia", "kg*m^2", [-1.0, 1.0], &["g*cm^2"]);
+/// H of one gyro.
+pub const GYRO_MOMENTUM: Range = meant("a gyro's angular momentum", "N*m*s", [1e-9, 1e5], &["g*cm^2/s"]);
+/// m of a float.
+pub const FLOAT_MASS: Range = meant("a float's mass", "kg", [1e-6, 1e3], &["g"]);
+/// k₂.
+pub const SQUARE_TERM: Range = range("a square term", "s^2/m", [-1.0, 1.0]);
+/// N of a tuned rotor.
+pub const ROTOR_SPEED: Range = range("a rotor's speed", "rad/s", [1.0, 1e5]);
+/// C, and A_g + B_g − C_g.
+pub const ROTOR_INERTIA: Range = meant("a moment of inertia", "kg*m^2", [1e-15, 10.0], &["g*cm^2"]);
+/// N of angle random walk.
+pub const WALK: Range =
+    Range { shown: "deg/h^0.5", ..meant("an angle random walk", "rad/s^0.5", [1e-15, 1.0], &["deg/h^0.5"]) };
+/// 2π/ω_n of a loop that seeks north.
+pub const LOOP_PERIOD: Range = range("a loop's period", "s", [1.0, 1e6]);
+/// ζ of a loop that seeks north.
+pub const LOOP_DAMPING: Range = range("a loop's damping ratio", "1", [1e-3, 100.0]);
+/// A time of averaging at rest.
+pub const AVERAGING: Range = range("a time of averaging", "s", [1e-3, 1e7]);
 
 /// By the names of a compass's parameters.
 const COMPASS: [(&str, Range); 11] = [
@@ -250,6 +288,17 @@ mod tests {
             &BEAM,
             &SHIP_LENGTH,
             &BAND,
+            &SHAKEN_ANGLE,
+            &SHAKEN_ACCELERATION,
+            &VIBRATION_FREQUENCY,
+            &PHASE,
+            &INERTIA_DIFFERENCE,
+            &GYRO_MOMENTUM,
+            &FLOAT_MASS,
+            &SQUARE_TERM,
+            &ROTOR_SPEED,
+            &ROTOR_INERTIA,
+            &WALK,
         ];
         for r in named.chain(lone) {
             let dimension = |text: &str| Unit::parse(text).unwrap().dimension();

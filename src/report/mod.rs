@@ -7,5 +7,6 @@ pub mod page;
 pub mod polar;
 pub mod rolling;
 pub mod simulated;
+pub mod strapdown;
 pub mod svg;
 pub mod terminal;

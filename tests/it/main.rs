@@ -46,6 +46,7 @@ mod schemas;
 mod simulate;
 mod skipped;
 mod strapdown;
+mod strapdown_command;
 mod symbolic;
 mod terminal;
 mod trade;

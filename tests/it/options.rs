@@ -171,6 +171,36 @@ fn each_pair_of_options_of_the_gimbal_is_used_or_refused() {
     each_pair("gimbal", &[("parameters", "gimbal.toml"), ("corner", "--corner 3"), ("json", "--json")], &[]);
 }
 
+const STRAPDOWN: [(&str, &str); 16] = [
+    ("angular", "--angular z=0.05mrad,40,50Hz,0.1"),
+    ("linear", "--linear x=2m/s^2,10,40Hz,0.1"),
+    ("resonance", "--resonance 35Hz,0.2"),
+    ("coherence", "--coherence 0.5"),
+    ("anisoinertia", "--anisoinertia xy,1g*cm^2,2e-3"),
+    ("anisoelasticity", "--anisoelasticity xy,0.1,2e-3,900Hz,1200Hz,0.1"),
+    ("square", "--square 1e-6"),
+    ("tuned_rotor", "--tuned-rotor z,6000rpm,60g*cm^2,1g*cm^2,1arcsec"),
+    ("latitude", "--latitude 55"),
+    ("heading", "--heading 30"),
+    ("walk", "--walk 0.01deg/h^0.5"),
+    ("seeking", "--loop 10min,0.7"),
+    ("align", "--align 300s"),
+    ("irregular", "--irregular 4deg,0.06,0.65"),
+    ("lever", "--lever 3m"),
+    ("json", "--json"),
+];
+
+#[test]
+fn each_pair_of_options_of_a_strapdown_system_is_used_or_refused() {
+    let cone = ["--angular", "x=0.1mrad,0,30Hz,0.1", "--angular", "y=0.1mrad,-90,30Hz,0.1"];
+    each_pair("strapdown", &STRAPDOWN, &cone);
+    // what needs a place or a walk, beside both
+    let place = ["--latitude", "60", "--heading", "20", "--walk", "1e-6", "--align", "100s"];
+    each_pair("strapdown", &STRAPDOWN, &[&cone[..], &place].concat());
+    let sea = ["--loop", "20min,0.6", "--irregular", "3deg,0.1,0.7", "--lever", "2m"];
+    each_pair("strapdown", &STRAPDOWN, &[&place[..], &sea].concat());
+}
+
 /// Exit code and both outputs of a command of roll-error on a model file.
 fn on_model(text: &str) -> (i32, String) {
     let folder = tempfile::tempdir().unwrap();

@@ -190,6 +190,12 @@ fn integrals_and_tables_fit_their_schemas() {
     fits("table", &said(&["table", "--orders", "1..4", "--format", "json"]));
     fits("audit", &said(&["audit", "--seed", "--format", "json"]));
     fits("gimbal", &said(&["gimbal", "--json"]));
+    let shaken =
+        ["--angular", "x=0.1mrad,0,30Hz,0.1", "--linear", "y=2m/s^2,20,40Hz,0.1", "--square", "1e-6"];
+    let rotor = ["--tuned-rotor", "z,6000rpm,60g*cm^2,1g*cm^2,1arcsec", "--latitude", "45"];
+    let noise = ["--walk", "1e-6", "--align", "300s", "--latitude", "45"];
+    fits("strapdown", &said(&[&["strapdown", "--json"], &shaken[..], &rotor].concat()));
+    fits("strapdown", &said(&[&["strapdown", "--json"], &noise[..]].concat()));
     let values = "m=1, r=1, c=1, N=1";
     let call = ["formula", "--h", "m*s^2 + r*s + c", "--g", "N", "--values", values, "--format", "json"];
     fits("formula", &said(&call));

@@ -105,6 +105,8 @@ fn nothing_that_is_shown_steers_the_terminal() {
         vec!["audit", "audit.toml", "--format", "json"],
         vec!["table", "--orders", evil],
         vec!["gimbal", "gimbal.toml"],
+        vec!["strapdown", "--angular", evil],
+        vec!["strapdown", "--angular", "x=1mrad", "--tuned-rotor", evil],
         vec!["roll-error", &odd_name, "--roll", evil],
         vec!["roll-error", "--latitude", evil],
         vec!["roll-error", "--sea", evil],

@@ -187,6 +187,8 @@ fn the_program_asks_of_a_header_a_toml_channel_and_an_option() {
         vec!["roll-error", "--irregular", "4deg,0.1,0.1Hz"],
         vec!["roll-error", "--band", "3Hz"],
         vec!["gimbal", &gimbal],
+        vec!["strapdown", "--resonance", "30rad/s,0.1", "--angular", "x=1mrad"],
+        vec!["strapdown", "--tuned-rotor", "z,100Hz,1e-5,1e-7,1e-6"],
     ] {
         let out = Command::new(env!("CARGO_BIN_EXE_gyrospec")).args(&words).output().unwrap();
         let says = String::from_utf8_lossy(&out.stderr);

@@ -15,6 +15,7 @@ mod model;
 mod recording;
 mod roll_error;
 mod simulate;
+mod strapdown;
 mod sweep;
 mod table;
 mod told;
@@ -41,6 +42,8 @@ mod _gyrospec {
     use super::roll_error::{elastic_options, roll_error};
     #[pymodule_export]
     use super::simulate::{Simulated, simulate};
+    #[pymodule_export]
+    use super::strapdown::strapdown;
     #[pymodule_export]
     use super::sweep::roll_error_sweep;
     #[pymodule_export]

@@ -12,6 +12,11 @@
 
 use super::Vector;
 
+/// U, rad/s (WGS 84).
+pub const EARTH_RATE: f64 = 7.292_115e-5;
+/// g, m/s², the standard.
+pub const GRAVITY: f64 = 9.806_65;
+
 /// A heading found by gyrocompassing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Found {

@@ -14,6 +14,7 @@
 //! | `vibration_square` | an accelerometer's square term |
 //! | `heading` | the heading found by gyrocompassing with drifts and biases |
 //! | `north_seeking` | the spread of that heading by the gyros' noise and by the sea |
+//! | `system` | all of it together |
 
 mod anisoelasticity;
 mod anisoinertia;
@@ -21,6 +22,7 @@ mod coning;
 mod heading;
 mod north_seeking;
 mod sculling;
+mod system;
 mod tuned_rotor;
 mod vibration;
 mod vibration_square;
@@ -28,9 +30,10 @@ mod vibration_square;
 pub use anisoelasticity::Anisoelasticity;
 pub use anisoinertia::Anisoinertia;
 pub use coning::coning;
-pub use heading::{Found, by_gyrocompassing};
+pub use heading::{EARTH_RATE, Found, GRAVITY, by_gyrocompassing};
 pub use north_seeking::{NorthSeeking, Seaway, aligned};
 pub use sculling::sculling;
+pub use system::{Disturbance, Effect, Findings, MountedRotor, Place, RotorReads, Spread, System};
 pub use tuned_rotor::TunedRotor;
 pub use vibration::{Shaken, Vibration};
 pub use vibration_square::square_term;
