@@ -14,7 +14,7 @@ use super::propose::View;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::{self, Found, Taken};
-use super::verdict::{Evidence, Proven, settle, with_faults, with_noise};
+use super::verdict::{Evidence, Proven, settle, with_faults, with_noise, with_patches};
 use super::{Diagnosis, Request, innovations, locate, next, pictures, words};
 use crate::Result;
 use crate::estimate::Fit;
@@ -68,9 +68,14 @@ impl Assembly<'_> {
         let mut findings = self.findings(smaller, &before, &after);
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
         let proof = self.proof(&before, &after);
-        let unlike = (evidence.verdict() == Verdict::NothingMissing)
-            .then(|| innovations::unlike_noise(&self.bench, &self.found.last, &before))
-            .flatten();
+        // Without a name a sure step in time leads farther than a signal that follows it.
+        let unlike = match evidence.verdict() {
+            Verdict::NothingMissing => innovations::unlike_noise(&self.bench, &self.found.last, &before),
+            Verdict::Unknown if self.found.taken.is_empty() && self.found.fallen.is_none() => {
+                innovations::unlike_noise(&self.bench, &self.found.last, &before).filter(Unlike::is_step)
+            }
+            _ => None,
+        };
         let odd = unlike.as_ref().map(|u| u.says(&self.request.model.outputs, &self.found.last.rmse));
         let physics = settle(with_noise(evidence.verdict(), unlike.as_ref()), &findings, &self.found);
         let held_out: usize = before.iter().map(Held::samples).sum();
@@ -80,7 +85,7 @@ impl Assembly<'_> {
             falls_whitened: self.falls_whitened(&before, &after),
             is_left_in_trials: left && self.bench.is_trials(),
         };
-        let physics = proven.settle(physics);
+        let physics = proven.settle(with_patches(physics, &findings, &rest));
         let unfinished = self.ended_early.filter(|_| physics == Verdict::NothingMissing).map(unfinished);
         let physics = if unfinished.is_some() { Verdict::NotIdentifiable } else { physics };
         let reason = unfinished.as_deref().or(blind.as_deref()).or(odd.as_deref());

@@ -306,6 +306,7 @@ impl Bench {
             tables: self.tables(),
             measured: self.measured(model),
             peaks: Vec::new(),
+            shifts: Vec::new(),
             own_parameters: self.own_parameters,
         })
     }

@@ -7,12 +7,13 @@
 //! An extension stands if its likelihood ratio stands after Holm's correction and its gain over parts
 //! left out is above the floor. Of those near the largest gain the likeliest is taken; others within
 //! the tolerance of the likelihood are ties. Parts that commute in a linear model have a wider
-//! tolerance, because they differ only by what the recording began with.
+//! tolerance, because they differ only by what the recording began with. The same change of one parameter or
+//! of another is two laws: as likely, they are ties.
 //!
 //! # References
 //! S. Holm, Scand. J. Statist. 6 (1979) 65; G. Schwarz, Ann. Statist. 6 (1978) 461.
 
-use super::catalogue::{self, Proposal};
+use super::catalogue::{self, Proposal, SiteKind};
 use super::measure::Measure;
 use super::search::{Refitted, Round, Taken};
 
@@ -55,8 +56,15 @@ fn worth(r: &Refitted) -> f64 {
 
 /// Whether a mechanism is tied to moments of one recording, so that another cannot confirm it.
 pub fn is_anchored(p: &Proposal) -> bool {
-    let codes =
-        ["drift-force", "output-drift", "parameter-change", "parameter-drift", "clock-jump", "clock-drift"];
+    let codes = [
+        "drift-force",
+        "output-drift",
+        "output-step",
+        "parameter-change",
+        "parameter-drift",
+        "clock-jump",
+        "clock-drift",
+    ];
     codes.contains(&p.code) || is_timed_wave(p)
 }
 
@@ -71,9 +79,13 @@ pub fn is_timed_wave(p: &Proposal) -> bool {
 }
 
 /// Out of how many a proposal was chosen before it was tried: the frequency of a wave in time is the best
-/// of all that the samples resolve.
+/// of all that the samples resolve, the moment of a sensor's jump of all samples.
 pub fn chosen_from(p: &Proposal, samples: f64) -> f64 {
-    if is_timed_wave(p) { (0.5 * samples).max(1.0) } else { 1.0 }
+    match p.code {
+        "output-step" => samples.max(1.0),
+        _ if is_timed_wave(p) => (0.5 * samples).max(1.0),
+        _ => 1.0,
+    }
 }
 
 /// Whether a law was taken before at the same site on the same signals: twice, it is another law.
@@ -164,12 +176,21 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let mut ties: Vec<Proposal> = Vec::new();
     let mut elsewhere: Vec<Proposal> = Vec::new();
     let mut rival = None;
-    let near: Vec<usize> = rivals.into_iter().filter(|i| *i != best && alike(*i, likeliest)).collect();
+    // The same change of another parameter is as good a name though blocks left out may like it less.
+    let likely = |i: usize| worth(&round.fitted[i]) > worth(&round.fitted[best]) - TIE;
+    let other_parameter = |i: usize| {
+        let (r, site) = (&round.fitted[i], &chosen.site);
+        let same = r.proposal.code == chosen.code && r.proposal.site.kind == SiteKind::Parameter;
+        same && r.proposal.site != *site && r.p_value < chance(r) && !r.is_pressed() && likely(i)
+    };
+    let rival_too = |i: &usize| rivals.contains(i) && alike(*i, likeliest);
+    let all = (0..round.fitted.len()).filter(|i| *i != best);
+    let near: Vec<usize> = all.filter(|i| rival_too(i) || other_parameter(*i)).collect();
     for i in near.iter().copied() {
         let p = &round.fitted[i].proposal;
-        if p.code == chosen.code {
+        if p.code == chosen.code && !other_parameter(i) {
             elsewhere.push(p.clone());
-        } else if ties.iter().all(|t| t.code != p.code) {
+        } else if ties.iter().all(|t| t.code != p.code || other_parameter(i) && t.site != p.site) {
             ties.push(p.clone());
             rival = rival.or(Some(i));
         }

@@ -14,7 +14,7 @@
 use super::bench::{Bench, Stand};
 use super::choose::CHANCE;
 use super::screen::log_chance;
-use super::{locate, propose};
+use super::{innovations, locate, propose};
 use crate::estimate::Fit;
 
 /// Chance up to which held-out samples may agree by luck: that of one end of a 95 % interval.
@@ -59,6 +59,7 @@ fn tried(bench: &Bench, base: &Fit) -> usize {
     let scene = bench.scene(&base.model, &Stand::of(base));
     let count = scene.map(|mut scene| {
         scene.peaks = locate::peaks(base);
+        scene.shifts = innovations::shifts(bench, base);
         propose::proposals(bench, &scene, &[]).iter().map(|p| p.starts.len()).sum::<usize>()
     });
     count.unwrap_or(0).max(1)

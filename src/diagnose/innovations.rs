@@ -22,12 +22,14 @@
 //! The scale never falls below the resolution of the channel or the error of the simulation.
 
 use super::bench::Bench;
+use super::catalogue::Shift;
 use super::choose::SURE;
 use super::few::agree_by_luck;
 use super::prove::Held;
 use super::stray::{Stray, stray};
 use super::words;
 use crate::estimate::Fit;
+use crate::estimate::fit::Series;
 use crate::estimate::noise::{Autoregression, robust_deviation};
 use crate::model::Output;
 use crate::record::quality::quantum;
@@ -83,6 +85,11 @@ impl Unlike {
     /// The output whose residual steps, or has samples that stand apart.
     pub fn output(&self) -> Option<usize> {
         if let Self::Steps(k, _) | Self::Strays(k, _) = self { Some(*k) } else { None }
+    }
+
+    /// Whether its level steps.
+    pub fn is_step(&self) -> bool {
+        matches!(self, Self::Steps(..))
     }
 
     /// Chance that noise is so.
@@ -149,6 +156,34 @@ pub fn unlike_noise(bench: &Bench, fit: &Fit, held: &[Held]) -> Option<Unlike> {
     slowest.filter(|s| agree_by_luck(s.1 as usize)).map(|s| Unlike::Slow(s.0, s.1))
 }
 
+/// The plainest step of the level of each output's residual, where it is sure, in one recording; a jump of the
+/// sensor's zero would be such.
+pub fn shifts(bench: &Bench, fit: &Fit) -> Vec<Shift> {
+    if bench.is_trials() || bench.separate || fit.records.len() != 1 {
+        return Vec::new();
+    }
+    let of = |(k, output): (usize, &Output)| {
+        let floor = floor(bench, &output.name);
+        let own = stretches(fit, k);
+        let views: Vec<&[f64]> = own.iter().map(|s| &s.residual[..]).collect();
+        if views.concat().len() < FEWEST || fit.rmse[k] <= floor {
+            return None;
+        }
+        let step = level_shift(&own, &Autoregression::fit(&views, ORDER), floor)?;
+        let before = own.iter().flat_map(|s| &s.time).copied().filter(|t| *t < step.at).reduce(f64::max)?;
+        let sure = fit.model.outputs.len() as f64 * step.p_value < SURE;
+        sure.then(|| Shift { output: output.name.clone(), between: (before, step.at), size: step.size })
+    };
+    fit.model.outputs.iter().enumerate().filter_map(of).collect()
+}
+
+/// The residual of an output of a fit, stretch by stretch.
+fn stretches(fit: &Fit, output: usize) -> Vec<Stretch> {
+    let series = fit.records.iter().flat_map(|r| &r.series).filter(|s| s.output == output);
+    let parts = |s: &Series| joined(s.stretches.iter().map(|r| (&s.time[r.clone()], &s.residual[r.clone()])));
+    series.flat_map(parts).collect()
+}
+
 /// What is seen of an output.
 #[derive(Default)]
 struct Looked {
@@ -161,10 +196,7 @@ struct Looked {
 }
 
 fn look(bench: &Bench, fit: &Fit, held: &[Held], k: usize) -> Looked {
-    let series = fit.records.iter().flat_map(|r| &r.series).filter(|s| s.output == k);
-    let own: Vec<Stretch> = series
-        .flat_map(|s| joined(s.stretches.iter().map(|r| (&s.time[r.clone()], &s.residual[r.clone()]))))
-        .collect();
+    let own = stretches(fit, k);
     let samples: usize = own.iter().map(|s| s.residual.len()).sum();
     let floor = floor(bench, &fit.model.outputs[k].name);
     if samples < FEWEST || fit.rmse[k] <= floor {

@@ -33,6 +33,7 @@ mod rest;
 mod screen;
 mod search;
 mod stray;
+mod twins;
 mod verdict;
 mod watch;
 mod words;
@@ -106,6 +107,9 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     Ok(diagnosis)
 }
 
+/// Times that strays are looked for: where many are taken out, others come to stand apart.
+const PASSES: usize = 2;
+
 /// What is compared, once faults are masked.
 struct Case<'a> {
     request: &'a Request<'a>,
@@ -123,6 +127,7 @@ impl Case<'_> {
         let (model, progress) = (self.request.model, self.request.progress);
         progress.report("fitting the model as it stands", None);
         let base = self.bench.full_fit(model)?;
+        let base = if is_left { self.without_strays(base)? } else { base };
         self.bench.budget.tell(base.ended_early);
         let few = is_left.then(|| few::too_few(&self.bench, &base, self.spoiled_samples())).flatten();
         let is_judged = is_left && few.is_none();
@@ -160,6 +165,20 @@ impl Case<'_> {
             ended_early: None,
         }
         .finish()
+    }
+
+    /// The fit of the model as given once samples are left out that stand apart from all that it leaves over.
+    fn without_strays(&mut self, mut base: Fit) -> Result<Fit> {
+        for _ in 0..PASSES {
+            let found = faults::strays(&self.bench, &base, &self.separate, &self.spoiled);
+            if found.is_empty() || base.ended_early.is_some() {
+                break;
+            }
+            let recordings = (&mut self.bench.recordings[..], &mut self.separate[..]);
+            faults::take(self.request.model, found, recordings, (&mut self.spoiled, &mut self.told));
+            base = compared::anew(&self.bench, &base)?;
+        }
+        Ok(base)
     }
 
     /// Samples of fitted outputs that faults took.

@@ -120,7 +120,8 @@ pub fn separation(model: &Model, first: &Proposal, ties: &[Proposal]) -> Option<
         let signals = listed([first, other].into_iter().map(|p| p.depends.first().unwrap_or(&p.site.name)));
         format!("a recording in which {} vary independently of each other", signals.unwrap_or(outputs))
     };
-    Some(format!("{} and {} fit alike here. What would part them: {text}.", first.code, other.code))
+    let names = (words::beside(other, first), words::beside(first, other));
+    Some(format!("{} and {} fit alike here. What would part them: {text}.", names.0, names.1))
 }
 
 /// Different names, with "and" before the last; none where there are none.

@@ -1,8 +1,9 @@
 //! The paragraph that says it all.
 
 use super::answer::{DataFault, Finding, Proof, Verdict, told};
+use super::catalogue::Proposal;
 use super::rest::Law;
-use super::search::Found;
+use super::search::{Found, Taken};
 use super::words;
 use crate::model::Model;
 
@@ -97,7 +98,7 @@ impl Paragraph<'_> {
             }
             Verdict::Named => format!("The model leaves out: {list}."),
             Verdict::Tie => {
-                let ties = self.findings.first().map(|f| f.ties.join(", ")).unwrap_or_default();
+                let ties = self.findings.first().map(|f| self.ties(f)).unwrap_or_default();
                 let of = if others.len() > 1 { "In place of the first, " } else { "" };
                 format!("The model leaves out: {list}. {of}{ties} would fit as well.")
             }
@@ -107,6 +108,14 @@ impl Paragraph<'_> {
             return opening;
         }
         format!("{opening} {}{}", self.gains(), slight(self.findings, &others))
+    }
+
+    /// What fits as well as a finding.
+    fn ties(&self, first: &Finding) -> String {
+        let is = |p: &Proposal| p.code == first.code && p.term == first.term;
+        let taken = self.found.taken.iter().find(|t| is(&t.proposal));
+        let named = |t: &Taken| t.ties.iter().map(|o| words::beside(&t.proposal, o)).collect::<Vec<_>>();
+        taken.map_or_else(|| first.ties.clone(), named).join(", ")
     }
 
     fn unknown(&self, list: &str) -> String {
@@ -120,8 +129,9 @@ impl Paragraph<'_> {
                 words::sentence(&fallen.proposal, &fallen.fit)
             );
         }
-        if let ("", None, Some(odd)) = (list, &law, self.odd) {
-            return format!("Something is missing that the catalogue has no name for: {odd}.");
+        if let ("", Some(odd)) = (list, self.odd) {
+            let beside = law.map_or_else(String::new, |l| format!(" What is left also goes with {l}."));
+            return format!("Something is missing that the catalogue has no name for: {odd}.{beside}");
         }
         match (list, law) {
             ("", None) => {

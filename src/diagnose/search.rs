@@ -19,7 +19,8 @@ use super::catalogue::Proposal;
 use super::choose::{self, Choice, FLOOR, choose, floor, gain, mends};
 use super::compared::{patiently, same_samples};
 use super::measure::{Measure, Scale};
-use super::propose::{Screening, View, screen, worth_fitting};
+use super::propose::{Screened, Screening, View, screen, worth_fitting};
+use super::twins::twins;
 use super::{cut, prove, race};
 use crate::Result;
 use crate::estimate::fit::{Effort, Progress};
@@ -151,6 +152,7 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
     }
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
+    scene.shifts = super::innovations::shifts(bench, current);
     let State { now, scale, gains, taken, is_last } = state;
     let screening = screen(bench, &scene, view, taken);
     let tried = screening.screened.len().max(1) as f64;
@@ -171,12 +173,14 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
         let floor = if mends(&p, taken) { floor(*gains) } else { least };
         Refitted { proposal: p, fit, measure, p_value, floor, is_cut }
     };
-    let finished = race::run(bench, view, given, &chosen, (squares, scale));
-    let mut fitted: Vec<Refitted> = finished
-        .into_par_iter()
-        .filter(|f| same_samples(current, &f.fit))
-        .map(|f| judged(f.proposal, f.fit, f.is_cut))
-        .collect();
+    let refit = |chosen: &[&Screened]| -> Vec<Refitted> {
+        let finished = race::run(bench, view, given, chosen, (squares, scale)).into_par_iter();
+        let same = finished.filter(|f| same_samples(current, &f.fit));
+        same.map(|f| judged(f.proposal, f.fit, f.is_cut)).collect()
+    };
+    let mut fitted = refit(&chosen);
+    let others = twins(&screening, &fitted);
+    fitted.extend(refit(&others));
     let notes = cut::retry(bench, &mut fitted, (squares, scale), &judged);
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
     Ok(Round { screening, fitted, notes, fallen: None })

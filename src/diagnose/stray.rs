@@ -4,9 +4,9 @@
 //! A residual of small noise and a few wild samples is no noise of one kind, though it has no colour and no law.
 //!
 //! # Method
-//! Of the innovations beyond x robust deviations, those beyond 2x are counted. Least squares supposes a noise whose
+//! Of the innovations beyond x robust deviations, those beyond rx are counted, r = 2 or 3/2. Least squares supposes a noise whose
 //! variance exists; the heaviest tail that just does not have one is that of Student's t with two degrees of freedom,
-//! of which a share q = P(|t| > 2x)/P(|t| > x) ≈ 1/4 lies beyond twice any far point. So many of so many by
+//! of which a share q = P(|t| > rx)/P(|t| > x) ≈ 1/r² lies beyond r times any far point. So many of so many by
 //! luck: the binomial distribution, times the number of points x that are tried.
 //!
 //! # References
@@ -19,6 +19,8 @@ use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, StudentsT};
 
 /// Points tried, in robust deviations: beyond all that normal noise reaches in any recording.
 const BEYOND: [f64; 8] = [6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0];
+/// The same with what lies one and a half times as far, for outliers of about one size.
+const NEARER: [f64; 4] = [4.0, 5.0, 6.0, 8.0];
 /// Φ⁻¹(3/4) and that of Student's t with two degrees of freedom, √(2/3): what both call a robust deviation.
 const MIDDLES: (f64, f64) = (0.674_489_750_196_081_7, 0.816_496_580_927_726);
 
@@ -27,23 +29,34 @@ const MIDDLES: (f64, f64) = (0.674_489_750_196_081_7, 0.816_496_580_927_726);
 pub struct Stray {
     /// How many.
     pub count: usize,
+    /// Robust deviations beyond which they were looked for.
+    pub beyond: f64,
     /// Chance of so many among innovations with heavy tails.
     pub p_value: f64,
 }
 
 /// What of innovations stands apart, by their robust deviation.
 pub fn stray(innovations: &[f64], deviation: f64) -> Option<Stray> {
+    let sizes: Vec<(f64, bool)> = innovations.iter().map(|e| (e.abs() / deviation, true)).collect();
+    apart(&sizes, 0)
+}
+
+/// What of some sizes, in robust deviations, stands apart, beside samples already known to lie farther off than all;
+/// those marked false are no strays whatever their size.
+pub fn apart(sizes: &[(f64, bool)], known: usize) -> Option<Stray> {
     let tail = StudentsT::new(0.0, 1.0, 2.0).ok()?;
-    let beyond = |x: f64| innovations.iter().filter(|e| e.abs() > x * deviation).count();
-    let judged = BEYOND.iter().filter_map(|x| {
-        let (near, far) = (beyond(*x), beyond(2.0 * x));
+    let tried = BEYOND.iter().map(|x| (*x, 2.0)).chain(NEARER.iter().map(|x| (*x, 1.5)));
+    let judged = tried.filter_map(|(beyond, ratio)| {
+        let near = known + sizes.iter().filter(|s| s.0 > beyond).count();
+        let far = known + sizes.iter().filter(|s| s.0 > ratio * beyond && s.1).count();
         // the same point of t₂
-        let at = x * MIDDLES.1 / MIDDLES.0;
-        let share = tail.sf(2.0 * at) / tail.sf(at);
+        let at = beyond * MIDDLES.1 / MIDDLES.0;
+        let share = tail.sf(ratio * at) / tail.sf(at);
         let by_luck = Binomial::new(share, near as u64).ok()?;
         // P(at least so many)
-        let p_value = if far == 0 { 1.0 } else { by_luck.sf(far as u64 - 1) };
-        Some(Stray { count: far, p_value: (BEYOND.len() as f64 * p_value).min(1.0) })
+        let p_value = if far == known { 1.0 } else { by_luck.sf(far as u64 - 1) };
+        let tries = (BEYOND.len() + NEARER.len()) as f64;
+        Some(Stray { count: far - known, beyond, p_value: (tries * p_value).min(1.0) })
     });
     judged.min_by(|a, b| a.p_value.total_cmp(&b.p_value))
 }

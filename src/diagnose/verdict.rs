@@ -101,6 +101,17 @@ pub fn settle(verdict: Verdict, findings: &[Finding], found: &Found) -> Verdict 
     }
 }
 
+/// Share of the fall of the held-out error from which on one of several names explains most of it.
+const MOST: f64 = 0.5;
+
+/// Several names of which none explains most of the fall, while a law is left for sure, patch something that has
+/// another name: they only resemble it.
+pub fn with_patches(verdict: Verdict, findings: &[Finding], rest: &Rest) -> Verdict {
+    let named = matches!(verdict, Verdict::Named | Verdict::Tie);
+    let patched = findings.len() > 1 && findings.iter().all(|f| f.share < MOST);
+    if named && patched && rest.p_value < SURE { Verdict::Unknown } else { verdict }
+}
+
 /// Error at levels held out over the error of the fit, in a table of trials that still holds a law, from
 /// which on the names do not reach beyond the levels that they were fitted to.
 const BEYOND: f64 = 1.5;
@@ -207,6 +218,28 @@ mod tests {
             assert_eq!((of(physics, false), of(physics, true)), (physics, Verdict::DataFault));
             assert_eq!(with_faults(physics, &[], true), physics);
         }
+    }
+
+    #[test]
+    fn several_names_of_which_none_explains_most_only_resemble_what_leaves_a_sure_law() {
+        let finding = |share: f64| Finding {
+            code: "cubic-stiffness".into(),
+            site: crate::diagnose::answer::SiteName { kind: "state".into(), name: "x".into() },
+            term: String::new(),
+            says: String::new(),
+            parameters: Vec::new(),
+            p_value: 0.0,
+            share,
+            ties: Vec::new(),
+        };
+        let of = |shares: &[f64], p_value: f64| {
+            let findings: Vec<Finding> = shares.iter().map(|s| finding(*s)).collect();
+            with_patches(Verdict::Named, &findings, &Rest { laws: Vec::new(), p_value })
+        };
+        assert_eq!(of(&[0.4, 0.35, 0.25], 1e-6), Verdict::Unknown);
+        assert_eq!(of(&[0.4, 0.35, 0.25], 0.2), Verdict::Named);
+        assert_eq!(of(&[0.9, 0.1], 1e-6), Verdict::Named);
+        assert_eq!(of(&[1.0], 1e-6), Verdict::Named);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Sentences for people.
 
-use super::catalogue::Proposal;
+use super::catalogue::{Limits, Proposal};
 use crate::estimate::Fit;
 use crate::model::Model;
 use crate::units::figure;
@@ -21,12 +21,49 @@ pub fn signal(m: &Model, name: &str) -> String {
     meaning.map_or_else(|| name.to_string(), |words| format!("{words} ({name})"))
 }
 
+/// Share of the time in which it may lie from which on the moment of a change is not known.
+const UNKNOWN: f64 = 0.5;
+
+/// Whether an added parameter is the moment of a change, and may lie in most of the time that was fitted.
+fn is_untold(p: &Proposal, number: usize, fit: &Fit) -> bool {
+    let timed = ["parameter-change", "clock-jump"].contains(&p.code) && !p.amplitudes.contains(&number);
+    let estimate = fit.parameters.iter().find(|e| e.name == p.added[number].name);
+    timed && estimate.is_some_and(|e| covers(p.limits[number], (e.low, e.high)))
+}
+
+/// Whether an interval covers so much of what is possible that it tells nothing, as one without numbers does.
+fn covers(limits: Limits, interval: (f64, f64)) -> bool {
+    let width = interval.1.min(limits.1) - interval.0.max(limits.0);
+    width.is_nan() || interval.0.is_nan() || width >= UNKNOWN * (limits.1 - limits.0)
+}
+
+/// How one that fits as well is called beside another: by its code, and by its place where both have the same.
+pub fn beside(first: &Proposal, other: &Proposal) -> String {
+    let place = if first.code == other.code { format!(" of {}", other.site.name) } else { String::new() };
+    format!("{}{place}", other.code)
+}
+
 /// A mechanism's sentence with the fitted values in it.
 pub fn sentence(p: &Proposal, fit: &Fit) -> String {
     let mut says = p.says.clone();
     for (i, a) in p.added.iter().enumerate() {
+        if is_untold(p, i, fit) {
+            says = says.replace(&format!(" at {{{i}}}"), ", at a time that this recording does not tell");
+        }
         let value = fit.model.parameters.iter().find(|q| q.name == a.name).map_or(f64::NAN, |q| q.value);
         says = says.replace(&format!("{{{i}}}"), &quantity(a.unit.difference_from_si(value), a.unit.text()));
     }
     says
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_moment_in_half_of_the_recording_or_more_is_not_known() {
+        let of = |low: f64, high: f64| covers((0.0, 120.0), (low, high));
+        assert!(!of(77.0, 82.4) && !of(100.0, 140.0));
+        assert!(of(0.0, 120.0) && of(-500.0, 700.0) && of(40.0, 101.0) && of(f64::NAN, f64::NAN));
+    }
 }

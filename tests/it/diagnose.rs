@@ -1,5 +1,6 @@
 //! The diagnosis on recordings made by a stepper that shares nothing with the simulator.
 
+mod calibrated;
 mod no_noise;
 
 use gyrospec::diagnose::answer::Verdict;

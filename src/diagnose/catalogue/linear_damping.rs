@@ -1,17 +1,20 @@
 //! # What it is
-//! A viscous force: it takes energy in proportion to the square of the speed.
+//! A viscous force: it takes energy in proportion to the square of the speed. At a level, a
+//! temperature or a charge the same is a leak in proportion to it.
 //!
 //! # Signature in a recording
 //! Free motion decays as an exponential; the residual force is a straight line against the speed
-//! through zero.
+//! through zero. A leak: the rest that an input leads to is nearer, and sooner reached.
 //!
 //! # Equation
 //! ```text
 //!     M v' = … - c v,  c >= 0
+//!     A h' = … - c h,  c >= 0
 //! ```
 //!
 //! # What else looks like this
-//! At one amplitude every other damping; input-lag and extra-lag near one frequency.
+//! At one amplitude every other damping; input-lag and extra-lag near one frequency. A leak where
+//! the capacity is free: output-scale.
 //!
 //! # Reference
 //! J. P. Den Hartog, Mechanical Vibrations, 4th ed. (1956), ch. 2.
@@ -21,7 +24,7 @@
 
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 
-/// Damping in proportion to the speed.
+/// Damping in proportion to the speed, or a leak in proportion to a level.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
     "linear-damping",
     "damping in proportion to the speed",
@@ -35,10 +38,15 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 }
 
 fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
-    let v = m.speed.as_ref()?;
+    // What is no speed and has none leaks in proportion to itself.
+    let v = m.speed.as_ref().unwrap_or(&m.state);
     let mut d = Draft::at(scene, "linear-damping", m);
-    let c = d.amplitude("c", &m.force.over(&scene.unit(v)), POSITIVE, "viscous damping");
+    let (meaning, says) = match m.speed {
+        Some(_) => ("viscous damping", format!("damping of {{0}} in proportion to {} is missing", scene.words(v))),
+        None => ("leak", format!("a loss of {{0}} in proportion to {} is missing", scene.words(v))),
+    };
+    let c = d.amplitude("c", &m.force.over(&scene.unit(v)), POSITIVE, meaning);
     d.force(&m.state, &format!("-{c}*{v}"));
     d.start(&[m.size / scene.size(v)]);
-    d.done(&format!("damping of {{0}} in proportion to {} is missing", scene.words(v)))
+    d.done(&says)
 }

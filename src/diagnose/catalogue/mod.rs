@@ -9,7 +9,7 @@ pub(crate) mod edit;
 mod scene;
 
 pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind};
-pub use scene::{MasslessLag, Motion, Scene, Signal, SignalKind};
+pub use scene::{MasslessLag, Motion, Scene, Shift, Signal, SignalKind};
 
 use crate::error::nearest;
 use crate::{Error, Result};
@@ -121,7 +121,7 @@ mechanisms! {
     cross_coupling, parameter_dependence, parameter_change, parameter_drift,
     input_delay, input_lag, input_square, input_saturation, input_dead_zone, input_rate_limit,
     input_offset, misalignment,
-    output_offset, output_scale, output_delay, output_lag, output_drift, output_saturation,
+    output_offset, output_step, output_scale, output_delay, output_lag, output_drift, output_saturation,
     output_cross_axis, clock_offset, clock_drift, clock_jump,
     frozen_channel, outliers, quantisation, gap, wrapped_angle, wrong_sign, wrong_unit,
 }
@@ -189,6 +189,6 @@ mod tests {
             assert!(ALL[..i].iter().all(|other| other.code != m.code), "{}", m.code);
             assert!(m.source.contains(&format!("\"{}\"", m.code)), "{}", m.code);
         }
-        assert_eq!(ALL.len(), 53);
+        assert_eq!(ALL.len(), 54);
     }
 }

@@ -11,7 +11,7 @@
 //!
 //! # What else looks like this
 //! Any gain of the model that is fitted: then it cannot be seen. wrong-unit where the factor is a
-//! known one.
+//! known one. A linear-damping (a leak) where the capacity is free.
 //!
 //! # Reference
 //! JCGM 200:2012, International vocabulary of metrology, 4.12.

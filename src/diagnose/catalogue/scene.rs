@@ -80,6 +80,17 @@ pub struct Motion {
     pub size: f64,
 }
 
+/// A step of the level of an output's residual.
+#[derive(Debug, Clone)]
+pub struct Shift {
+    /// The output.
+    pub output: String,
+    /// Times of the last sample before it and of the first after it, s.
+    pub between: (f64, f64),
+    /// How far the level moves, SI.
+    pub size: f64,
+}
+
 /// The model as fitted so far, with what the recording showed.
 pub struct Scene<'a> {
     /// The model.
@@ -104,6 +115,8 @@ pub struct Scene<'a> {
     pub measured: BTreeMap<String, (f64, f64)>,
     /// Angular frequencies at which the residual has lines, rad/s.
     pub peaks: Vec<f64>,
+    /// Steps of the level of the residual, one an output at most.
+    pub shifts: Vec<Shift>,
     /// How many of the parameters are the given model's own; mechanisms added theirs behind.
     pub own_parameters: usize,
 }

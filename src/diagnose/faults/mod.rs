@@ -2,10 +2,12 @@
 
 mod left;
 mod misread;
+mod strays;
 mod tell;
 
 pub use left::Left;
 pub use misread::misread;
+pub use strays::strays;
 
 use super::Request;
 use super::answer::DataFault;
@@ -32,6 +34,41 @@ pub struct Cleaned {
     pub recordings: Vec<Recording>,
     /// The same of the separate ones.
     pub separate: Vec<Recording>,
+}
+
+/// Takes further outliers out of recordings, the fitted and the separate ones, and adds them to what is told.
+pub fn take(
+    model: &Model,
+    found: Vec<Spoiled>,
+    (fitted, separate): (&mut [Recording], &mut [Recording]),
+    (spoiled, told): (&mut Vec<Spoiled>, &mut Vec<DataFault>),
+) {
+    let mut all: Vec<&mut Recording> = fitted.iter_mut().chain(separate).collect();
+    let several = all.len() > 1;
+    for new in found {
+        let Some(recording) = all.get_mut(new.recording) else { continue };
+        **recording = quality::masked(recording, std::slice::from_ref(&new.fault));
+        let place = if several { recording.name.clone() } else { String::new() };
+        let of = |s: &Spoiled| {
+            (s.recording, &s.fault.channel, s.fault.kind)
+                == (new.recording, &new.fault.channel, new.fault.kind)
+        };
+        let tell = |f: &Fault| tell::told(model, recording, f, &place);
+        match spoiled.iter_mut().zip(told.iter_mut()).find(|(s, _)| of(s)) {
+            Some((s, t)) => {
+                let f = &mut s.fault;
+                f.spans.extend(new.fault.spans);
+                f.spans.sort_by(|a, b| a.from.total_cmp(&b.from));
+                (f.samples, f.size) = (f.samples + new.fault.samples, f.size.max(new.fault.size));
+                *t = tell(f);
+            }
+            None => {
+                // Faults that lie in samples stand first, one told for each.
+                told.insert(spoiled.len(), tell(&new.fault));
+                spoiled.push(new);
+            }
+        }
+    }
 }
 
 /// A misfit of up to so many times q/√12 is that of the steps alone.

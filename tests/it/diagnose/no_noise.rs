@@ -76,9 +76,10 @@ fn a_sensor_whose_zero_goes_to_and_fro_is_no_noise() {
     }
 }
 
-/// Coloured noise of lag-one correlation 0.9 on an axis of two states; the zero steps by six deviations.
+/// Coloured noise of lag-one correlation 0.9 on an axis of two states; the zero steps by six deviations in the last
+/// forty fitted samples.
 #[test]
-fn a_zero_that_steps_shows_under_coloured_noise() {
+fn a_zero_that_steps_is_named_under_coloured_noise() {
     let (model, mut made) = recording(None);
     let position = made.channels.iter_mut().find(|c| c.name == "position").unwrap();
     let (at, size) = (1400, {
@@ -88,8 +89,15 @@ fn a_zero_that_steps_shows_under_coloured_noise() {
     position.values[at..].iter_mut().for_each(|v| *v += size);
     let moment = position.time[at];
     let a = diagnosed(&model, made).answer;
-    steps(&a, "position");
-    assert!(a.says.contains(&format!(" at {moment} s")), "{}", a.says);
+    assert_eq!(a.verdict, Verdict::Named, "{}", a.says);
+    let first = &a.findings[0];
+    assert_eq!(
+        (a.findings.len(), first.code.as_str(), first.site.name.as_str()),
+        (1, "output-step", "position")
+    );
+    let (b, time) = (&first.parameters[0], &first.parameters[1]);
+    assert!((b.value - size).abs() < 0.2 * size && b.low < size && b.high > size, "{b:?} {size}");
+    assert!(time.low > moment - 0.03 && time.high < moment + 1e-9, "{time:?} {moment}");
 }
 
 #[test]
