@@ -5,6 +5,7 @@ use super::answer::{
     Visible,
 };
 use super::bench::Bench;
+use super::catalogue::{ANY, Added};
 use super::faults::{self, Spoiled};
 use super::few::Few;
 use super::innovations::Unlike;
@@ -254,15 +255,18 @@ impl Assembly<'_> {
     fn finding(&self, taken: &Taken, share: f64) -> Finding {
         let fit = &self.found.last;
         let p = &taken.proposal;
-        let value = |name: &str, unit: &crate::units::Unit| {
-            let e = fit.parameters.iter().find(|e| e.name == name);
-            let of = |x: Option<f64>| x.map_or(f64::NAN, |x| unit.difference_from_si(x));
+        // Without an interval a time or a level lies within its limits all the same.
+        let value = |(i, a): (usize, &Added)| {
+            let limits = if p.amplitudes.contains(&i) { ANY } else { p.limits[i] };
+            let e = fit.parameters.iter().find(|e| e.name == a.name);
+            let of = |x: Option<f64>| x.map_or(f64::NAN, |x| a.unit.difference_from_si(x));
+            let or = |x: f64, limit: f64| if x.is_nan() && limit.is_finite() { limit } else { x };
             Value {
-                name: name.to_string(),
+                name: a.name.clone(),
                 value: of(e.map(|e| e.value)),
-                low: of(e.map(|e| e.low)),
-                high: of(e.map(|e| e.high)),
-                unit: unit.text().to_string(),
+                low: of(e.map(|e| or(e.low, limits.0))),
+                high: of(e.map(|e| or(e.high, limits.1))),
+                unit: a.unit.text().to_string(),
             }
         };
         Finding {
@@ -270,7 +274,7 @@ impl Assembly<'_> {
             site: site_name(&p.site),
             term: p.term.clone(),
             says: words::sentence(p, fit),
-            parameters: p.added.iter().map(|a| value(&a.name, &a.unit)).collect(),
+            parameters: p.added.iter().enumerate().map(value).collect(),
             p_value: taken.p_value,
             share,
             ties: taken.ties.iter().map(|t| t.code.to_string()).collect(),

@@ -156,8 +156,8 @@ pub fn unlike_noise(bench: &Bench, fit: &Fit, held: &[Held]) -> Option<Unlike> {
     slowest.filter(|s| agree_by_luck(s.1 as usize)).map(|s| Unlike::Slow(s.0, s.1))
 }
 
-/// The plainest step of the level of each output's residual, where it is sure, in one recording; a jump of the
-/// sensor's zero would be such.
+/// The plainest step of the level of each output's residual in one recording, sure or not: a jump of the sensor's
+/// zero would be such, and its own likelihood tells.
 pub fn shifts(bench: &Bench, fit: &Fit) -> Vec<Shift> {
     if bench.is_trials() || bench.separate || fit.records.len() != 1 {
         return Vec::new();
@@ -171,8 +171,7 @@ pub fn shifts(bench: &Bench, fit: &Fit) -> Vec<Shift> {
         }
         let step = level_shift(&own, &Autoregression::fit(&views, ORDER), floor)?;
         let before = own.iter().flat_map(|s| &s.time).copied().filter(|t| *t < step.at).reduce(f64::max)?;
-        let sure = fit.model.outputs.len() as f64 * step.p_value < SURE;
-        sure.then(|| Shift { output: output.name.clone(), between: (before, step.at), size: step.size })
+        Some(Shift { output: output.name.clone(), between: (before, step.at), size: step.size })
     };
     fit.model.outputs.iter().enumerate().filter_map(of).collect()
 }
