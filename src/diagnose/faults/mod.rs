@@ -54,19 +54,16 @@ pub fn take(
                 == (new.recording, &new.fault.channel, new.fault.kind)
         };
         let tell = |f: &Fault| tell::told(model, recording, f, &place);
-        match spoiled.iter_mut().zip(told.iter_mut()).find(|(s, _)| of(s)) {
-            Some((s, t)) => {
-                let f = &mut s.fault;
-                f.spans.extend(new.fault.spans);
-                f.spans.sort_by(|a, b| a.from.total_cmp(&b.from));
-                (f.samples, f.size) = (f.samples + new.fault.samples, f.size.max(new.fault.size));
-                *t = tell(f);
-            }
-            None => {
-                // Faults that lie in samples stand first, one told for each.
-                told.insert(spoiled.len(), tell(&new.fault));
-                spoiled.push(new);
-            }
+        if let Some((s, t)) = spoiled.iter_mut().zip(told.iter_mut()).find(|(s, _)| of(s)) {
+            let f = &mut s.fault;
+            f.spans.extend(new.fault.spans);
+            f.spans.sort_by(|a, b| a.from.total_cmp(&b.from));
+            (f.samples, f.size) = (f.samples + new.fault.samples, f.size.max(new.fault.size));
+            *t = tell(f);
+        } else {
+            // Faults that lie in samples stand first, one told for each.
+            told.insert(spoiled.len(), tell(&new.fault));
+            spoiled.push(new);
         }
     }
 }
