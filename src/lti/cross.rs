@@ -102,9 +102,9 @@ pub fn cross_moment(
 /// let one = TransferFunction::constant(1.0);
 /// let fast = TransferFunction::new(&[1.0], &[0.5, 1.0]).unwrap();
 /// let slow = TransferFunction::new(&[1.0], &[2.0, 1.0]).unwrap();
-/// // white noise through two lags: (1/T₂ − 1/T₁)/(2 (T₁ + T₂)), on both sides of zero lag
+/// // white noise through two lags: (1/T₁ − 1/T₂)/(2 (T₁ + T₂)), on both sides of zero lag
 /// let mean = cross_rate_moment(&one, &fast, &slow).unwrap().value;
-/// assert!((mean + 0.3).abs() < 1e-15);
+/// assert!((mean - 0.3).abs() < 1e-15);
 /// assert_eq!(mean, -cross_rate_moment(&one, &slow, &fast).unwrap().value);
 /// ```
 ///
