@@ -143,7 +143,7 @@ def roll_error(
     sea_from: where the sea comes from, off the bow: 0 ahead, 90 from abeam to starboard (as if absent).
     ship_length: the length of the ship's waterline; six beams if absent.
 
-    part: what gives way in the compass in place of the lag, one part at a time, as `friction="2N"`:
+    part: what gives way in the compass beside the lag; parts go together, as `inertia=True, friction="2N"`:
 {parts}
 
     Each quantity has a range, and what lies outside is refused; `validity` of the result says where the

@@ -55,6 +55,11 @@ def test_one_compass_with_the_options_of_the_program() -> None:
     assert rubbed.mean_margin_deg is not None and rubbed.linearised_mean_deg is not None
     assert abs(rubbed.mean_deg + 0.755) < 0.02 + rubbed.mean_margin_deg
     assert rubbed.linearised_mean_deg > -0.5
+    # parts go together; inertia of so stiff a suspension hardly counts beside the liquid's flow
+    alone = gyrospec.roll_error(flow=("4s", 0.1), band=2.5, heading=45).rows[0]
+    both = gyrospec.roll_error(inertia=True, flow=("4s", 0.1), band=2.5, heading=45)
+    assert both.rows[0].mean_deg == pytest.approx(alone.mean_deg, rel=1e-2)
+    assert both.to_dict()["instrument"] == "lag with inertia (2.2) and liquid flow"
     # the share of the mean above a frequency: ∫ ω⁴ S_θ(ω)/(1 + ω²T²) dω by (3.4), T = 0.44 s
     tail = whole.white_tail
     assert tail is not None

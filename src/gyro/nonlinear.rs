@@ -2,10 +2,11 @@
 //! The heading error of a compass whose elastic part is not linear, with the error of that figure.
 //!
 //! # Method
-//! The mean is that of M_y = (P/g) W₂ x: α = P⟨W₂ x⟩/(g H (U cos φ + v_E/R)), with ⟨W₂ x⟩ from the motion
-//! and the part followed in time ([`elastic::InTime`](super::elastic::InTime)). The compass is so slow that
-//! it feels of M_y the density at ω = 0 alone: the variance by products is that of the linear part
-//! (2.2), times the ratio of the two densities. On a regular roll one period is followed until it repeats.
+//! The mean is that of M_y = (P/g)(W₂ x − W₁ y): α = P⟨W₂ x − W₁ y⟩/(g H (U cos φ + v_E/R)), with the product from
+//! the motion and the part followed in time ([`elastic::InTime`](super::elastic::InTime)); y, of a compliance along
+//! the meridian, is linear. The compass is so slow that it feels of M_y the density at ω = 0 alone: the variance by
+//! products is that of the linear part, (2.2) with whatever linear stands beside it, times the ratio of the two
+//! densities. On a regular roll one period is followed until it repeats.
 //!
 //! # References
 //! A. M. Law, Simulation Modeling and Analysis, ch. 9 and 11, for replicates and the linear part as their
@@ -44,11 +45,11 @@ const POINTS: usize = 400;
 /// compass's latitude or speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moment {
-    /// ⟨W₂ x⟩, m²/s².
+    /// ⟨W₂ x − W₁ y⟩, m²/s².
     pub mean: f64,
     /// Half its 99 % interval, with the numerical error.
     pub margin: f64,
-    /// Density of W₂ x at ω = 0, m⁴/s³.
+    /// Density of W₂ x − W₁ y at ω = 0, m⁴/s³.
     pub density: f64,
     /// Half its 99 % interval.
     pub density_margin: f64,
@@ -56,14 +57,15 @@ pub struct Moment {
     heading: f64,
 }
 
-/// One replicate: the mean of W₂ x, with the double step too and of the linear part, and the squares of W₁
-/// and V₂.
+/// One replicate: the mean of W₂ x − W₁ y, with the double step too and of the linear part, the squares of W₁
+/// and V₂, and whether nothing slipped.
 #[derive(Clone, Copy)]
 struct Batch {
     fine: f64,
     coarse: f64,
     linear: f64,
     squares: [f64; 2],
+    rests: bool,
 }
 
 /// The heading, rad, from 0 to 180° or, where all motion is along one line of the ship, to 90°, on which
@@ -76,9 +78,10 @@ pub fn folded(motion: &Motion, heading: f64) -> (f64, f64) {
 }
 
 impl Instrument {
-    /// The same compass with the linear part (2.2) in place of its own.
+    /// The same compass without friction or play, with the linear part (2.2) where no other is left.
     fn tight(&self) -> Self {
-        Self { sphere: self.sphere, elastic: Box::new(Inertia), speed: self.speed }
+        let elastic = self.elastic.tightened().unwrap_or_else(|| Box::new(Inertia));
+        Self { sphere: self.sphere, elastic, speed: self.speed }
     }
 
     /// α a unit of ⟨W₂ x⟩.
@@ -127,8 +130,10 @@ impl Instrument {
         let p = roll.frequency;
         let narrow = Motion::roll(&Roll::new(0.5 * roll.amplitude * roll.amplitude, 1e-7 * p, p)?);
         let linear = self.is_linear()?;
-        let mut error =
-            if linear { self.error(&narrow, heading)? } else { self.tight().error(&narrow, heading)? };
+        let exact = |of: &Self| -> Result<HeadingError> {
+            Ok(of.told(&of.system(&narrow, heading)?.moments()?, heading))
+        };
+        let mut error = if linear { self.error(&narrow, heading)? } else { exact(&self.tight())? };
         (error.deviation, error.deviation_quadratic) = (error.deviation_linear, 0.0);
         if !linear {
             let (mean, margin) = self.period(roll, heading)?;
@@ -218,12 +223,12 @@ impl Instrument {
             interval(&batches.iter().map(|b| b.fine - slope * (b.linear - linear)).collect::<Vec<_>>());
         let by_step = (batches.iter().map(|b| b.fine - b.coarse).sum::<f64>() / n).abs();
         margin += by_step;
-        if means.iter().all(|m| *m == 0.0) {
+        if batches.iter().all(|b| b.rests) {
             // it never slipped: at 99 % it does so less than 4.6 times in as long, each time by less than
             // σ(mW₁)/C₀ over the largest swing of V₂
             let [w, v] = [0, 1].map(|i| (batches.iter().map(|b| b.squares[i]).sum::<f64>() / n).sqrt());
             let s = &self.sphere;
-            margin = 4.6 / (n * length) * (s.weight / s.gravity * w / s.stiffness) * 8.0 * v;
+            margin += 4.6 / (n * length) * (s.weight / s.gravity * w / s.stiffness) * 8.0 * v;
         }
         // S(0) = lim L·var(mean over L)
         let own = means.iter().sum::<f64>() / n;
@@ -260,12 +265,13 @@ impl Pair {
         };
         let part = instrument.elastic.as_ref();
         let (fine, coarse) = (of(part, step)?, of(part, 2.0 * step)?);
-        Ok(Self { mass: s.weight / s.gravity, fine, coarse, linear: of(&Friction { force: 0.0 }, step)? })
+        let tight = part.tightened().unwrap_or_else(|| Box::new(Friction { force: 0.0 }));
+        Ok(Self { mass: s.weight / s.gravity, fine, coarse, linear: of(tight.as_ref(), step)? })
     }
 
     /// `steps` steps on (an even number) from `last`, which is left at their end.
     fn go(&mut self, path: &mut Path, last: &mut Sample, steps: usize, rng: &mut ChaCha8Rng) -> Batch {
-        let mut b = Batch { fine: 0.0, coarse: 0.0, linear: 0.0, squares: [0.0; 2] };
+        let mut b = Batch { fine: 0.0, coarse: 0.0, linear: 0.0, squares: [0.0; 2], rests: false };
         for _ in 0..steps / 2 {
             let [s0, s1] = [*last, path.next(rng)];
             let s2 = path.next(rng);
@@ -275,16 +281,20 @@ impl Pair {
             self.coarse.advance(f0, f2);
             self.linear.advance(f0, f1);
             self.linear.advance(f1, f2);
-            b.fine += s2.acceleration[1] * self.fine.shift();
-            b.coarse += s2.acceleration[1] * self.coarse.shift();
-            b.linear += s2.acceleration[1] * self.linear.shift();
+            // W₂ x − W₁ y
+            let product =
+                |part: &dyn InTime| s2.acceleration[1] * part.shift() - s2.acceleration[0] * s2.shift[1];
+            b.fine += product(self.fine.as_ref());
+            b.coarse += product(self.coarse.as_ref());
+            b.linear += product(self.linear.as_ref());
             b.squares[0] += s2.acceleration[0].powi(2);
             b.squares[1] += s2.speed[1].powi(2);
             *last = s2;
         }
         let n = (steps / 2) as f64;
         let [fine, coarse, linear] = [b.fine, b.coarse, b.linear].map(|x| x / n);
-        Batch { fine, coarse, linear, squares: b.squares.map(|x| x / n) }
+        let rests = self.fine.is_at_rest();
+        Batch { fine, coarse, linear, squares: b.squares.map(|x| x / n), rests }
     }
 }
 

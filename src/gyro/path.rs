@@ -98,7 +98,7 @@ pub(super) struct Sample {
     pub acceleration: [f64; 2],
     /// ψ, rad.
     pub yaw: f64,
-    /// x, y, z of a linear part, m.
+    /// x, y, z of a linear part, m; y and z alone beside a part that is not linear.
     pub shift: [f64; 3],
 }
 
@@ -133,6 +133,8 @@ impl Path {
         let mut joint = accelerated(motion, &w)?;
         if linear {
             joint = joint.then(&instrument.elastic.system(&instrument.sphere, &joint)?)?;
+        } else if let Some(across) = instrument.elastic.across(&instrument.sphere)? {
+            joint = joint.then(&across)?;
         } else {
             joint.c = Mat::zeros(3, joint.order());
         }

@@ -6,6 +6,9 @@ use crate::gyro::validity::{Smallness, bounded};
 use crate::symbolic::{Derived, FormulaRequest, formula, irregular_roll};
 use crate::{Error, Result};
 
+/// The highest order n of an I_n that is written out: beyond it the formula fills pages.
+const LONGEST: usize = 6;
+
 /// The mean error on irregular roll of the form (3.3), with letters.
 ///
 /// ```
@@ -16,23 +19,34 @@ use crate::{Error, Result};
 /// ```
 ///
 /// # Errors
-/// `Usage` for a part of which no formula is kept.
+/// `Usage` for a part that is not linear, and for one whose formula fills pages.
 pub fn closed_form(part: &dyn Elastic) -> Result<Derived> {
     let letters = part.letters().ok_or_else(|| {
-        Error::usage("no closed form is kept for this part")
-            .with_hint("there are those of the lag, of the lag with inertia and of liquid flow")
+        Error::usage(format!("{} is not linear: its mean error has no closed form", part.name()))
+            .with_hint("every linear part has one; without --formula the figures of this one are simulated")
     })?;
     let request = request(letters);
-    formula(&request.derivation()?, &request.simplifier()?)
+    let (derivation, simplifier) = (request.derivation()?, request.simplifier()?);
+    let order = derivation.order(&simplifier)?;
+    if order > LONGEST {
+        let second = request.second.unwrap_or_default();
+        return Err(Error::usage(format!("written out, I_{order} of this compass fills pages")).with_hint(
+            format!(
+                "gyrospec formula derives it: --first=\"h*sin(K)\" --second=\"{second}\" --shaping=\"{}\"",
+                request.shaping.unwrap_or_default()
+            ),
+        ));
+    }
+    formula(&derivation, &simplifier)
 }
 
 /// The paper's irregular roll with another centre of mass.
 fn request(letters: Letters) -> FormulaRequest {
     let paper = irregular_roll();
-    if paper.second.as_deref() == Some(letters.shift) {
+    if paper.second.as_deref() == Some(&*letters.shift) {
         return paper;
     }
-    let (second, order) = (Some(letters.shift.into()), letters.order.into());
+    let (second, order) = (Some(letters.shift.into_owned()), letters.order.into_owned());
     FormulaRequest { second, order, printed: None, keep: Vec::new(), ..paper }
 }
 

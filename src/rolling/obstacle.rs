@@ -6,18 +6,18 @@ use crate::gyro::{Effort, FEWEST, Instrument};
 use crate::{Error, Result};
 
 /// Why there will be no figures.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Obstacle {
     /// The part, whose name this is, is not linear, and the motion's acceleration has a white tail.
-    WhiteTail(&'static str),
+    WhiteTail(String),
     /// The same, where the motion is the fit of a recorded roll.
-    RecordedTail(&'static str),
+    RecordedTail(String),
     /// The mean comes from frequencies that no simulation follows.
     BeyondSimulation,
     /// The part would take too many steps to be followed.
     TooLong {
         /// Its name.
-        part: &'static str,
+        part: String,
         /// What it takes.
         effort: Effort,
         /// A band, rad/s, with which it would not, and what it takes then.
@@ -46,7 +46,7 @@ impl Obstacle {
                 Error::usage("the mean comes from frequencies that no simulation follows").with_hint(BAND)
             }
             Self::TooLong { part, effort, .. } => {
-                effort.check(part).err().unwrap_or_else(|| Error::not_computed(*part))
+                effort.check(part).err().unwrap_or_else(|| Error::not_computed(part.clone()))
             }
         }
     }
@@ -59,7 +59,11 @@ pub(super) fn too_long(cases: &[Case], excitation: &Excitation) -> Result<Option
         if effort.replicates() < FEWEST {
             let excitation = case.height.map_or_else(|| excitation.clone(), |h| excitation.of_height(h));
             let band = shorter(&case.instrument, excitation, &effort)?;
-            return Ok(Some(Obstacle::TooLong { part: case.instrument.elastic.name(), effort, band }));
+            return Ok(Some(Obstacle::TooLong {
+                part: case.instrument.elastic.name().to_owned(),
+                effort,
+                band,
+            }));
         }
     }
     Ok(None)

@@ -28,7 +28,7 @@ impl Recorded {
     /// `BadInput` for numbers that describe no elastic part.
     pub fn obstacle(compass: &Compass) -> Result<Option<Obstacle>> {
         let instrument = compass.instrument();
-        let name = instrument.elastic.name();
+        let name = instrument.elastic.name().to_owned();
         Ok((!instrument.is_linear()?).then_some(Obstacle::RecordedTail(name)))
     }
 

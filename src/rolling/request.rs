@@ -94,7 +94,7 @@ impl Prepared<'_> {
         let instrument = self.request.compass.instrument();
         let white = self.motion.regular.is_none() && self.motion.motion.has_white_acceleration();
         if white && !instrument.is_linear()? {
-            return Ok(Some(Obstacle::WhiteTail(instrument.elastic.name())));
+            return Ok(Some(Obstacle::WhiteTail(instrument.elastic.name().to_owned())));
         }
         if self.request.days.is_some() && self.tail.as_ref().is_some_and(Tail::is_beyond_simulation) {
             return Ok(Some(Obstacle::BeyondSimulation));

@@ -31,6 +31,8 @@ mod located;
 mod lti;
 mod navigation;
 mod options;
+mod parts;
+mod parts_in_time;
 mod piped;
 mod public;
 mod quality;

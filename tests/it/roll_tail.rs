@@ -1,6 +1,6 @@
 //! What of the rolling error a white tail counts for, and what of the theory it leaves unjudged.
 
-use crate::roll_error::{asked, asked_json, command};
+use crate::roll_error::{asked, asked_json};
 use approx::assert_relative_eq;
 use gyrospec::spectrum::Roll;
 
@@ -187,35 +187,6 @@ fn the_closed_form_says_where_its_theory_ends() {
     let (_, text, _) = asked(&["--formula"]);
     assert!(!text.contains("BEYOND"), "{text}");
     assert_eq!(asked_json(&["--formula"])["validity"][0]["holds"], true);
-}
-
-#[test]
-fn a_model_with_a_part_of_its_own_takes_no_other() {
-    let parts = [
-        "--inertia",
-        "--flow=10s,0.2",
-        "--meridian=2e5,1",
-        "--vertical=1e5,1",
-        "--friction=2N",
-        "--free-play=1e-5m",
-    ];
-    let flow = "[parameters]\nT2 = 4.0\nkappa = 0.1\n";
-    for part in parts {
-        for how in [&["--heading=45", "--band=2.5"][..], &["--formula"], &["--heading=45", "--json"]] {
-            for model in ["gyrosphere-inertia", "gyrosphere-flow"] {
-                let (code, out, message) = asked(&[&[model, part], how].concat());
-                assert!(code == 2 && out.is_empty(), "{model} {part} {how:?}: {out} {message}");
-                assert!(message.contains("of its own") && message.contains("`gyrosphere`"), "{message}");
-            }
-            let (code, _, message) = command("compass.toml", flow, &[&[part], how].concat());
-            assert!(code == 2 && message.contains("of its own"), "{part} {how:?}: {message}");
-        }
-        let (code, _, message) = asked(&["gyrosphere", part, "--heading=45", "--band=2.5"]);
-        assert_eq!(code, 0, "{part}: {message}");
-    }
-    let both = format!("extends = \"gyrosphere-inertia\"\n{flow}");
-    let (code, _, message) = command("compass.toml", &both, &["--heading=45"]);
-    assert!(code == 2 && message.contains("gyrosphere-flow"), "{message}");
 }
 
 #[test]

@@ -72,7 +72,7 @@ fn a_recorded_roll_tells_what_the_command_tells() {
     assert_eq!(told, asked_json(&[file.to_str().unwrap(), "--inertia"]));
     assert!(analyse(&Recording::read(&file).unwrap(), "pitch").is_err());
     let rubbed = Compass { part: Box::new(Friction { force: 1.0 }), ..compass };
-    assert_eq!(Recorded::obstacle(&rubbed).unwrap(), Some(Obstacle::RecordedTail("dry friction")));
+    assert_eq!(Recorded::obstacle(&rubbed).unwrap(), Some(Obstacle::RecordedTail("dry friction".into())));
     assert!(Recorded { compass: rubbed, ..recorded }.table(&Silent).is_err());
 }
 
@@ -80,7 +80,10 @@ fn a_recorded_roll_tells_what_the_command_tells() {
 fn what_stands_against_a_request_is_told_before_the_work() {
     let rubbed = Compass { part: Box::new(Friction { force: 1.0 }), ..Compass::paper() };
     let white = Request { compass: rubbed.clone(), ..example() };
-    assert_eq!(white.prepare().unwrap().obstacle().unwrap(), Some(Obstacle::WhiteTail("dry friction")));
+    assert_eq!(
+        white.prepare().unwrap().obstacle().unwrap(),
+        Some(Obstacle::WhiteTail("dry friction".into()))
+    );
     assert!(white.table(&Silent).unwrap_err().hint().unwrap().contains("limit the band"));
     let far = Excitation { band: Some(9000.0), ..example().excitation };
     let long = Request { compass: rubbed, excitation: far, ..example() };

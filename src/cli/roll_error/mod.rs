@@ -17,7 +17,7 @@ use crate::report::polar;
 use crate::report::rolling::{Sheet, card, formula_json, formula_text, free_text, json, page, text};
 use crate::report::rolling::{approval_json, approval_text};
 use crate::rolling::{Compass, Recorded, Request, Scorsby, Table, closed_form, closed_values, left_alone};
-use crate::{Error, ErrorKind, Result};
+use crate::{Error, Result};
 use hints::worded;
 use options::RowOptions;
 use std::path::PathBuf;
@@ -134,7 +134,9 @@ Examples:
   gyrospec roll-error compass.toml ship.csv --roll roll_deg:deg --json
   gyrospec roll-error --free
   gyrospec roll-error --scorsby --lever 1m
-  gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --band 2.5rad/s --heading 45deg --simulate 4";
+  gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --band 2.5rad/s --heading 45deg --simulate 4
+  gyrospec roll-error --inertia --flow 4s,0.1 --friction 2N --band 2.5rad/s --heading 45deg
+Parts go together: each option of a part adds it to the suspension.";
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
     let read = a.model_or_parameters.iter().chain(&a.recording);
@@ -198,9 +200,7 @@ fn formula(compass: &Compass, a: &Arguments) -> Result<String> {
             "−P²θ₀²h²p⁴ sin 2K/(4 g² H U C₀ cos φ (1 + p²T²)) = mean α; --regular without --formula gives its value",
         ));
     }
-    let others = "formulas: the lag (no option), --inertia, --flow; any other: gyrospec formula";
-    let derived = closed_form(compass.part.as_ref())
-        .map_err(|e| if e.kind() == ErrorKind::Usage { e.with_hint(others) } else { e })?;
+    let derived = closed_form(compass.part.as_ref())?;
     let excitation = a.motion.excitation(compass.roll)?;
     let headings = if a.rows.has_headings() { a.rows.headings()? } else { vec![45f64.to_radians()] };
     let values = closed_values(compass, &excitation, &headings)?;

@@ -2,7 +2,7 @@
 
 use super::part::PartOptions;
 use crate::cli::quantity::{angle, frequency, latitude, listed, quantities, quantity};
-use crate::gyro::elastic::{Elastic, Lag};
+use crate::gyro::elastic::{Elastic, Lag, together};
 use crate::gyro::range::{self, Range};
 use crate::gyro::seed::Regular;
 use crate::gyro::{Axis, seed};
@@ -32,8 +32,7 @@ impl InstrumentOptions {
         self.part.is_empty() && self.latitude.is_none() && self.lever.is_none() && self.speed.is_none()
     }
 
-    /// Puts what is said into a compass. An option beside a model with a part of its own is refused, since neither
-    /// can be taken without dropping the other.
+    /// Puts what is said into a compass; parts go together with each other and with that of a model.
     pub fn put(&self, compass: &mut Compass) -> Result<()> {
         let s = &mut compass.sphere;
         if let Some(text) = &self.latitude {
@@ -48,16 +47,13 @@ impl InstrumentOptions {
                 *place = quantity(name, text, range)?;
             }
         }
-        let Some(part) = self.part.part()? else { return Ok(()) };
-        if compass.part.name() == Lag.name() {
-            compass.part = part;
-            return Ok(());
+        let asked = self.part.parts()?;
+        if !asked.is_empty() {
+            let own = (compass.part.name() != Lag.name()).then(|| compass.part.clone());
+            let all: Vec<_> = own.into_iter().chain(asked).collect();
+            compass.part = together(&all)?;
         }
-        let own = compass.part.name();
-        Err(Error::usage(format!(
-            "this model has an elastic part of its own, {own}, and an option asks for another"
-        ))
-        .with_hint("take the plain `gyrosphere` with the option, or leave the option away"))
+        Ok(())
     }
 }
 

@@ -6,7 +6,7 @@ use crate::gyro::elastic::{Elastic, PARTS, PartOption, asked};
 use clap::{Arg, ArgAction, ArgGroup, ArgMatches, Command};
 use std::collections::BTreeMap;
 
-/// What was said of the elastic part: the numbers of each option of it, as text.
+/// What was said of the elastic parts: the numbers of each option of it, as text.
 pub struct PartOptions(BTreeMap<&'static str, String>);
 
 impl PartOptions {
@@ -15,8 +15,8 @@ impl PartOptions {
         self.0.is_empty()
     }
 
-    /// The part asked for; `None` when nothing was said.
-    pub fn part(&self) -> Result<Option<Box<dyn Elastic>>> {
+    /// The parts asked for.
+    pub fn parts(&self) -> Result<Vec<Box<dyn Elastic>>> {
         let mut numbers = BTreeMap::new();
         for option in options() {
             if let Some(text) = self.0.get(option.name) {
@@ -43,7 +43,6 @@ fn is_switch(option: &PartOption) -> bool {
 impl clap::Args for PartOptions {
     fn augment_args(mut command: Command) -> Command {
         for part in PARTS {
-            let of_others = || options().filter(|o| !part.options.iter().any(|own| own.name == o.name));
             for option in part.options {
                 let arg = Arg::new(option.name).long(option.name).help(option.help);
                 let arg = if is_switch(option) {
@@ -51,7 +50,7 @@ impl clap::Args for PartOptions {
                 } else {
                     arg.value_name(option.numbers).allow_hyphen_values(true)
                 };
-                command = command.arg(arg.conflicts_with_all(of_others().map(|o| o.name)));
+                command = command.arg(arg);
             }
         }
         command.group(ArgGroup::new("part").multiple(true).args(options().map(|o| o.name)))

@@ -19,6 +19,7 @@ use super::in_time::{InTime, Piece, Place, Ramp};
 use super::inertia::{oscillator, single};
 use super::option::{Asked, PartOption, first};
 use super::part::{Elastic, deviations, fixed_point, positive};
+use super::suspension::Suspension;
 use crate::gyro::{Gyrosphere, range};
 use crate::lti::StateSpace;
 use crate::{Error, Result};
@@ -63,6 +64,12 @@ impl Elastic for Backlash {
             Ok(deviations(&single(m, r, equivalent(sigma))?, acceleration)?.0 > sigma)
         };
         oscillator(m, r, equivalent(fixed_point([tight, 1e3 * (tight + self.gap)], wider)?))
+    }
+
+    fn enters(&self, suspension: &mut Suspension) -> Result<()> {
+        // its law holds the inertia
+        suspension.inertia = true;
+        Suspension::once(&mut suspension.gap, self.gap, "free play")
     }
 
     fn in_time(&self, s: &Gyrosphere, step: f64) -> Result<Option<Box<dyn InTime>>> {

@@ -1,7 +1,8 @@
 //! Compliance along the parallel, the meridian and the vertical.
 
 use super::option::{Asked, PartOption};
-use super::part::{Elastic, along, positive};
+use super::part::{Elastic, Letters, along, positive};
+use super::suspension::Suspension;
 use crate::Result;
 use crate::gyro::{Gyrosphere, range};
 use crate::lti::{StateSpace, TransferFunction};
@@ -60,6 +61,21 @@ impl Elastic for Compliance {
             parts.push((axis, StateSpace::from_transfer(&give)));
         }
         along(&parts)
+    }
+
+    fn enters(&self, suspension: &mut Suspension) -> Result<()> {
+        if let Some(meridian) = self.meridian {
+            Suspension::once(&mut suspension.meridian, meridian, "compliance along the meridian")?;
+        }
+        let Some(vertical) = self.vertical else { return Ok(()) };
+        Suspension::once(&mut suspension.vertical, vertical, "compliance along the vertical")
+    }
+
+    fn letters(&self) -> Option<Letters> {
+        // ⟨W₂ x − W₁ y⟩ with W₁ = −h θ̈ cos K, W₂ = h θ̈ sin K; the vertical changes no mean
+        let both = "-P/g*h*cos(K)*(1/(C0*(T*s + 1)) - 1/(C_1*(T_1*s + 1)))";
+        let shift = if self.meridian.is_some() { both } else { "-P/(g*C0)*h*cos(K)/(T*s + 1)" };
+        Some(Letters::of(shift, "P h A mu b H U C0 g T"))
     }
 
     fn idle(&self) -> &'static str {

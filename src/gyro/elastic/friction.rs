@@ -21,6 +21,7 @@ use super::in_time::{InTime, Piece, Place, Ramp};
 use super::inertia::{oscillator, single};
 use super::option::{Asked, PartOption, first};
 use super::part::{Elastic, deviations, fixed_point, positive};
+use super::suspension::Suspension;
 use crate::gyro::{Gyrosphere, range};
 use crate::lti::StateSpace;
 use crate::{Error, Result};
@@ -78,6 +79,12 @@ impl Elastic for Friction {
             return stuck(m, r, c);
         }
         oscillator(m, equivalent(fixed_point([low, free], moves)?), c)
+    }
+
+    fn enters(&self, suspension: &mut Suspension) -> Result<()> {
+        // its law holds the inertia
+        suspension.inertia = true;
+        Suspension::once(&mut suspension.friction, self.force, "dry friction")
     }
 
     fn in_time(&self, s: &Gyrosphere, step: f64) -> Result<Option<Box<dyn InTime>>> {

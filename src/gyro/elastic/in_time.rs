@@ -29,6 +29,11 @@ pub trait InTime: Debug + Send {
     /// x, m.
     fn shift(&self) -> f64;
 
+    /// Whether what friction or play holds has not moved from the middle.
+    fn is_at_rest(&self) -> bool {
+        self.shift() == 0.0
+    }
+
     /// In how many parts each step is solved.
     fn parts(&self) -> usize {
         1

@@ -2,6 +2,7 @@
 
 use super::option::{Asked, PartOption};
 use super::part::{Elastic, Letters, along, positive};
+use super::suspension::Suspension;
 use crate::Result;
 use crate::gyro::Gyrosphere;
 use crate::lti::{StateSpace, TransferFunction};
@@ -38,9 +39,14 @@ impl Elastic for Inertia {
         oscillator(m, s.lag * s.stiffness, s.stiffness)
     }
 
+    fn enters(&self, suspension: &mut Suspension) -> Result<()> {
+        suspension.inertia = true;
+        Ok(())
+    }
+
     fn letters(&self) -> Option<Letters> {
         // m ẍ + r ẋ + C₀ x = m W₁, W₁ = −h θ̈ cos K
-        Some(Letters { shift: "-m*h*cos(K)/(m*s^2 + r*s + C0)", order: "P m h A mu b H U g r C0" })
+        Some(Letters::of("-m*h*cos(K)/(m*s^2 + r*s + C0)", "P m h A mu b H U g r C0"))
     }
 }
 

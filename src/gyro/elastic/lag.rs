@@ -1,6 +1,7 @@
 //! The paper's elastic lag, (2.3).
 
 use super::part::{Elastic, Letters, along, positive};
+use super::suspension::Suspension;
 use crate::Result;
 use crate::gyro::Gyrosphere;
 use crate::lti::{StateSpace, TransferFunction};
@@ -28,8 +29,13 @@ impl Elastic for Lag {
         along(&[(0, StateSpace::from_transfer(&give))])
     }
 
+    fn enters(&self, _: &mut Suspension) -> Result<()> {
+        // spring and dashpot are in every suspension
+        Ok(())
+    }
+
     fn letters(&self) -> Option<Letters> {
         // T ẋ + x = P W₁/(g C₀), W₁ = −h θ̈ cos K
-        Some(Letters { shift: "-P/(g*C0)*h*cos(K)/(T*s + 1)", order: "P h A mu b H U C0 g T" })
+        Some(Letters::of("-P/(g*C0)*h*cos(K)/(T*s + 1)", "P h A mu b H U C0 g T"))
     }
 }

@@ -1,5 +1,6 @@
-//! How the centre of mass gives way: one elastic part a file.
+//! How the centre of mass gives way: one elastic part a file, and their [`Assembly`].
 
+mod assembly;
 mod backlash;
 mod compliance;
 mod follower;
@@ -11,7 +12,9 @@ mod option;
 mod part;
 mod relaxing;
 mod slosh;
+mod suspension;
 
+pub use assembly::{Assembly, together};
 pub use backlash::Backlash;
 pub use compliance::Compliance;
 pub use friction::Friction;
@@ -22,6 +25,7 @@ pub use option::{Asked, Given, PartOption};
 pub use part::{Boxed, Elastic, Letters};
 pub use relaxing::Relaxing;
 pub use slosh::Slosh;
+pub use suspension::{Flow, Suspension, Swing};
 
 /// The parts that can be asked for beside the lag: one a line, each described by its own file.
 pub const PARTS: [&Asked; 6] = [
@@ -33,17 +37,18 @@ pub const PARTS: [&Asked; 6] = [
     &backlash::ASKED,
 ];
 
-/// The part that options ask for, by name and numbers in SI; `None` where no option is of a part.
+/// The parts that options ask for, by name and numbers in SI; [`together`] makes one of them.
 ///
 /// ```
 /// use gyrospec::gyro::elastic::asked;
-/// let part = asked(|option| (option == "friction").then(|| vec![2.0])).unwrap();
-/// assert_eq!(part.name(), "dry friction");
-/// assert!(asked(|_| None).is_none());
+/// let parts = asked(|option| (option == "friction").then(|| vec![2.0]));
+/// assert_eq!(parts[0].name(), "dry friction");
+/// assert!(asked(|_| None).is_empty());
 /// ```
-pub fn asked(given: impl Fn(&str) -> Option<Vec<f64>>) -> Option<Box<dyn Elastic>> {
-    PARTS.iter().find_map(|part| {
+pub fn asked(given: impl Fn(&str) -> Option<Vec<f64>>) -> Vec<Box<dyn Elastic>> {
+    let made = |part: &&Asked| {
         let numbers: Vec<Option<Vec<f64>>> = part.options.iter().map(|o| given(o.name)).collect();
         numbers.iter().any(Option::is_some).then(|| (part.make)(&numbers))
-    })
+    };
+    PARTS.iter().filter_map(made).collect()
 }

@@ -6,7 +6,7 @@ use crate::gyro::range::Range;
 /// The numbers in SI that each option of a part got; `None` for an option that was not said.
 pub type Given = [Option<Vec<f64>>];
 
-/// How an elastic part is asked for. One part at a time, by one or more of its options.
+/// How an elastic part is asked for, by one or more of its options.
 #[derive(Debug)]
 pub struct Asked {
     /// Its options.

@@ -1,16 +1,18 @@
 //! What an elastic part is, and what all of them need.
 
 use super::in_time::InTime;
+use super::suspension::Suspension;
 use crate::gyro::Gyrosphere;
 use crate::lti::StateSpace;
 use crate::{Error, Result};
 use faer::Mat;
+use std::borrow::Cow;
 
 /// A part of the gyrosphere that gives way to the accelerations (W₁, W₂, W₃), m/s², along the
 /// parallel, the meridian and the vertical.
 pub trait Elastic: Boxed + std::fmt::Debug + Send + Sync {
     /// A short name for tables.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &str;
 
     /// The linear system from (W₁, W₂, W₃) to the shift (x, y, z) of the centre of mass, m.
     /// `acceleration` is the motion's system from its white noises to (W₁, W₂, W₃) on the
@@ -30,6 +32,31 @@ pub trait Elastic: Boxed + std::fmt::Debug + Send + Sync {
         Ok(None)
     }
 
+    /// Enters itself into the force balance of several parts together; a part that does not is a suspension of its
+    /// own.
+    ///
+    /// # Errors
+    /// `Usage` for a part that stands alone, and for one that is there already.
+    fn enters(&self, _suspension: &mut Suspension) -> Result<()> {
+        Err(Error::usage(format!("{} is a suspension of its own and goes with no other part", self.name())))
+    }
+
+    /// Beside a part that is followed in time along the parallel: the linear system from (W₁, W₂, W₃) to what gives
+    /// way along the meridian and the vertical; `None` where nothing does.
+    ///
+    /// # Errors
+    /// `BadInput` for numbers that describe no such part.
+    fn across(&self, _sphere: &Gyrosphere) -> Result<Option<StateSpace>> {
+        Ok(None)
+    }
+
+    /// What a part that is not linear becomes where its friction and its play are zero: a part whose
+    /// [`system`](Elastic::system) is exact and which is followed [`in_time`](Elastic::in_time) like this one. `None`
+    /// where that is the lag with inertia (2.2).
+    fn tightened(&self) -> Option<Box<dyn Elastic>> {
+        None
+    }
+
     /// How W₁ moves x, with letters; `None` where the mean error has no closed form.
     fn letters(&self) -> Option<Letters> {
         None
@@ -42,12 +69,19 @@ pub trait Elastic: Boxed + std::fmt::Debug + Send + Sync {
 }
 
 /// The centre of mass with letters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Letters {
-    /// x/θ̈ as an expression in s, with the letters of docs/symbols.md.
-    pub shift: &'static str,
+    /// x/θ̈ as an expression in s, with the letters of docs/symbols.md; where the mass gives way along the meridian
+    /// too, less what y takes of M_y.
+    pub shift: Cow<'static, str>,
     /// The letters in the order in which a formula shows them.
-    pub order: &'static str,
+    pub order: Cow<'static, str>,
+}
+
+impl Letters {
+    pub(super) const fn of(shift: &'static str, order: &'static str) -> Self {
+        Self { shift: Cow::Borrowed(shift), order: Cow::Borrowed(order) }
+    }
 }
 
 /// A part that can be copied behind its trait; every part that is `Clone` can.

@@ -2,6 +2,7 @@
 
 use super::option::{Asked, PartOption, first};
 use super::part::{Elastic, Letters, along, positive};
+use super::suspension::{Flow, Suspension};
 use crate::Result;
 use crate::gyro::{Gyrosphere, range};
 use crate::lti::{StateSpace, TransferFunction};
@@ -49,9 +50,14 @@ impl Elastic for Relaxing {
         along(&[(0, StateSpace::from_transfer(&spring)), (0, StateSpace::from_transfer(&liquid))])
     }
 
+    fn enters(&self, suspension: &mut Suspension) -> Result<()> {
+        let flow = Flow { time: self.time, share: self.share };
+        Suspension::once(&mut suspension.flow, flow, "liquid flow")
+    }
+
     fn letters(&self) -> Option<Letters> {
         // two relaxations side by side
         let shift = "-P/(g*C0)*h*cos(K)*(1/(T*s + 1) + kappa/(T_2*s + 1))";
-        Some(Letters { shift, order: "P h A mu b H U C0 g T" })
+        Some(Letters::of(shift, "P h A mu b H U C0 g T"))
     }
 }

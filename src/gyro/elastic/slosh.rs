@@ -2,6 +2,7 @@
 
 use super::option::{Asked, PartOption, first};
 use super::part::{Elastic, Letters, along, positive};
+use super::suspension::{Suspension, Swing};
 use crate::Result;
 use crate::gyro::Gyrosphere;
 use crate::gyro::range::{Range, range};
@@ -59,10 +60,15 @@ impl Elastic for Slosh {
         along(&[(0, StateSpace::from_transfer(&spring)), (0, StateSpace::from_transfer(&liquid))])
     }
 
+    fn enters(&self, suspension: &mut Suspension) -> Result<()> {
+        let swing = Swing { frequency: self.frequency, damping: self.damping, share: self.share };
+        Suspension::once(&mut suspension.swing, swing, "sloshing liquid")
+    }
+
     fn letters(&self) -> Option<Letters> {
         // both side by side, W₁ = −h θ̈ cos K
         let shift = "-h*cos(K)*(P/(g*C0*(T*s + 1)) + mu_s/(s^2 + 2*zeta*omega*s + omega^2))";
-        Some(Letters { shift, order: "P h A mu b H U C0 g T mu_s zeta omega" })
+        Some(Letters::of(shift, "P h A mu b H U C0 g T mu_s zeta omega"))
     }
 }
 

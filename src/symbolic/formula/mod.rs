@@ -266,6 +266,15 @@ impl Derivation {
         let times = value(&self.times, &|name| values.get(name).copied())?;
         Ok(times * numeric(&self.source, values)?.value)
     }
+
+    /// The order n of its I_n, without deriving it.
+    ///
+    /// # Errors
+    /// Bad input for what is no integral of this kind.
+    pub fn order(&self, simplifier: &Simplifier) -> Result<usize> {
+        let expressions = self.source.expressions();
+        Ok(self.source.prepare(&Desk::new(simplifier, &expressions)?.alphabet)?.b.len())
+    }
 }
 
 /// A derived formula and how it was checked.
