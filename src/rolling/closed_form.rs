@@ -3,51 +3,105 @@
 use super::{Compass, Excitation};
 use crate::gyro::elastic::{Elastic, Letters};
 use crate::gyro::validity::{Smallness, bounded};
-use crate::symbolic::{Derived, FormulaRequest, formula, irregular_roll};
+use crate::symbolic::{Derived, Formula, FormulaRequest, formula, irregular_roll};
 use crate::{Error, Result};
 
 /// The highest order n of an I_n that is written out: beyond it the formula fills pages.
 const LONGEST: usize = 6;
 
-/// The mean error on irregular roll of the form (3.3), with letters.
+/// The mean error on irregular roll with letters.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ClosedForm {
+    /// Written out.
+    Written(Derived),
+    /// I_n as the integral that it is, where it would fill pages.
+    Integral {
+        /// n.
+        order: usize,
+        /// The integral and what stands in it, in lines.
+        text: String,
+    },
+}
+
+impl ClosedForm {
+    /// The formula as plain text.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Written(derived) => derived.formula.text(),
+            Self::Integral { text, .. } => text.clone(),
+        }
+    }
+
+    /// n of the I_n behind it.
+    pub fn order(&self) -> usize {
+        match self {
+            Self::Written(derived) => derived.order,
+            Self::Integral { order, .. } => *order,
+        }
+    }
+
+    /// The number of random points at which it agrees with the numeric engine; 0 for an integral.
+    pub fn points(&self) -> usize {
+        match self {
+            Self::Written(derived) => derived.points,
+            Self::Integral { .. } => 0,
+        }
+    }
+}
+
+/// The mean error on irregular roll of the form (3.3), with letters; behind two low-passes at ω_c where the motion
+/// has a `band`.
 ///
 /// ```
 /// use gyrospec::gyro::elastic::Lag;
 /// use gyrospec::rolling::closed_form;
-/// assert_eq!(closed_form(&Lag)?.order, 3);           // from I₃
+/// assert_eq!(closed_form(&Lag, None)?.order(), 3);           // from I₃
+/// assert_eq!(closed_form(&Lag, Some(2.5))?.order(), 5);
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 ///
 /// # Errors
-/// `Usage` for a part that is not linear, and for one whose formula fills pages.
-pub fn closed_form(part: &dyn Elastic) -> Result<Derived> {
+/// `Usage` for a part that is not linear.
+pub fn closed_form(part: &dyn Elastic, band: Option<f64>) -> Result<ClosedForm> {
     let letters = part.letters().ok_or_else(|| {
         Error::usage(format!("{} is not linear: its mean error has no closed form", part.name()))
             .with_hint("every linear part has one; without --formula the figures of this one are simulated")
     })?;
-    let request = request(letters);
+    let request = request(letters, band.is_some());
     let (derivation, simplifier) = (request.derivation()?, request.simplifier()?);
     let order = derivation.order(&simplifier)?;
     if order > LONGEST {
-        let second = request.second.unwrap_or_default();
-        return Err(Error::usage(format!("written out, I_{order} of this compass fills pages")).with_hint(
-            format!(
-                "gyrospec formula derives it: --first=\"h*sin(K)\" --second=\"{second}\" --shaping=\"{}\"",
-                request.shaping.unwrap_or_default()
-            ),
-        ));
+        return Ok(ClosedForm::Integral { order, text: integral(&request, order)? });
     }
-    formula(&derivation, &simplifier)
+    formula(&derivation, &simplifier).map(ClosedForm::Written)
 }
 
-/// The paper's irregular roll with another centre of mass.
-fn request(letters: Letters) -> FormulaRequest {
-    let paper = irregular_roll();
+/// The paper's irregular roll with another centre of mass, behind two low-passes.
+fn request(letters: Letters, banded: bool) -> FormulaRequest {
+    let mut paper = irregular_roll();
+    if banded {
+        paper.shaping = paper.shaping.map(|s| format!("{s}/(s/omega_c + 1)^2"));
+        (paper.printed, paper.keep) = (None, Vec::new());
+    }
     if paper.second.as_deref() == Some(&*letters.shift) {
         return paper;
     }
     let (second, order) = (Some(letters.shift.into_owned()), letters.order.into_owned());
     FormulaRequest { second, order, printed: None, keep: Vec::new(), ..paper }
+}
+
+/// α as the integral that the request describes.
+fn integral(r: &FormulaRequest, order: usize) -> Result<String> {
+    let told = |name: &str, text: &Option<String>| -> Result<String> {
+        Ok(Formula::parse(name, text.as_deref().unwrap_or("1"))?.text())
+    };
+    let times = told("α", &r.times)?;
+    let lines = [("F(s)", &r.first), ("X(s)", &r.second), ("W(s)", &r.shaping), ("N", &r.density)];
+    let lines = lines.iter().map(|(name, text)| Ok(format!("  {}", told(name, text)?)));
+    Ok(format!(
+        "{times} · (1/2π) ∫ F(jω) X(−jω) |W(jω)|² N dω, an I_{order}, with\n{}",
+        lines.collect::<Result<Vec<_>>>()?.join("\n")
+    ))
 }
 
 /// What the closed form gives.

@@ -35,7 +35,7 @@ pub struct Waves {
     pub from: f64,
     /// The ship.
     pub hull: Hull,
-    /// Motions beside roll: pitch, heave.
+    /// Motions beside roll: pitch, heave, sway, surge, yaw.
     pub also: Vec<Axis>,
 }
 
@@ -154,7 +154,12 @@ impl Waves {
                 match axis {
                     Axis::Pitch => self.hull.pitch_response(self.from)?,
                     Axis::Heave => self.hull.heave_response(self.from)?,
-                    _ => return Err(Error::bad_input(format!("no answer of {axis:?} to a sea is known"))),
+                    Axis::Sway => self.hull.sway_response(self.from)?,
+                    Axis::Surge => self.hull.surge_response(self.from)?,
+                    Axis::Yaw => self.hull.yaw_response(self.from)?,
+                    Axis::Roll => {
+                        return Err(Error::bad_input("roll is in every sea; the others stand beside it"));
+                    }
                 },
             ));
         }

@@ -39,7 +39,7 @@ pub use against::Against;
 pub use analysis::{Analysis, SLOW, analyse};
 pub use case::{Days, Row};
 #[cfg(feature = "symbolic")]
-pub use closed_form::{ClosedValues, closed_form, closed_values};
+pub use closed_form::{ClosedForm, ClosedValues, closed_form, closed_values};
 pub use compass::{Compass, Origin};
 pub use excitation::{Excitation, ShipMotion, Source, Waves};
 pub use free::{LeftAlone, left_alone};

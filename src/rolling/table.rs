@@ -72,11 +72,13 @@ impl Table {
         fitted.or_else(|| self.excitation.as_ref().and_then(Excitation::roll))
     }
 
-    /// The mean with letters (feature `symbolic`), where the motion is a roll and a form is kept of the part.
+    /// The mean with letters (feature `symbolic`), where the motion is irregular roll or was fitted by one, and the
+    /// part is linear.
     #[cfg(feature = "symbolic")]
-    pub fn closed_form(&self) -> Option<crate::symbolic::Derived> {
-        let sea = self.excitation.as_ref().is_some_and(|e| e.waves().is_some());
-        super::closed_form(self.compass.part.as_ref()).ok().filter(|_| !sea)
+    pub fn closed_form(&self) -> Option<super::ClosedForm> {
+        self.roll()?;
+        let band = self.excitation.as_ref().and_then(|e| e.band);
+        super::closed_form(self.compass.part.as_ref(), band).ok()
     }
 
     /// The same with each `step`-th row alone.

@@ -103,6 +103,35 @@ impl Hull {
         self.averaged(from)
     }
 
+    /// Sway/ζ = sin ν S, m/m: a ship that is small beside the waves goes with the water, which is accelerated down the
+    /// slope by g of it, as the slope's part athwart would turn her mast.
+    ///
+    /// # Errors
+    /// `BadInput` when a number is not positive, or nothing of the slope lies athwart.
+    pub fn sway_response(&self, from: f64) -> Result<TransferFunction> {
+        // s² sway = g (−sin ν)(−s²/g) S ζ
+        Ok(self.averaged(from)?.scaled(-excited(Self::slopes(from).0, "sway")?))
+    }
+
+    /// Surge/ζ = −cos ν S, m/m, forward: likewise along the ship.
+    ///
+    /// # Errors
+    /// `BadInput` when a number is not positive, or nothing of the slope lies along the ship.
+    pub fn surge_response(&self, from: f64) -> Result<TransferFunction> {
+        Ok(self.averaged(from)?.scaled(-excited(Self::slopes(from).1, "surge")?))
+    }
+
+    /// Yaw/ζ = −sin ν cos ν (−s²/g) S, rad/m: she lies along the water of her length, whose sway differs from bow to
+    /// stern; like heave it is given the phase of the slope.
+    ///
+    /// # Errors
+    /// `BadInput` when a number is not positive, or the sea comes along the ship or from abeam.
+    pub fn yaw_response(&self, from: f64) -> Result<TransferFunction> {
+        let (athwart, along) = Self::slopes(from);
+        let both = excited(athwart, "yaw")? * excited(along, "yaw")?;
+        TransferFunction::new(&[-both / GRAVITY, 0.0, 0.0], self.averaged(from)?.denominator())
+    }
+
     /// S, by a filter of order four whose power is 1/(1 + pω⁴ + qω⁸).
     fn averaged(&self, from: f64) -> Result<TransferFunction> {
         self.check()?;

@@ -380,3 +380,98 @@ fn a_part_of_a_model_goes_with_those_of_the_options() {
         assert!(code == 2 && message.contains("of its own"), "{message}");
     }
 }
+
+#[test]
+fn behind_low_passes_the_formula_is_that_of_the_banded_roll() {
+    for (part, order) in [("--lever=3m", 5), ("--inertia", 6), ("--flow=4s,0.1", 6), ("--meridian=2e5,1", 6)]
+    {
+        let told = asked_json(&[part, "--band=2.5", "--formula"]);
+        assert!(told["order"] == order && told["points_checked"] == 32, "{told}");
+        assert!(told["formula"].as_str().unwrap().contains("ω_c"), "{told}");
+        let row = &asked_json(&[part, "--band=2.5"])["rows"][0]["mean_deg"];
+        assert_relative_eq!(
+            told["values"][0]["mean_deg"].as_f64().unwrap(),
+            row.as_f64().unwrap(),
+            max_relative = 1e-9
+        );
+    }
+    // what would fill pages is the integral that it is, and a page of a banded roll has the formula of the band
+    let words = ["--inertia", "--flow=4s,0.1", "--slosh=1.5,0.1,1e-5", "--band=2.5"];
+    let told = asked_json(&[&words[..], &["--formula"]].concat());
+    let formula = told["formula"].as_str().unwrap();
+    assert!(told["order"] == 9 && told["points_checked"] == 0 && formula.contains("an I_9"), "{told}");
+    assert!(
+        ["F(s) = h sin K", "X(s) = ", "W(s) = ", "N = 4"].iter().all(|f| formula.contains(f)),
+        "{formula}"
+    );
+    let (_, page, _) = asked(&["--band=2.5", "--heading=45", "--html=-"]);
+    assert!(page.contains("ω_c"));
+    let (_, page, _) = asked(&["--regular=5deg,0.7", "--heading=45", "--html=-"]);
+    assert!(!page.contains("The mean as a formula"));
+    let (_, text, _) = asked(&["--vertical=1e5,1", "--formula"]);
+    assert!(text.contains("compliance along the vertical changes no mean"), "{text}");
+}
+
+#[test]
+fn sway_and_surge_go_with_the_water_and_yaw_moves_no_mean() {
+    use gyrospec::{Axis, Hull, TransferFunction};
+    let (hull, from, g) = (Hull { length: 40.0, ..Hull::default() }, 1.1, 9.81);
+    let at = |w: &TransferFunction, omega: f64| w.at(Complex64::new(0.0, omega));
+    let [roll, sway, surge, pitch] = [
+        hull.roll_response(from).unwrap(),
+        hull.sway_response(from).unwrap(),
+        hull.surge_response(from).unwrap(),
+        hull.pitch_response(from).unwrap(),
+    ];
+    // on long waves: the water turns on circles of the wave's height, and is accelerated as the mast is turned
+    let w = 0.01;
+    assert_relative_eq!(at(&sway, w).re, 1.1f64.sin(), max_relative = 1e-3);
+    assert_relative_eq!((-w * w * at(&sway, w) / at(&roll, w)).re, g / hull.slope, max_relative = 1e-3);
+    assert_relative_eq!((-w * w * at(&surge, w) / at(&pitch, w)).re, g, max_relative = 1e-9);
+    // the mean by quadrature: W athwart = h θ̈ + sway″, forward = surge″, x = m/C₀ (…)/(1 + jωT)
+    let sphere = Gyrosphere::seed();
+    let sea = TransferFunction::new(&[0.3, 0.0, 0.0], &times(&[1.0, 0.3, 0.6], &[1.0, 0.3, 0.6])).unwrap();
+    let motion = Motion::in_sea(
+        &sea,
+        &[
+            (Axis::Roll, roll.clone()),
+            (Axis::Sway, sway.clone()),
+            (Axis::Surge, surge.clone()),
+            (Axis::Yaw, hull.yaw_response(from).unwrap()),
+        ],
+    )
+    .unwrap();
+    let heading = 0.6f64;
+    let got = Instrument::new(sphere, Box::new(Lag)).rectified_error(&motion, heading).unwrap();
+    let step = 1e-3;
+    let area: f64 = (1..60_000)
+        .map(|k| {
+            let w = f64::from(k) * step;
+            let athwart = -w * w * (sphere.lever * at(&roll, w) + at(&sway, w));
+            let forward = -w * w * at(&surge, w);
+            let first = -athwart * heading.cos() + forward * heading.sin();
+            let second = athwart * heading.sin() + forward * heading.cos();
+            let give = sphere.weight / (sphere.gravity * sphere.stiffness);
+            let x = first * give / Complex64::new(1.0, w * sphere.lag);
+            at(&sea, w).norm_sqr() * (second * x.conj()).re
+        })
+        .sum();
+    let gain = sphere.weight / (sphere.gravity * sphere.momentum * sphere.earth_rate * sphere.latitude.cos());
+    assert_relative_eq!(got, gain * area * step / PI, max_relative = 1e-5);
+    // and as options: yaw changes the spread alone
+    let asked = |also: &str| {
+        let told = asked_json(&["--sea=jonswap", "--sea-from=60", &format!("--also={also}"), "--band=2.5"]);
+        let row = &told["rows"][0];
+        let number = |name: &str| row[name].as_f64().unwrap();
+        ([number("mean_deg"), number("spread_deg")], told["note"].as_str().unwrap().to_owned())
+    };
+    let (plain, swaying, surging, yawing) = (asked("heave"), asked("sway"), asked("surge"), asked("yaw"));
+    assert!((swaying.0[0] / plain.0[0] - 1.0).abs() > 0.1 && (surging.0[0] / plain.0[0] - 1.0).abs() > 0.01);
+    assert_relative_eq!(yawing.0[0], plain.0[0], max_relative = 1e-9);
+    assert!(yawing.1.contains("yaw changes no mean") && yawing.0[1] != plain.0[1]);
+    for (also, from) in [("surge", "90"), ("yaw", "0"), ("sway", "180")] {
+        let (code, _, message) =
+            crate::roll_error::asked(&["--sea=pm", &format!("--also={also}"), &format!("--sea-from={from}")]);
+        assert!(code == 2 && message.contains(&format!("excites {also}")), "{message}");
+    }
+}

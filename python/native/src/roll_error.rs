@@ -58,7 +58,7 @@ pub fn roll_error(
         picture,
         text: Box::new(move || text(&again)),
         html: Box::new(move || {
-            let formula = table.closed_form().map(|d| d.formula.text());
+            let formula = table.closed_form().map(|f| f.text());
             page(&Sheet { table: &table, every: 1, formula: formula.as_deref(), seed })
         }),
     })

@@ -114,8 +114,8 @@ const SCORSBY_SETS: [&str; 14] = [
 ];
 
 /// What the closed form cannot show.
-const LETTERS_HAVE_NO: [&str; 9] =
-    ["free", "recording", "speed", "band", "against", "simulate", "seed", "svg", "html"];
+const LETTERS_HAVE_NO: [&str; 8] =
+    ["free", "recording", "speed", "against", "simulate", "seed", "svg", "html"];
 
 /// Step of the headings in the picture, degrees; a divisor of the table's.
 const PICTURE_STEP: usize = 3;
@@ -200,14 +200,14 @@ fn formula(compass: &Compass, a: &Arguments) -> Result<String> {
             "−P²θ₀²h²p⁴ sin 2K/(4 g² H U C₀ cos φ (1 + p²T²)) = mean α; --regular without --formula gives its value",
         ));
     }
-    let derived = closed_form(compass.part.as_ref())?;
     let excitation = a.motion.excitation(compass.roll)?;
+    let closed = closed_form(compass.part.as_ref(), excitation.band)?;
     let headings = if a.rows.has_headings() { a.rows.headings()? } else { vec![45f64.to_radians()] };
     let values = closed_values(compass, &excitation, &headings)?;
     Ok(if a.json {
-        formula_json(&excitation, &derived, &values)
+        formula_json(compass, &excitation, &closed, &values)
     } else {
-        formula_text(compass, &excitation, &derived, &values)
+        formula_text(compass, &excitation, &closed, &values)
     })
 }
 
@@ -269,7 +269,7 @@ fn computed(
     let text = if a.json { json(&shown)? } else { text(&shown) };
     let mut results = Vec::new();
     if let Some(place) = html {
-        let formula = table.closed_form().map(|d| d.formula.text());
+        let formula = table.closed_form().map(|f| f.text());
         let sheet = Sheet { table: &table, every, formula: formula.as_deref(), seed: a.rows.seed };
         results.push(place.data(page(&sheet)));
     }

@@ -65,10 +65,35 @@ pub enum SeaKind {
     Jonswap,
 }
 
-#[derive(Clone, Copy, PartialEq, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 pub enum Also {
     Pitch,
     Heave,
+    Sway,
+    Surge,
+    Yaw,
+}
+
+impl Also {
+    fn axis(self) -> Axis {
+        match self {
+            Self::Pitch => Axis::Pitch,
+            Self::Heave => Axis::Heave,
+            Self::Sway => Axis::Sway,
+            Self::Surge => Axis::Surge,
+            Self::Yaw => Axis::Yaw,
+        }
+    }
+
+    /// Whether the slope's part athwart, and that along the ship, excites it.
+    fn excited_by(self) -> [bool; 2] {
+        match self {
+            Self::Heave => [false, false],
+            Self::Pitch | Self::Surge => [false, true],
+            Self::Sway => [true, false],
+            Self::Yaw => [true, true],
+        }
+    }
 }
 
 #[derive(Args)]
@@ -110,7 +135,7 @@ struct SeaOptions {
     /// Length of the ship's waterline; six beams if absent.
     #[arg(long, requires = "sea", value_name = "LENGTH", allow_hyphen_values = true)]
     ship_length: Option<String>,
-    /// Other motions in the same sea; heave changes the spread alone, not the mean.
+    /// Other motions in the same sea; heave and yaw change the spread alone, not the mean.
     #[arg(long, requires = "sea", value_enum, value_delimiter = ',')]
     also: Vec<Also>,
 }
@@ -164,19 +189,24 @@ impl SeaOptions {
         let from = from.unwrap_or(std::f64::consts::FRAC_PI_2);
         let hull = self.hull()?;
         let (athwart, along) = Hull::slopes(from);
-        let pitches = self.also.contains(&Also::Pitch);
-        if pitches && along == 0.0 {
-            return Err(Error::usage("a sea from abeam has no slope along the ship: nothing excites pitch")
-                .with_hint("say where it comes from, as --sea-from 60deg (0 is ahead, 90 abeam), or leave pitch away"));
+        for also in &self.also {
+            let (name, [across, ahead]) = (format!("{also:?}").to_lowercase(), also.excited_by());
+            let lacks = match (ahead && along == 0.0, across && athwart == 0.0) {
+                (true, _) => "a sea from abeam has no slope along the ship",
+                (_, true) => "a sea from ahead or astern has no slope athwart",
+                _ => continue,
+            };
+            return Err(Error::usage(format!("{lacks}: nothing excites {name}")).with_hint(format!(
+                "say where it comes from, as --sea-from 60deg (0 is ahead, 90 abeam), or leave {name} away"
+            )));
         }
-        if !pitches && athwart == 0.0 {
+        if !self.also.iter().any(|a| a.excited_by()[1]) && athwart == 0.0 {
             return Err(Error::usage(
                 "a sea from ahead or astern has no slope athwart: nothing excites roll",
             )
             .with_hint("say --also pitch, or another --sea-from"));
         }
-        let axis = |also: &Also| if *also == Also::Pitch { Axis::Pitch } else { Axis::Heave };
-        Ok(Waves { sea, from, hull, also: self.also.iter().map(axis).collect() })
+        Ok(Waves { sea, from, hull, also: self.also.iter().map(|a| a.axis()).collect() })
     }
 
     fn sea(&self, kind: SeaKind) -> Result<Sea> {

@@ -1,8 +1,8 @@
 //! What is said of a compass, its motion and its figures, in words that all reports share.
 
 use super::{recorded, tail};
-use crate::gyro::IDLE;
 use crate::gyro::validity::{LARGEST_MEAN, Smallness};
+use crate::gyro::{Axis, IDLE};
 use crate::rolling::{Against, Excitation, Origin, Source, Table, Waves};
 use crate::spectrum::{Hull, RationalFit, Sea};
 use crate::units::figure;
@@ -109,15 +109,30 @@ pub fn note(table: &Table) -> String {
     out
 }
 
+/// What changes no mean, and why; empty where there is nothing.
+pub fn idle(what: &str) -> String {
+    if what.is_empty() { String::new() } else { format!("{what} changes no mean: {IDLE}.\n") }
+}
+
 /// What else is to be said of what was asked for.
 fn asides(table: &Table) -> String {
     let waves = table.excitation.as_ref().and_then(Excitation::waves);
-    let heaves = waves.is_some_and(|w| w.also.contains(&crate::gyro::Axis::Heave));
-    let idle = table.compass.part.idle();
+    let also = |axis: Axis| waves.is_some_and(|w| w.also.contains(&axis));
+    let moved = match (also(Axis::Heave), also(Axis::Yaw)) {
+        (true, true) => "heave or yaw",
+        (false, true) => "yaw",
+        (heaves, _) => {
+            if heaves {
+                "heave"
+            } else {
+                ""
+            }
+        }
+    };
+    let part = table.compass.part.idle();
     let mut out = String::new();
-    if heaves || !idle.is_empty() {
-        let what = if idle.is_empty() { "heave" } else { idle };
-        out.push_str(&format!("{what} changes no mean: {IDLE}.\n"));
+    if !(moved.is_empty() && part.is_empty()) {
+        out.push_str(&idle(if part.is_empty() { moved } else { part }));
     }
     if table.compass.speed != 0.0 && waves.is_some_and(|w| w.slopes().1 != 0.0) {
         out.push_str(
