@@ -150,7 +150,7 @@ fn inertia_flow_and_slosh_are_one_integral() {
     // even part of N(s) D(−s) s⁴ stands above
     let mirrored = |p: &[f64]| -> Vec<f64> {
         let n = p.len() - 1;
-        p.iter().enumerate().map(|(k, x)| if !(n - k).is_multiple_of(2) { -x } else { *x }).collect()
+        p.iter().enumerate().map(|(k, x)| if (n - k).is_multiple_of(2) { *x } else { -x }).collect()
     };
     let product = times(&above, &mirrored(&below));
     let degree = product.len() - 1;

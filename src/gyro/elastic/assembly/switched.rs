@@ -17,6 +17,7 @@
 use super::balance::{Balance, GIVE, Mode, Row};
 use crate::gyro::elastic::in_time::{InTime, parts};
 use crate::{Error, Result};
+use std::array::from_fn;
 
 /// Powers of one half of a part of a step.
 const HALVES: usize = 40;
@@ -25,56 +26,68 @@ const WHOLE: u64 = 1 << HALVES;
 /// Most events that a part of a step may hold: more come only of rounding.
 const EVENTS: usize = 64;
 
+/// Most states of a balance, five, with W₁, its rate and K.
+const MOST: usize = 8;
+
+/// States, W₁, Ẇ₁ and K, or a quantity over them; what a balance lacks is zero.
+type Fixed = [f64; MOST];
+
+/// A matrix by its columns.
+type Columns = [Fixed; MOST];
+
 /// A mode with its steps.
 #[derive(Debug, Clone)]
 struct Stepper {
-    mode: Mode,
-    /// e^{A h/2ᵏ} − I, row by row, from k = 0 on.
-    steps: Vec<Vec<f64>>,
-    /// x₁ over y.
-    place: Row,
-    /// The rates of ẋ₁ and of f over y.
-    turning: Row,
-    loading: Row,
+    /// e^{A h/2ᵏ} − I, from k = 0 on.
+    steps: Vec<Columns>,
+    /// x₁, ẋ₁ and f over y, and the rates of the last two.
+    place: Fixed,
+    speed: Fixed,
+    force: Fixed,
+    turning: Fixed,
+    loading: Fixed,
 }
 
 impl Stepper {
-    fn new(mode: Mode, part: f64) -> Result<Self> {
+    fn new(mode: &Mode, part: f64) -> Result<Self> {
         let n = mode.rates.len();
-        let tick: Vec<f64> = mode.rates.iter().flatten().map(|a| a * part / WHOLE as f64).collect();
-        let size = tick.chunks(n).map(|row| row.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
+        let rates = |i: usize, j: usize| if i < n && j < n { mode.rates[i][j] } else { 0.0 };
+        let tick: Columns = from_fn(|j| from_fn(|i| rates(i, j) * part / WHOLE as f64));
+        let size = tick.iter().map(|column| column.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
         if size.is_nan() || size >= 0.5 {
             return Err(Error::not_computed("the suspension is too stiff to be followed in time")
                 .with_hint("a share or a time near to 0 is that of a part that could as well be left away"));
         }
         // e^X − I = X(I + X/2(I + X/3(…)))
-        let mut small = tick.clone();
+        let mut small = tick;
         for k in (2..14).rev() {
-            let scaled: Vec<f64> = small.iter().map(|x| x / f64::from(k)).collect();
-            let product = times(&tick, &scaled, n);
-            small = tick.iter().zip(&product).map(|(x, p)| x + p).collect();
+            let product = times(&tick, &small);
+            small = from_fn(|j| from_fn(|i| tick[j][i] + product[j][i] / f64::from(k)));
         }
         let mut steps = vec![small];
-        for _ in 0..HALVES {
-            let last = &steps[steps.len() - 1];
-            let square = times(last, last, n);
-            steps.push(last.iter().zip(&square).map(|(e, s)| 2.0 * e + s).collect());
+        for k in 0..HALVES {
+            let last = steps[k];
+            let square = times(&last, &last);
+            steps.push(from_fn(|j| from_fn(|i| 2.0 * last[j][i] + square[j][i])));
         }
         steps.reverse();
-        let rate = |row: &Row| (0..n).map(|j| (0..n).map(|i| row[i] * mode.rates[i][j]).sum()).collect();
-        let (turning, loading) = (rate(&mode.speed), rate(&mode.force));
-        let place = (0..n).map(|i| f64::from(u8::from(i == GIVE))).collect();
-        Ok(Self { mode, steps, place, turning, loading })
+        let (speed, force) = (fixed(&mode.speed), fixed(&mode.force));
+        let rate = |row: &Fixed| from_fn(|j| (0..MOST).map(|i| row[i] * rates(i, j)).sum());
+        let place = from_fn(|i| f64::from(u8::from(i == GIVE)));
+        Ok(Self { steps, place, speed, force, turning: rate(&speed), loading: rate(&force) })
     }
 
     /// y after one of the steps.
-    fn stepped(&self, y: &[f64], k: usize) -> Row {
-        let rows = self.steps[k].chunks(y.len());
-        y.iter().zip(rows).map(|(own, row)| own + dot(row, y)).collect()
+    fn stepped(&self, y: &Fixed, k: usize) -> Fixed {
+        let mut out = *y;
+        for (column, factor) in self.steps[k].iter().zip(y) {
+            out.iter_mut().zip(column).for_each(|(o, x)| *o += x * factor);
+        }
+        out
     }
 
-    fn after(&self, y: &[f64], ticks: u64) -> Row {
-        let mut y = y.to_vec();
+    fn after(&self, y: &Fixed, ticks: u64) -> Fixed {
+        let mut y = *y;
         for k in (0..=HALVES).filter(|k| ticks & (WHOLE >> k) != 0) {
             y = self.stepped(&y, k);
         }
@@ -82,8 +95,8 @@ impl Stepper {
     }
 
     /// The last tick up to `end` at which a quantity that falls below zero by then has not done so.
-    fn last(&self, y: &[f64], end: u64, quantity: impl Fn(&[f64]) -> f64) -> u64 {
-        let (mut at, mut here) = (0, y.to_vec());
+    fn last(&self, y: &Fixed, end: u64, quantity: impl Fn(&Fixed) -> f64) -> u64 {
+        let (mut at, mut here) = (0, *y);
         for k in 0..=HALVES {
             let step = WHOLE >> k;
             if at + step < end {
@@ -97,9 +110,9 @@ impl Stepper {
     }
 
     /// The first tick at which a guard is broken within those to the end, where the state is `after`.
-    fn breaks(&self, guard: &Guard<'_>, y: &[f64], (after, end): (&[f64], u64)) -> Option<u64> {
-        let value = |y: &[f64]| guard.offset + guard.factor * dot(guard.row, y);
-        let rate = |y: &[f64]| guard.factor * dot(guard.rate, y);
+    fn breaks(&self, guard: &Guard<'_>, y: &Fixed, (after, end): (&Fixed, u64)) -> Option<u64> {
+        let value = |y: &Fixed| guard.offset + guard.factor * dot(guard.row, y);
+        let rate = |y: &Fixed| guard.factor * dot(guard.rate, y);
         if matches!(guard.event, Event::Slip(_)) && value(y) < 0.0 {
             return Some(0);
         }
@@ -118,8 +131,8 @@ impl Stepper {
 /// What must not become negative, offset + factor·row·y, with its rate and what happens when it does. A slip may begin
 /// at once.
 struct Guard<'a> {
-    row: &'a [f64],
-    rate: &'a [f64],
+    row: &'a Fixed,
+    rate: &'a Fixed,
     factor: f64,
     offset: f64,
     event: Event,
@@ -144,9 +157,8 @@ pub(super) struct Switched {
     free: Option<Stepper>,
     stuck: Option<Stepper>,
     /// x over y.
-    give: Row,
-    /// States, W₁, Ẇ₁ and K.
-    y: Row,
+    give: Fixed,
+    y: Fixed,
     /// Place of W₁.
     driven: usize,
     mass: f64,
@@ -174,13 +186,13 @@ impl Switched {
         let parts = own.max((step * balance.ringing() / 0.3).ceil() as usize);
         let part = step / parts as f64;
         let free = Balance { spring: 0.0, ..*balance };
-        let of = |wanted: bool, mode: Mode| wanted.then(|| Stepper::new(mode, part)).transpose();
+        let of = |wanted: bool, mode: &Mode| wanted.then(|| Stepper::new(mode, part)).transpose();
         Ok(Self {
-            held: Stepper::new(balance.moving(), part)?,
-            free: of(gap > 0.0, free.moving())?,
-            stuck: of(friction > 0.0, balance.stuck())?,
-            give: balance.give(),
-            y: vec![0.0; balance.order() + 3],
+            held: Stepper::new(&balance.moving(), part)?,
+            free: of(gap > 0.0, &free.moving())?,
+            stuck: of(friction > 0.0, &balance.stuck())?,
+            give: fixed(&balance.give()),
+            y: [0.0; MOST],
             driven: balance.driven(),
             mass: balance.mass,
             stiffness: balance.stiffness,
@@ -211,16 +223,16 @@ impl Switched {
 
     /// What ends the present mode.
     fn guards<'a>(&self, now: &'a Stepper) -> [Option<Guard<'a>>; 3] {
-        let guard = |factor: f64, (row, rate): (&'a Row, &'a Row), offset: f64, event: Event| {
+        let guard = |factor: f64, (row, rate): (&'a Fixed, &'a Fixed), offset: f64, event: Event| {
             Some(Guard { row, rate, factor, offset, event })
         };
         if self.is_stuck() {
             // |f − C₀ d(x₁)| ≤ F_c
-            let force = (&now.mode.force, &now.loading);
+            let force = (&now.force, &now.loading);
             let by = |way: f64| guard(-way, force, self.friction + way * self.spring(), Event::Slip(way));
             return [by(1.0), by(-1.0), None];
         }
-        let (place, speed) = ((&now.place, &now.mode.speed), (&now.mode.speed, &now.turning));
+        let (place, speed) = ((&now.place, &now.speed), (&now.speed, &now.turning));
         let stop = if self.friction > 0.0 { guard(self.slip, speed, 0.0, Event::Stop) } else { None };
         if self.gap == 0.0 {
             return [stop, None, None];
@@ -306,17 +318,16 @@ impl InTime for Switched {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+fn dot(a: &Fixed, b: &Fixed) -> f64 {
+    let four: [f64; 4] = from_fn(|i| a[i] * b[i] + a[i + 4] * b[i + 4]);
+    (four[0] + four[1]) + (four[2] + four[3])
 }
 
-/// A product of square matrices, row by row.
-fn times(a: &[f64], b: &[f64], n: usize) -> Vec<f64> {
-    let mut out = vec![0.0; n * n];
-    for (row, own) in out.chunks_mut(n).zip(a.chunks(n)) {
-        for (factor, other) in own.iter().zip(b.chunks(n)) {
-            row.iter_mut().zip(other).for_each(|(o, x)| *o += factor * x);
-        }
-    }
-    out
+fn fixed(row: &Row) -> Fixed {
+    from_fn(|i| row.get(i).copied().unwrap_or(0.0))
+}
+
+/// A product of matrices.
+fn times(a: &Columns, b: &Columns) -> Columns {
+    from_fn(|j| from_fn(|i| (0..MOST).map(|k| a[k][i] * b[j][k]).sum()))
 }
