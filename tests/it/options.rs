@@ -113,13 +113,14 @@ fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {
 }
 
 /// Values that no argument has by default.
-const ROLL_ERROR: [(&str, &str); 32] = [
+const ROLL_ERROR: [(&str, &str); 33] = [
     ("model_or_parameters", "compass.toml"),
     ("recording", "compass.toml roll.csv"),
     ("roll", "--roll starboard"),
     ("inertia", "--inertia"),
     ("flow", "--flow 4s,0.2"),
     ("slosh", "--slosh 6,0.1,1e-5"),
+    ("swing", "--swing 20s,0.2,0.8,1s"),
     ("meridian", "--meridian 2e5N/m,1s"),
     ("vertical", "--vertical 1e4N/m,0.5s"),
     ("friction", "--friction 0.5N"),

@@ -10,6 +10,7 @@ mod inertia;
 mod lag;
 mod option;
 mod part;
+mod pendulum;
 mod relaxing;
 mod slosh;
 mod suspension;
@@ -23,15 +24,17 @@ pub use inertia::Inertia;
 pub use lag::Lag;
 pub use option::{Asked, Given, PartOption};
 pub use part::{Boxed, Elastic, Letters};
+pub use pendulum::Pendulum;
 pub use relaxing::Relaxing;
 pub use slosh::Slosh;
 pub use suspension::{Flow, Suspension, Swing};
 
 /// The parts that can be asked for beside the lag: one a line, each described by its own file.
-pub const PARTS: [&Asked; 6] = [
+pub const PARTS: [&Asked; 7] = [
     &inertia::ASKED,
     &relaxing::ASKED,
     &slosh::ASKED,
+    &pendulum::ASKED,
     &compliance::ASKED,
     &friction::ASKED,
     &backlash::ASKED,
