@@ -56,16 +56,9 @@ fn worth(r: &Refitted) -> f64 {
 
 /// Whether a mechanism is tied to moments of one recording, so that another cannot confirm it.
 pub fn is_anchored(p: &Proposal) -> bool {
-    let codes = [
-        "drift-force",
-        "output-drift",
-        "output-step",
-        "parameter-change",
-        "parameter-drift",
-        "clock-jump",
-        "clock-drift",
-    ];
-    codes.contains(&p.code) || is_timed_wave(p)
+    let codes =
+        ["drift-force", "output-drift", "parameter-change", "parameter-drift", "clock-jump", "clock-drift"];
+    codes.contains(&p.code) || is_timed_wave(p) || is_jump_of_zero(p)
 }
 
 /// Whether it is a wave, whose free frequency makes it look like much else.
@@ -78,11 +71,16 @@ pub fn is_timed_wave(p: &Proposal) -> bool {
     is_wave(p) && p.term.contains("*t)")
 }
 
+/// Whether it is an offset of a sensor from a moment on, which was read from the residual.
+fn is_jump_of_zero(p: &Proposal) -> bool {
+    p.code == "output-offset" && p.term.contains("step(")
+}
+
 /// Out of how many a proposal was chosen before it was tried: the frequency of a wave in time is the best
 /// of all that the samples resolve, the moment of a sensor's jump of all samples.
 pub fn chosen_from(p: &Proposal, samples: f64) -> f64 {
-    match p.code {
-        "output-step" => samples.max(1.0),
+    match p {
+        _ if is_jump_of_zero(p) => samples.max(1.0),
         _ if is_timed_wave(p) => (0.5 * samples).max(1.0),
         _ => 1.0,
     }

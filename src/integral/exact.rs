@@ -18,6 +18,7 @@
 //! One rounding at the very end. The integers grow with the order: n²/2 products of n·53 bits for
 //! coefficients of like exponents.
 
+#[cfg(feature = "instruments")]
 use super::scale::Scale;
 use super::{Integral, Integrand, Method, Numerator};
 use crate::exact::{IBig, RBig, Rounded, integers, integers_time_shift, round_ratio};
@@ -102,6 +103,7 @@ pub fn evaluate(p: &Integrand<'_>) -> Result<Integral> {
 }
 
 /// An integral whose polynomials are integers over powers of two, in a time s = 2^`time`·s′.
+#[cfg(feature = "instruments")]
 pub(crate) struct Whole {
     /// a0 … an times 2^−`of_h`.
     pub h: Vec<IBig>,
@@ -113,6 +115,7 @@ pub(crate) struct Whole {
 }
 
 /// The exact integral of integers, rounded once; `near` are the same polynomials in doubles, whose condition is told.
+#[cfg(feature = "instruments")]
 pub(crate) fn of_whole(w: Whole, near: Option<&Integrand<'_>>) -> Result<Integral> {
     let array = tested(w.h)?;
     let (numerator, denominator) = eliminate(w.g, &array);

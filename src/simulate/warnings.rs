@@ -32,6 +32,9 @@ pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
             ran.solver_error
         ));
     }
+    out.extend(
+        s.outputs().iter().zip(&ran.outputs).filter_map(|(o, y)| no_number(o, y, ran.blew_up.map(|b| b.0))),
+    );
     for o in s.outputs() {
         let lost = o.covered.iter().zip(o.measured.iter()).filter(|(c, y)| !**c && y.is_finite()).count();
         if lost > 0 {
@@ -40,6 +43,23 @@ pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
         }
     }
     out
+}
+
+/// Samples of an output for which its formula gives no number though the states are finite.
+fn no_number(o: &OutputSignal, predicted: &[f64], until: Option<f64>) -> Option<String> {
+    let reached = |t: f64| until.is_none_or(|end| t < end);
+    let asked: Vec<usize> = (0..predicted.len())
+        .filter(|i| o.covered[*i] && o.measured[*i].is_finite() && reached(o.time[*i]))
+        .collect();
+    let none: Vec<usize> = asked.iter().copied().filter(|i| !predicted[*i].is_finite()).collect();
+    let first = o.time[*none.first()?];
+    Some(format!(
+        "{} has no finite value at {} of {} samples, first at t = {first} s: they are compared with nothing. Look at \
+         roots, logarithms and quotients in its formula",
+        o.name,
+        none.len(),
+        asked.len()
+    ))
 }
 
 impl OutputSignal {

@@ -1,6 +1,6 @@
 //! What the command line says of the vibration, the instruments and the place.
 
-use crate::cli::quantity::{angle, quantities, quantity};
+use crate::cli::quantity::{angle, latitude as latitude_of, quantities, quantity};
 use crate::gyro::range::{self, Range};
 use crate::gyro::strapdown::{
     Anisoelasticity, Anisoinertia, Disturbance, MountedRotor, Place, Shaken, System, TunedRotor, Vibration,
@@ -178,7 +178,7 @@ impl Options {
             return Ok(None);
         };
         let heading = self.heading.as_ref().map(|t| angle("heading", t, &range::HEADING)).transpose()?;
-        let latitude = angle("latitude", latitude, &range::LATITUDE)?;
+        let latitude = latitude_of("latitude", latitude, &range::LATITUDE)?;
         Ok(Some(Place { latitude, heading: heading.unwrap_or(0.0) }))
     }
 

@@ -155,7 +155,7 @@ fn a_zero_that_jumps_once_is_named_with_its_moment() {
     h[420..].iter_mut().for_each(|h| *h += 0.15);
     let a = answer(&tank(true), ("q", &q), ("level", &h));
     assert_eq!(a.verdict, Verdict::Named, "{}", a.says);
-    assert_eq!((a.findings.len(), a.findings[0].code.as_str()), (1, "output-step"), "{}", a.says);
+    assert_eq!((a.findings.len(), a.findings[0].code.as_str()), (1, "output-offset"), "{}", a.says);
     let (b, moment) = (&a.findings[0].parameters[0], &a.findings[0].parameters[1]);
     assert!(b.low < 0.15 && b.high > 0.15 && (b.value - 0.15).abs() < 0.02, "{b:?}");
     assert!(moment.low >= 41.89 && moment.high <= 42.01, "{moment:?}");

@@ -93,7 +93,7 @@ fn a_zero_that_steps_is_named_under_coloured_noise() {
     let first = &a.findings[0];
     assert_eq!(
         (a.findings.len(), first.code.as_str(), first.site.name.as_str()),
-        (1, "output-step", "position")
+        (1, "output-offset", "position")
     );
     let (b, time) = (&first.parameters[0], &first.parameters[1]);
     assert!((b.value - size).abs() < 0.2 * size && b.low < size && b.high > size, "{b:?} {size}");

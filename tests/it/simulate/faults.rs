@@ -203,3 +203,16 @@ fn growth_that_no_step_follows_is_not_damped_away() {
     let (t, _) = run.blew_up.unwrap();
     assert!(t <= 1.0, "{t}");
 }
+
+#[test]
+fn an_output_without_a_number_is_told_with_its_samples() {
+    // the root of a sine: no number in half of 0 to 10 s, from π on
+    let model = one_state("(u - y)/T", "0").replace("equals = \"y\"", "equals = \"w*sqrt(u/w)\"");
+    let ran = gyrospec::simulate(&Model::parse(&model).unwrap(), &measured()).run().unwrap();
+    let told = ran.warnings().into_iter().find(|w| w.contains("no finite value")).unwrap();
+    let lost = times(10.0, 0.1).iter().filter(|t| t.sin() < 0.0).count();
+    assert!(
+        told.contains(&format!("out has no finite value at {lost} of 101 samples, first at t = 3.2")),
+        "{told}"
+    );
+}
