@@ -6,15 +6,19 @@
 //! its mass the part μ is liquid that swings at ξ beside the vessel; the vessel's own give is x_v, so that the centre
 //! of mass lies at x = x_v + μ ξ. Newton's law of the whole, and of the liquid beside the vessel, is
 //!
-//!     m ẍ + f = m W₁,    ξ̈ + 2ζω ξ̇ + ω² ξ = W₁ − ẍ_v        sloshing liquid
+//! ```text
+//! m ẍ + f = m W₁,    ξ̈ + 2ζω ξ̇ + ω² ξ = W₁ − ẍ_v        sloshing liquid
+//! ```
 //!
 //! The suspension is a chain: what stands in series carries the same f and the gives add, x_v = x₁ + x₂; what stands
 //! side by side gives by the same x₁ and the forces add:
 //!
-//!     f = r ẋ₁ + C₀ x₁                     the lag (2.3), r = T C₀
-//!       + F_c sign ẋ₁                      dry friction, beside spring and dashpot
-//!       with C₀ d(x₁) in place of C₀ x₁    free play, in series with the spring alone: dashpot and friction act in it
-//!     f = (C₀/κ)(T₂ ẋ₂ + x₂)               liquid flow, in series with all of them
+//! ```text
+//! f = r ẋ₁ + C₀ x₁                     the lag (2.3), r = T C₀
+//!   + F_c sign ẋ₁                      dry friction, beside spring and dashpot
+//!   with C₀ d(x₁) in place of C₀ x₁    free play, in series with the spring alone: dashpot and friction act in it
+//! f = (C₀/κ)(T₂ ẋ₂ + x₂)               liquid flow, in series with all of them
+//! ```
 //!
 //! (2.3) leaves ẍ away against W₁. Without inertia, friction or free play so does a combination, in both of Newton's
 //! laws: then f = m W₁, and the gives of lag, flow and slosh stand side by side. Inertia brings ẍ back, friction and
@@ -44,6 +48,8 @@ mod closure;
 mod letters;
 mod switched;
 
+use super::backlash::Backlash;
+use super::friction::Friction;
 use super::in_time::InTime;
 use super::part::{Elastic, Letters, along};
 use super::suspension::Suspension;
@@ -159,8 +165,15 @@ impl Elastic for Assembly {
             return Ok(None);
         }
         let balance = Balance::new(s, &self.suspension)?;
-        let laws = (self.suspension.friction.unwrap_or(0.0), self.suspension.gap.unwrap_or(0.0));
-        Ok(Some(Box::new(Switched::new(&balance, laws, step)?)))
+        let Suspension { flow: None, swing: None, friction, gap, .. } = self.suspension else {
+            return self.switched(&balance, step).map(Some);
+        };
+        // one law on one mass is solved in closed form
+        match (friction, gap) {
+            (Some(force), None) => Friction { force }.in_time(s, step),
+            (None, Some(gap)) => Backlash { gap }.in_time(s, step),
+            _ => self.switched(&balance, step).map(Some),
+        }
     }
 
     fn letters(&self) -> Option<Letters> {
@@ -169,5 +182,12 @@ impl Elastic for Assembly {
 
     fn idle(&self) -> &'static str {
         if self.suspension.vertical.is_some() { "compliance along the vertical" } else { "" }
+    }
+}
+
+impl Assembly {
+    fn switched(&self, balance: &Balance, step: f64) -> Result<Box<dyn InTime>> {
+        let laws = (self.suspension.friction.unwrap_or(0.0), self.suspension.gap.unwrap_or(0.0));
+        Ok(Box::new(Switched::new(balance, laws, step)?))
     }
 }
