@@ -42,7 +42,9 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let v = m.speed.as_ref().unwrap_or(&m.state);
     let mut d = Draft::at(scene, "linear-damping", m);
     let (meaning, says) = match m.speed {
-        Some(_) => ("viscous damping", format!("damping of {{0}} in proportion to {} is missing", scene.words(v))),
+        Some(_) => {
+            ("viscous damping", format!("damping of {{0}} in proportion to {} is missing", scene.words(v)))
+        }
         None => ("leak", format!("a loss of {{0}} in proportion to {} is missing", scene.words(v))),
     };
     let c = d.amplitude("c", &m.force.over(&scene.unit(v)), POSITIVE, meaning);
