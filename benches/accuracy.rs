@@ -3,7 +3,7 @@
 //! `cargo bench --bench accuracy -- --cases 1000000`; without a number a short run. Prints the
 //! distance of `evaluate` from the exact integral in units in the last place, the share of cases
 //! that needed the exact tier, and relative errors of the other methods; then mean products of two filtered signals
-//! beside partial fractions in rationals.
+//! beside partial fractions in rationals, whether any bound was broken, and what a call of each takes.
 #![allow(missing_docs, clippy::print_stdout)]
 
 #[path = "../tests/it/integral/crossed.rs"]
@@ -17,6 +17,8 @@ use gyrospec::exact::rational;
 use gyrospec::integral::{Integrand, Method, determinant, evaluate, evaluate_fast, exact, quadrature};
 use gyrospec::lti::{cross_moment, cross_rate_moment};
 use rayon::prelude::*;
+use std::hint::black_box;
+use std::time::Instant;
 
 /// Worst figures of one family.
 #[derive(Clone, Copy, Default)]
@@ -118,10 +120,50 @@ fn worst(cases: u64, f: usize, one: impl Fn(u64) -> Worst + Send + Sync) -> Wors
     seeds.map(one).reduce(Worst::default, Worst::join)
 }
 
+/// Seconds a call, on one core.
+fn seconds<T, R>(all: &[T], call: impl Fn(&T) -> R) -> f64 {
+    let since = Instant::now();
+    for x in all {
+        let _ = black_box(call(x));
+    }
+    since.elapsed().as_secs_f64() / all.len() as f64
+}
+
+/// What a call of each takes, by family.
+fn speeds(cases: u64) {
+    println!("\nmicroseconds a call, on one core");
+    println!("family     evaluate  evaluate_fast  cross_moment  cross_rate_moment");
+    for family in FAMILIES {
+        let filter = |seed: u64| {
+            let mut rng = generator(seed);
+            let n = [1, 2, 3, 4, 5, 6, 7, 8, 10, 12, 16, 20][seed as usize % 12];
+            let h = polynomial(family, n, &mut rng);
+            (h, coefficients(n, &mut rng))
+        };
+        let filters: Vec<(Vec<f64>, Vec<f64>)> = (0..cases).map(filter).collect();
+        let integrals: Vec<Integrand> = filters.iter().map(|(h, g)| Integrand::new(h, g).unwrap()).collect();
+        let products: Vec<crossed::Crossed> = (0..cases).map(|seed| crossed::case(family, seed)).collect();
+        let mean = |rate: bool| {
+            let those: Vec<&crossed::Crossed> = products.iter().filter(|x| x.rate == rate).collect();
+            let of = if rate { cross_rate_moment } else { cross_moment };
+            1e6 * seconds(&those, |x| of(&x.shaping, &x.first, &x.second))
+        };
+        println!(
+            "{:9} {:9.2} {:14.2} {:13.1} {:18.1}",
+            format!("{family:?}"),
+            1e6 * seconds(&integrals, evaluate),
+            1e6 * seconds(&integrals, evaluate_fast),
+            mean(false),
+            mean(true)
+        );
+    }
+}
+
 fn main() {
     let words: Vec<String> = std::env::args().collect();
     let given = words.iter().position(|w| w == "--cases").and_then(|i| words.get(i + 1)?.parse::<u64>().ok());
     let cases = given.unwrap_or(4_000);
+    let mut broken = 0;
     println!(
         "family    cases  evaluate[ulp]  by exact  fast[rel]  bounds broken  determinant[rel]  quadrature[rel]  refused"
     );
@@ -139,6 +181,7 @@ fn main() {
             w.quadrature,
             w.refused
         );
+        broken += w.broken_bounds;
     }
     println!("\nmean products of two filtered signals");
     println!("family    cases  [ulp]  bounds broken  without a mean");
@@ -146,5 +189,8 @@ fn main() {
         let w = worst(cases, f, |seed| product(family, seed));
         let name = format!("{family:?}");
         println!("{name:9} {:5} {:6.4} {:14} {:15}", w.cases, w.ulps, w.broken_bounds, w.refused);
+        broken += w.broken_bounds;
     }
+    println!("{}", if broken == 0 { "no bound broken".into() } else { format!("{broken} BOUNDS BROKEN") });
+    speeds(cases.min(4_000));
 }

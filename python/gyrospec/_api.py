@@ -123,6 +123,8 @@ def roll_error(
     sea_from: Quantity | None = None,
     ship: Quantities | None = None,
     ship_length: Quantity | None = None,
+    spread: float | None = None,
+    roll_damping: Quantities | None = None,
     also: str | Sequence[str] | None = None,
     band: Quantity | None = None,
     against: str | None = None,
@@ -142,6 +144,9 @@ def roll_error(
     recording: a recorded roll, in place of irregular, regular or sea; `roll` names its channel.
     sea_from: where the sea comes from, off the bow: 0 ahead, 90 from abeam to starboard (as if absent).
     ship_length: the length of the ship's waterline; six beams if absent.
+    speed: over the ground; in a sea, through the waves too, which she meets at another frequency.
+    spread: n of cosⁿ about the main direction, where the waves come from many; long crests if absent.
+    roll_damping: d of d·|rate|·rate, 1/rad, and c of c·rate³, s/rad²: damping of roll beyond the ratio.
 
     part: what gives way in the compass beside the lag; parts go together, as `inertia=True, friction="2N"`:
 {parts}
@@ -153,7 +158,8 @@ def roll_error(
     texts = {
         "latitude": latitude, "lever": lever, "speed": speed, "irregular": irregular, "regular": regular,
         "sea": sea, "height": height, "period": period, "gamma": gamma, "sea-from": sea_from,
-        "ship": ship, "ship-length": ship_length, "also": also, "band": band,
+        "ship": ship, "ship-length": ship_length, "spread": spread, "roll-damping": roll_damping,
+        "also": also, "band": band,
         "against": against, "simulate": simulate, "seed": seed, "roll": roll,
     }  # fmt: skip
     options = [f"--{name}={_words(value)}" for name, value in texts.items() if value is not None]
@@ -251,6 +257,39 @@ def strapdown(
     for name, axes in (("angular", angular), ("linear", linear)):
         options += [f"--{name}={axis}={_words(value)}" for axis, value in (axes or {}).items()]
     answer: dict[str, Any] = json.loads(native.strapdown(options))
+    return answer
+
+
+def pendulous(
+    latitude: Quantity,
+    *,
+    speed: Quantity | None = None,
+    heading: Quantity | Sequence[Quantity] | None = None,
+    corrector: Quantities | None = None,
+    manoeuvres: Quantities | None = None,
+    momentum: Quantity | None = None,
+    offset: Quantity | None = None,
+    flow: Quantity | None = None,
+    ballistic: Quantity | None = None,
+    tuned_at: Quantity | None = None,
+) -> dict[str, Any]:
+    """Errors of a compass with a liquid ballistic: settled, behind its corrector, and spread by manoeuvres.
+
+    The arguments are the options of `gyrospec pendulous`; quantities are numbers in SI (latitudes and
+    headings in degrees) or texts with their unit. The result has the fields of its JSON.
+
+    >>> there = gyrospec.pendulous(60, offset=0.03, corrector=(55, 0))
+    >>> round(there["rows"][0]["settled_deg"], 3)   # -0.03 rad * tan(60 deg)
+    -2.977
+    """
+    texts = {
+        "latitude": latitude, "speed": speed, "corrector": corrector, "manoeuvres": manoeuvres,
+        "momentum": momentum, "offset": offset, "flow": flow, "ballistic": ballistic, "tuned-at": tuned_at,
+    }  # fmt: skip
+    options = [f"--{name}={_words(value)}" for name, value in texts.items() if value is not None]
+    headings = [heading] if heading is None or isinstance(heading, (str, float, int, np.number)) else heading
+    options += [f"--heading={_words(value)}" for value in headings if value is not None]
+    answer: dict[str, Any] = json.loads(native.pendulous(options))
     return answer
 
 

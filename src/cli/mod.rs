@@ -9,12 +9,14 @@ mod explain;
 mod fit;
 mod formula;
 mod gimbal;
+mod identify;
 mod input;
 mod integral;
 mod laboratory;
 mod models;
 mod new;
 mod output;
+pub mod pendulous;
 mod progress;
 mod quantity;
 mod record;
@@ -82,6 +84,10 @@ enum Command {
     Gimbal(gimbal::GimbalCall),
     /// Strapdown systems and gyros that vibrate, and the heading found with them.
     Strapdown(Box<strapdown::Call>),
+    /// T and C0 of a compass from errors measured on regular roll.
+    Identify(identify::Call),
+    /// A compass with a liquid ballistic: settled error, corrector, manoeuvres.
+    Pendulous(Box<pendulous::Call>),
     /// The spectral integral I_n, exact to the last place.
     Integral(integral::Arguments),
     /// A mean value as a formula in your own letters.
@@ -141,6 +147,8 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Simulate(call) => return simulate::run(&call),
         Command::Models(call) => return models::run(&call),
         Command::Gimbal(call) => return gimbal::run(&call),
+        Command::Identify(call) => return identify::run(&call),
+        Command::Pendulous(call) => return pendulous::run(&call),
         Command::Strapdown(call) => return strapdown::run(&call),
         Command::RollError(a) => return roll_error::run(&a),
         Command::New(call) => return new::run(&call),

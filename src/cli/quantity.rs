@@ -1,7 +1,7 @@
 //! Quantities as options take them: `3m`, `3 m` or `3`.
 
 use crate::gyro::range::Range;
-use crate::units::{Dimension, Unit};
+use crate::units::{Dimension, Unit, significant};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
 
@@ -15,6 +15,10 @@ fn parted<'a>(option: &str, text: &'a str, si: &str) -> Result<(f64, Option<&'a 
         .find(|i| text[..*i].trim().parse::<f64>().is_ok());
     let wrong = || Error::usage(format!("--{option}: `{text}` is no quantity, such as 3{si}"));
     let (number, unit) = text.split_at(cut.ok_or_else(wrong)?);
+    if unit.starts_with(',') && unit[1..].starts_with(|c: char| c.is_ascii_digit()) {
+        return Err(Error::usage(format!("--{option}: `{text}` has a comma in its number"))
+            .with_hint(format!("write it with a point: {}", text.replacen(',', ".", 1))));
+    }
     let value: f64 = number.trim().parse().map_err(|_| wrong())?;
     if !value.is_finite() {
         return Err(wrong());
@@ -34,15 +38,18 @@ pub fn angle(option: &str, text: &str, range: &Range) -> Result<f64> {
     range.read(value, unit.or(Some("deg"))).map_err(|e| e.about(&format!("--{option}")))
 }
 
-/// A latitude, rad: `60.2`, `60.2deg`, or as a chart has it, `60°12'N`, `60 12.5 N`, `33°52'10"S`.
+/// A latitude, rad: `60.2`, `60.2deg`, or as a chart has it, `60°12'N`, `N 60 12.5`, `33°52'10"S`.
 pub fn latitude(option: &str, text: &str, range: &Range) -> Result<f64> {
-    let Some((marks, south)) = hemisphere(text.trim()) else { return angle(option, text, range) };
+    let Some((marks, south)) = hemisphere(text.trim()) else {
+        return angle(option, text, range).map_err(|e| meant(option, text.trim(), e));
+    };
     let wrong = || {
-        Error::usage(format!("--{option}: `{text}` is no latitude"))
-            .with_hint("write 60.2, 60.2N, 60°12'N or 33 52 10 S: degrees, minutes and seconds below 60")
+        let e = Error::usage(format!("--{option}: `{text}` is no latitude"))
+            .with_hint("write 60.2, 60.2N, 60°12'N or 33 52 10 S: degrees, minutes and seconds below 60");
+        meant(option, text.trim(), e)
     };
     let parts: Vec<f64> = marks
-        .split(|c: char| c.is_whitespace() || "°ºd'′’\"″”m".contains(c))
+        .split(is_mark)
         .filter(|p| !p.is_empty())
         .map(|p| p.parse().map_err(|_| wrong()))
         .collect::<Result<_>>()?;
@@ -58,19 +65,52 @@ pub fn latitude(option: &str, text: &str, range: &Range) -> Result<f64> {
     range.read(value, Some("deg")).map_err(|e| e.about(&format!("--{option}")))
 }
 
-/// What stands before `N` or `S`, and whether it is `S`; also a number with marks of degrees and minutes alone.
+/// What stands between degrees, minutes and seconds.
+fn is_mark(c: char) -> bool {
+    c.is_whitespace() || "°ºd'′’\"″”m".contains(c)
+}
+
+/// What stands beside one `N` or `S`, before or behind, and whether it is `S`.
 fn hemisphere(text: &str) -> Option<(&str, bool)> {
-    let before = |letters: [char; 2]| text.strip_suffix(letters);
-    match (before(['N', 'n']), before(['S', 's'])) {
+    let beside = |letters: [char; 2]| text.strip_suffix(letters).or_else(|| text.strip_prefix(letters));
+    match (beside(['N', 'n']), beside(['S', 's'])) {
         (Some(marks), _) => Some((marks, false)),
         (_, Some(marks)) => Some((marks, true)),
         _ => None,
     }
 }
 
+/// A refused latitude with what was probably meant.
+fn meant(option: &str, text: &str, e: Error) -> Error {
+    let no = |hint: String| Error::usage(format!("--{option}: `{text}` is no latitude")).with_hint(hint);
+    let east_or_west = |c: char| "EeWwOo".contains(c);
+    let has_digits = text.contains(|c: char| c.is_ascii_digit());
+    if has_digits && (text.ends_with(east_or_west) || text.starts_with(east_or_west)) {
+        return no("E and W are of longitudes; a latitude goes with N or S, as 60°12'N".into());
+    }
+    if text.contains(',') {
+        return no(format!("write it with a point: {}", text.replacen(',', ".", 1)));
+    }
+    if text.contains(['°', 'º', '\'', '′', '’']) && hemisphere(text).is_none() {
+        return no(format!("say whether it is north or south: {text}N or {text}S"));
+    }
+    e
+}
+
+/// A frequency above which a bare number is rather a period: it would be one of two seconds and less, rad/s.
+const FASTEST: f64 = 3.0;
+
 /// A frequency, rad/s, or the period that it has, as `12s`.
 pub fn frequency(option: &str, text: &str, range: &Range) -> Result<f64> {
     let (value, unit) = parted(option, text, range.unit)?;
+    if unit.is_none() && value > FASTEST && range.check(TAU / value).is_ok() {
+        let text = text.trim();
+        return Err(Error::usage(format!(
+            "--{option}: {text} without a unit is {text} rad/s, a period of {} s, and no ship moves so fast",
+            significant(TAU / value, 2)
+        ))
+        .with_hint(format!("did you mean the period {text}s? Else say {text}rad/s")));
+    }
     let Some(time) = unit.and_then(|u| Unit::parse(u).ok()).filter(|u| u.dimension() == Dimension::TIME)
     else {
         return quantity(option, text, range);
@@ -101,7 +141,7 @@ pub fn quantities(option: &str, text: &str, ranges: &[&Range]) -> Result<Vec<f64
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gyro::range::{LATITUDE, ROLL_FREQUENCY};
+    use crate::gyro::range::{LATITUDE, LEVER, ROLL_FREQUENCY};
 
     #[test]
     fn latitudes_as_a_chart_has_them() {
@@ -115,6 +155,8 @@ mod tests {
             ("60 12.6 N", 60.21),
             ("33°52'12\"S", -33.87),
             ("0°30′N", 0.5),
+            ("N60°12'", 60.2),
+            ("s 33 52 12", -33.87),
         ] {
             let found = latitude("latitude", text, &LATITUDE).unwrap().to_degrees();
             assert!((found - wanted).abs() < 1e-12, "{text}: {found}");
@@ -123,6 +165,20 @@ mod tests {
         {
             assert!(latitude("latitude", text, &LATITUDE).is_err(), "{text}");
         }
+        for (text, says) in [
+            ("60°12'E", "E and W are of longitudes"),
+            ("W20", "E and W are of longitudes"),
+            ("60,5", "write it with a point: 60.5"),
+            ("60,5N", "write it with a point: 60.5N"),
+            ("60°12,5'N", "write it with a point: 60°12.5'N"),
+            ("60°12'", "60°12'N or 60°12'S"),
+            ("N60N", "is no latitude"),
+        ] {
+            let e = latitude("latitude", text, &LATITUDE).unwrap_err().to_string();
+            assert!(e.contains(says), "{text}: {e}");
+        }
+        let e = quantity("lever", "3,5m", &LEVER).unwrap_err().to_string();
+        assert!(e.contains("write it with a point: 3.5m"), "{e}");
     }
 
     #[test]
@@ -135,5 +191,11 @@ mod tests {
         for text in ["0s", "-3s", "infs", "2h", "3m", "0.1Hz"] {
             assert!(read(text).is_err(), "{text}");
         }
+        let e = read("12").unwrap_err().to_string();
+        assert!(
+            e.contains("12 rad/s, a period of 0.52 s") && e.contains("did you mean the period 12s?"),
+            "{e}"
+        );
+        assert_eq!(read("12rad/s").unwrap(), 12.0);
     }
 }

@@ -106,7 +106,7 @@ pub fn separation(model: &Model, first: &Proposal, ties: &[Proposal]) -> Option<
         )
     } else if codes.contains("offset") || codes.contains("constant") {
         format!(
-            "a recording with {inputs} switched off: an offset of an input goes with its cable, a force stays"
+            "a second, independent reading of {inputs}: an offset of one shows where the two part, a force does not"
         )
     } else if codes.contains("lag") || codes.contains("delay") || codes.contains("inertia") {
         format!(

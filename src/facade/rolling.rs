@@ -57,6 +57,8 @@ impl<'a> Rolling<'a> {
     /// let waves = Waves {
     ///     sea: Sea::Jonswap { height: 3.0, peak: 0.8, gamma: 3.3 }, // m, rad/s
     ///     from: 60f64.to_radians(),                                 // off the bow
+    ///     speed: 6.0,                                               // through the waves, m/s
+    ///     spread: None,                                             // long crests
     ///     hull: Hull::default(),
     ///     also: vec![Axis::Pitch],
     /// };

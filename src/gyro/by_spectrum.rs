@@ -49,7 +49,8 @@ impl BySpectrum {
 }
 
 impl Instrument {
-    /// The mean error by a measured spectrum of roll and by its fit, with the integrand of the elastic part.
+    /// The mean error by a measured spectrum of roll and by its fit, both behind two low-passes at `band` (rad/s) where
+    /// one is given, with the integrand of the elastic part.
     ///
     /// ```
     /// use gyrospec::gyro::{Gyrosphere, Instrument, elastic::Inertia};
@@ -57,19 +58,26 @@ impl Instrument {
     /// let roll = Roll::new(4e-3, 0.08, 0.65).unwrap();
     /// let spectrum = welch(&roll.samples(0.5, 20_000, 1), 0.5, 1024).unwrap();
     /// let compass = Instrument::new(Gyrosphere::seed(), Box::new(Inertia));
-    /// let mean = compass.mean_by_spectrum(&roll, &spectrum).unwrap();
+    /// let mean = compass.mean_by_spectrum(&roll, None, &spectrum).unwrap();
     /// // above 2π rad/s the inertia of the part takes away from the mean
     /// assert!(mean.above() < -0.2 && (mean.measured / mean.banded - 1.0).abs() < 0.2);
     /// ```
     ///
     /// # Errors
     /// `OutOfRange` for a part that is not linear; else as [`Instrument::error`].
-    pub fn mean_by_spectrum(&self, roll: &Roll, spectrum: &MeasuredSpectrum) -> Result<BySpectrum> {
+    pub fn mean_by_spectrum(
+        &self,
+        roll: &Roll,
+        band: Option<f64>,
+        spectrum: &MeasuredSpectrum,
+    ) -> Result<BySpectrum> {
         if !self.is_linear()? {
             let text = format!("no spectrum gives the mean by {}, which is not linear", self.elastic.name());
             return Err(Error::new(ErrorKind::OutOfRange, text));
         }
-        let system = self.system(&Motion::roll(roll), FRAC_PI_4)?;
+        let motion = Motion::roll(roll);
+        let motion = band.map_or(Ok(motion.clone()), |corner| motion.band_limited(corner, 2))?;
+        let system = self.system(&motion, FRAC_PI_4)?;
         let fitted = system.rectified_mean()?[0];
         let above = system.mean_up_to(0, PI / spectrum.step, fitted)?;
         let banded = above.first().map_or(fitted, |m| m.1);

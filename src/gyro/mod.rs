@@ -4,6 +4,7 @@
 //! W₂ along the meridian (east and north positive), with W₁ = −hθ̈ cos K and W₂ = +hθ̈ sin K for roll θ of a ship on
 //! heading K; x is the shift of the centre of mass along the parallel, west positive.
 
+mod by_noise;
 mod by_spectrum;
 mod effort;
 pub mod elastic;
@@ -12,12 +13,15 @@ pub mod gimbal;
 mod gyrosphere;
 mod identify;
 mod instrument;
+mod kernel;
 mod manoeuvre;
 mod monte_carlo;
 mod motion;
 mod nonlinear;
 mod path;
-mod pendulous;
+pub mod pendulous;
+mod percentile;
+mod quantile;
 #[doc(hidden)]
 pub mod range;
 pub(crate) mod rectified;
@@ -27,6 +31,7 @@ mod sweep;
 mod tail;
 pub mod validity;
 
+pub use by_noise::{NoiseDensity, OffBy};
 pub use by_spectrum::BySpectrum;
 pub use effort::{BUDGET, Effort, FEWEST};
 pub use free::FreeMotion;
@@ -39,6 +44,8 @@ pub use motion::{Axis, LinearSignal, Motion};
 pub use nonlinear::{Moment, folded};
 pub use path::Drive;
 pub use pendulous::{Corrector, PendulousCompass};
+pub use percentile::Shape;
+pub use quantile::Quantile;
 pub use sweep::sweep;
 pub use tail::Tail;
 

@@ -27,11 +27,15 @@
 use super::elastic::InTime;
 use super::instrument::{EARTH_RADIUS, Instrument};
 use super::path::{Drive, Path, Sample};
+use super::percentile::Shape;
+use super::quantile::{Quantile, Replicates, interval};
 use crate::{Error, Result};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
-use statrs::distribution::{ContinuousCDF, StudentsT};
+
+/// Samples of α that a replicate keeps at most.
+const SAMPLES: usize = 10_000;
 
 /// How long and how often to simulate.
 #[derive(Debug, Clone, Copy)]
@@ -59,6 +63,8 @@ pub struct SimulatedError {
     pub variance: f64,
     /// Half the width of its 99 % interval.
     pub variance_margin: f64,
+    /// The percentiles of [`Shape::TOLD`], rad.
+    pub percentiles: [Quantile; 4],
 }
 
 impl MonteCarlo {
@@ -75,7 +81,7 @@ impl MonteCarlo {
         instrument.check(heading)?;
         let compass = Compass::new(instrument, heading);
         let path = Path::new(instrument, drive, heading, self.step)?;
-        let results: Vec<[f64; 2]> = (0..self.runs)
+        let results: Vec<([f64; 2], Vec<f64>)> = (0..self.runs)
             .into_par_iter()
             .map(|replicate| {
                 let mut rng = ChaCha8Rng::seed_from_u64(self.seed);
@@ -84,25 +90,32 @@ impl MonteCarlo {
                 Ok(self.replicate(&compass, Walk { path: path.clone(), law, compass: &compass }, &mut rng))
             })
             .collect::<Result<_>>()?;
-        Ok(pooled(&results, compass.rest[0]))
+        let (moments, samples): (Vec<_>, Vec<_>) = results.into_iter().unzip();
+        let replicates = Replicates::new(samples);
+        let percentiles = Shape::TOLD.map(|(part, _)| replicates.quantile(part));
+        Ok(SimulatedError { percentiles, ..pooled(&moments, compass.rest[0]) })
     }
 
-    /// Mean of α, and mean square of α about its value at rest.
-    fn replicate(&self, compass: &Compass, mut walk: Walk<'_>, rng: &mut ChaCha8Rng) -> [f64; 2] {
+    /// Mean of α, and mean square of α about its value at rest; and samples of it.
+    fn replicate(&self, compass: &Compass, mut walk: Walk<'_>, rng: &mut ChaCha8Rng) -> ([f64; 2], Vec<f64>) {
         let pairs = |time: f64| (0.5 * time / self.step).ceil() as usize;
         let (settling, keeping) = (pairs(self.settle), pairs(self.duration));
         let mut y = compass.rest;
         let (mut sum, mut squares) = (0.0, 0.0);
         let mut last = walk.path.begin(rng);
+        let (apart, mut samples) = (keeping.div_ceil(SAMPLES), Vec::new());
         for k in 0..settling + keeping {
             let push = walk.pair(&mut last, rng);
             y = compass.step(y, &push, 2.0 * self.step);
             if k >= settling {
                 sum += y[0];
                 squares += (y[0] - compass.rest[0]).powi(2);
+                if (k - settling) % apart == 0 {
+                    samples.push(y[0]);
+                }
             }
         }
-        [sum / keeping as f64, squares / keeping as f64]
+        ([sum / keeping as f64, squares / keeping as f64], samples)
     }
 }
 
@@ -223,15 +236,6 @@ fn pooled(results: &[[f64; 2]], about: f64) -> SimulatedError {
     let squares: Vec<f64> =
         results.iter().map(|r| r[1] - 2.0 * (r[0] - about) * off + off * off + own * own).collect();
     let (variance, variance_margin, _) = interval(&squares);
-    SimulatedError { mean, mean_margin, variance, variance_margin }
-}
-
-/// Mean of replicates, half the width of its 99 % interval, and its standard error.
-pub(super) fn interval(v: &[f64]) -> (f64, f64, f64) {
-    let n = v.len() as f64;
-    let mean = v.iter().sum::<f64>() / n;
-    let variance = v.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (n - 1.0);
-    let t = StudentsT::new(0.0, 1.0, n - 1.0).map_or(f64::INFINITY, |d| d.inverse_cdf(0.995));
-    let error = (variance / n).sqrt();
-    (mean, t * error, error)
+    let percentiles = [Quantile::NONE; 4];
+    SimulatedError { mean, mean_margin, variance, variance_margin, percentiles }
 }

@@ -21,8 +21,8 @@
 use super::effort::Effort;
 use super::elastic::{Elastic, Friction, InTime, Inertia};
 use super::instrument::{HeadingError, Instrument};
-use super::monte_carlo::interval;
 use super::path::{Drive, Path, Sample};
+use super::quantile::interval;
 use super::rectified::SlowFast;
 use super::seed::Regular;
 use super::{Axis, Motion};

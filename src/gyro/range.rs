@@ -51,6 +51,8 @@ pub const LATITUDE: Range = Range {
 pub const HEADING: Range = angle("a heading", [-360.0, 360.0]);
 /// Where a sea comes from, off the bow.
 pub const SEA_FROM: Range = angle("the bearing of a sea", [-360.0, 360.0]);
+/// n of cosⁿ.
+pub const SEA_SPREAD: Range = range("the spread of a sea, n of cosⁿ,", "1", [1.0, 100.0]);
 /// h.
 pub const LEVER: Range = meant("the height above the roll axis", "m", [-150.0, 150.0], &["cm", "mm"]);
 /// Over the ground; negative astern.
@@ -64,6 +66,10 @@ pub const ROLL_VARIANCE: Range = Range {
 };
 /// θ₀.
 pub const ROLL_AMPLITUDE: Range = angle("an amplitude of roll", [1e-6, 60.0]);
+/// θ₀h of a compass that rolls, in a table of trials.
+pub const ROLL_PATH: Range = meant("an amplitude of the compass's path", "m", [1e-6, 150.0], &["cm", "mm"]);
+/// α as it was measured.
+pub const HEADING_ERROR: Range = angle("an error of the heading", [-45.0, 45.0]);
 /// μ.
 pub const ROLL_DECAY: Range = range("a decay of roll, mu,", "1/s", [1e-9, 10.0]);
 /// ε, p.
@@ -76,6 +82,10 @@ pub const WAVE_PERIOD: Range = range("a peak period of a sea", "s", [1.0, 40.0])
 pub const ROLL_PERIOD: Range = range("a ship's roll period", "s", [1.0, 120.0]);
 /// ζ_φ.
 pub const ROLL_DAMPING: Range = range("a damping ratio of roll", "1", [1e-4, 5.0]);
+/// d of d|φ̇|φ̇, a unit of inertia.
+pub const QUADRATIC_DAMPING: Range = range("a quadratic damping of roll", "1/rad", [0.0, 100.0]);
+/// c of cφ̇³, a unit of inertia.
+pub const CUBIC_DAMPING: Range = range("a cubic damping of roll", "s/rad^2", [0.0, 1e4]);
 /// χ.
 pub const WAVE_SLOPE: Range = range("an effective part of the wave's slope", "1", [1e-3, 2.0]);
 /// B.
@@ -138,10 +148,27 @@ pub const LOOP_DAMPING: Range = range("a loop's damping ratio", "1", [1e-3, 100.
 /// A time of averaging at rest.
 pub const AVERAGING: Range = range("a time of averaging", "s", [1e-3, 1e7]);
 
+/// H of a gyrocompass.
+pub const MOMENTUM: Range = meant("the angular momentum", "N*m*s", [1e-4, 1e5], &["g*cm^2/s"]);
+/// B of a liquid ballistic, a radian of tilt.
+pub const BALLISTIC: Range = meant("the ballistic's moment", "N*m", [1e-6, 1e5], &["dyn*cm"]);
+/// ε of a liquid ballistic.
+pub const OFFSET: Range = Range {
+    why: "the ballistic's point of action stands a small angle aside: some hundredths of a radian",
+    ..angle("the offset of the ballistic", [1e-3, 15.0])
+};
+/// τ of a liquid ballistic.
+pub const FLOW_LAG: Range = range("the lag of the liquid's flow", "s", [1e-3, 1e4]);
+/// σ of the northward velocity.
+pub const MANOEUVRE_SPEED: Range =
+    meant("a deviation of the northward velocity", "m/s", [1e-3, 50.0], &["kn"]);
+/// T of manoeuvres.
+pub const MANOEUVRE_TIME: Range = range("a time between manoeuvres", "s", [1.0, 1e6]);
+
 /// By the names of a compass's parameters.
 const COMPASS: [(&str, Range); 11] = [
     ("P", meant("the gyrosphere's weight", "N", [1e-2, 1e5], &["dyn", "kN"])),
-    ("H", meant("the angular momentum", "N*m*s", [1e-4, 1e5], &["g*cm^2/s"])),
+    ("H", MOMENTUM),
     ("lP", meant("the pendulous moment", "N*m", [1e-6, 1e4], &["dyn*cm"])),
     ("C", meant("the damper's moment", "N*m", [0.0, 1e4], &["dyn*cm"])),
     ("F", range("the damping liquid's rate", "1/s", [1e-8, 1e2])),
@@ -281,6 +308,9 @@ mod tests {
         let lone = [
             &HEADING,
             &SEA_FROM,
+            &SEA_SPREAD,
+            &QUADRATIC_DAMPING,
+            &CUBIC_DAMPING,
             &SPEED,
             &ROLL_DEVIATION,
             &ROLL_AMPLITUDE,
@@ -299,6 +329,11 @@ mod tests {
             &ROTOR_SPEED,
             &ROTOR_INERTIA,
             &WALK,
+            &ROLL_PATH,
+            &HEADING_ERROR,
+            &BALLISTIC,
+            &OFFSET,
+            &MANOEUVRE_SPEED,
         ];
         for r in named.chain(lone) {
             let dimension = |text: &str| Unit::parse(text).unwrap().dimension();

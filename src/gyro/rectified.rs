@@ -139,28 +139,8 @@ impl SlowFast {
         Ok(omega.iter().map(|w| (density(&fl, &ql, row, *w), density(&fq, &qq, row, *w))).collect())
     }
 
-    /// The density, over ω > 0 (rad/s), of what the products add to the mean of slow state `row`: its
-    /// integral from 0 to ∞ is that of [`SlowFast::rectified_mean`].
-    pub fn mean_density(&self, row: usize, omega: f64) -> f64 {
-        let (n, m) = (self.fast.nrows(), self.noise.ncols());
-        // all signals are c z + d w with z = (jω − A)⁻¹ B w
-        let shifted =
-            Mat::from_fn(n, n, |i, j| c64::new(-self.fast[(i, j)], if i == j { omega } else { 0.0 }));
-        let z = shifted.partial_piv_lu().solve(&Mat::from_fn(n, m, |i, k| c64::new(self.noise[(i, k)], 0.0)));
-        let of = |s: &LinearSignal, k: usize| -> c64 {
-            (0..n).map(|i| z[(i, k)] * s.state[i]).sum::<c64>() + c64::new(s.noise[k], 0.0)
-        };
-        let mut pushes = vec![0.0; self.slow.nrows()];
-        for p in &self.products {
-            // ⟨ab⟩ = (1/π) ∫₀^∞ Re a(jω) b(jω)* dω
-            let power: f64 = (0..m).map(|k| (of(&p.left, k) * of(&p.right, k).conj()).re).sum();
-            pushes[p.row] += p.gain * power / std::f64::consts::PI;
-        }
-        self.resting(&pushes)[row]
-    }
-
     /// −A_s⁻¹ u.
-    fn resting(&self, u: &[f64]) -> Vec<f64> {
+    pub(super) fn resting(&self, u: &[f64]) -> Vec<f64> {
         let right = Mat::from_fn(u.len(), 1, |i, _| -u[i]);
         let y = self.slow.partial_piv_lu().solve(&right);
         (0..u.len()).map(|i| y[(i, 0)]).collect()

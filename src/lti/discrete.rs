@@ -39,6 +39,11 @@ impl Discrete {
         }
     }
 
+    /// Φ.
+    pub fn transition(&self) -> Mat<f64> {
+        Mat::from_fn(self.order, self.order, |i, j| self.transition[i * self.order + j])
+    }
+
     /// Moves `z` one step on with noise from `rng`.
     pub fn advance(&mut self, z: &mut [f64], rng: &mut ChaCha8Rng) {
         for (i, slot) in self.scratch.iter_mut().enumerate() {

@@ -32,6 +32,7 @@ mod write;
 pub use builtin::BUILTIN;
 pub use numbers::{Number, Numbers};
 pub use parts::{Definition, Initial, Input, Model, Output, Parameter, State};
+pub(crate) use scalar::power_slopes;
 pub use scalar::{Dual, Scalar};
 
 #[cfg(test)]

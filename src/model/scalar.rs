@@ -1,11 +1,14 @@
 //! Plain and dual numbers behind one trait, so that one code computes values and exact derivatives.
 
+pub use gyrospec_native::Dual;
+use gyrospec_native::Number;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
 /// A number that the compiled model can compute with.
 pub trait Scalar:
-    Copy
+    Number
     + Send
+    + Sync
     + Add<Output = Self>
     + Sub<Output = Self>
     + Mul<Output = Self>
@@ -13,9 +16,6 @@ pub trait Scalar:
     + Neg<Output = Self>
     + AddAssign
 {
-    /// How many tangents it carries.
-    const TANGENTS: usize;
-
     /// A constant.
     fn constant(value: f64) -> Self;
 
@@ -40,12 +40,8 @@ pub trait Scalar:
     #[must_use]
     fn power(self, y: Self) -> Self {
         let (a, b) = (self.value(), y.value());
-        let value = a.powf(b);
-        // ∂xʸ/∂x = y·xʸ⁻¹, ∂xʸ/∂y = xʸ·ln x
-        let by_x = if b == 0.0 { 0.0 } else { b * a.powf(b - 1.0) };
-        let by_y = if value == 0.0 { 0.0 } else { value * a.ln() };
-        let dy = y.chain(0.0, if by_y.is_finite() { by_y } else { 0.0 });
-        self.chain(value, by_x) + dy
+        let (by_x, by_y) = power_slopes(a, b);
+        self.chain(a.powf(b), by_x) + y.chain(0.0, by_y)
     }
 
     /// atan2(self, x)
@@ -57,9 +53,16 @@ pub trait Scalar:
     }
 }
 
-impl Scalar for f64 {
-    const TANGENTS: usize = 0;
+/// ∂xʸ/∂x = y·xʸ⁻¹ and ∂xʸ/∂y = xʸ·ln x, 0 where that is infinite.
+#[inline]
+pub(crate) fn power_slopes(x: f64, y: f64) -> (f64, f64) {
+    let value = x.powf(y);
+    let by_x = if y == 0.0 { 0.0 } else { y * x.powf(y - 1.0) };
+    let by_y = if value == 0.0 { 0.0 } else { value * x.ln() };
+    (by_x, if by_y.is_finite() { by_y } else { 0.0 })
+}
 
+impl Scalar for f64 {
     #[inline(always)]
     fn constant(value: f64) -> Self {
         value
@@ -101,35 +104,7 @@ impl Scalar for f64 {
     }
 }
 
-/// A value with N tangents: derivatives in N directions at once.
-///
-/// ```
-/// use gyrospec::model::{Dual, Scalar};
-/// let x = Dual::<2>::variable(3.0, 0);
-/// let y = Dual::<2>::variable(2.0, 1);
-/// let z = x * x * y;
-/// assert_eq!((z.value(), z.tangent(0), z.tangent(1)), (18.0, 12.0, 9.0));
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Dual<const N: usize> {
-    value: f64,
-    tangents: [f64; N],
-}
-
-impl<const N: usize> Dual<N> {
-    #[inline(always)]
-    fn zip(self, other: Self, value: f64, by_self: f64, by_other: f64) -> Self {
-        let mut tangents = self.tangents;
-        for (a, b) in tangents.iter_mut().zip(other.tangents) {
-            *a = by_self * *a + by_other * b;
-        }
-        Self { value, tangents }
-    }
-}
-
 impl<const N: usize> Scalar for Dual<N> {
-    const TANGENTS: usize = N;
-
     #[inline(always)]
     fn constant(value: f64) -> Self {
         Self { value, tangents: [0.0; N] }
@@ -156,59 +131,11 @@ impl<const N: usize> Scalar for Dual<N> {
 
     #[inline(always)]
     fn chain(self, value: f64, slope: f64) -> Self {
-        Self { value, tangents: self.tangents.map(|t| slope * t) }
+        Self::chain(self, value, slope)
     }
 
     #[inline(always)]
     fn scale(self, c: f64) -> Self {
         self.chain(c * self.value, c)
-    }
-}
-
-impl<const N: usize> Add for Dual<N> {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, b: Self) -> Self {
-        self.zip(b, self.value + b.value, 1.0, 1.0)
-    }
-}
-
-impl<const N: usize> AddAssign for Dual<N> {
-    #[inline(always)]
-    fn add_assign(&mut self, b: Self) {
-        *self = *self + b;
-    }
-}
-
-impl<const N: usize> Sub for Dual<N> {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, b: Self) -> Self {
-        self.zip(b, self.value - b.value, 1.0, -1.0)
-    }
-}
-
-impl<const N: usize> Mul for Dual<N> {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, b: Self) -> Self {
-        self.zip(b, self.value * b.value, b.value, self.value)
-    }
-}
-
-impl<const N: usize> Div for Dual<N> {
-    type Output = Self;
-    #[inline(always)]
-    fn div(self, b: Self) -> Self {
-        let quotient = self.value / b.value;
-        self.zip(b, quotient, 1.0 / b.value, -quotient / b.value)
-    }
-}
-
-impl<const N: usize> Neg for Dual<N> {
-    type Output = Self;
-    #[inline(always)]
-    fn neg(self) -> Self {
-        self.chain(-self.value, -1.0)
     }
 }

@@ -3,7 +3,9 @@
 pub mod braille;
 pub mod diagnosis;
 pub mod fit;
+pub mod identified;
 pub mod page;
+pub mod pendulous;
 pub mod polar;
 pub mod rolling;
 pub mod simulated;

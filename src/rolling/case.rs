@@ -3,7 +3,7 @@
 use super::ShipMotion;
 use crate::Result;
 use crate::estimate::fit::Progress;
-use crate::gyro::{Drive, HeadingError, Instrument, Moment, MonteCarlo, SimulatedError, folded};
+use crate::gyro::{Drive, HeadingError, Instrument, Moment, MonteCarlo, Shape, SimulatedError, folded};
 use crate::spectrum::Sea;
 use std::collections::BTreeMap;
 
@@ -25,6 +25,8 @@ pub struct Row {
     pub value: f64,
     /// The error.
     pub error: HeadingError,
+    /// The shape of its distribution, where a slow compass on a random motion gives it.
+    pub shape: Option<Shape>,
     /// The mean by quadrature over a measured spectrum, rad.
     pub measured: Option<f64>,
     /// The simulation beside it.
@@ -65,7 +67,11 @@ impl Case {
         };
         let simulated = days.map(|days| self.simulated(days)).transpose()?;
         let Self { heading, value, measured, .. } = *self;
-        Ok(Row { heading, value, error, measured, simulated })
+        let shape = match self.motion.regular {
+            Some(_) => None,
+            None => self.instrument.shape(motion, heading, &error)?,
+        };
+        Ok(Row { heading, value, error, shape, measured, simulated })
     }
 
     fn simulated(&self, days: Days) -> Result<SimulatedError> {

@@ -1,13 +1,13 @@
 //! The mean error on irregular roll with letters, by the symbols' own derivation, and its values.
 
-use super::{Compass, Excitation};
+use super::{Compass, Excitation, SeaMotion, ShipMotion};
 use crate::gyro::elastic::{Elastic, Letters};
 use crate::gyro::validity::{Smallness, bounded};
 use crate::symbolic::{Derived, Formula, FormulaRequest, formula, irregular_roll};
 use crate::{Error, Result};
 
 /// The highest order n of an I_n that is written out: beyond it the formula fills pages.
-const LONGEST: usize = 6;
+pub(super) const LONGEST: usize = 6;
 
 /// The mean error on irregular roll with letters.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,7 +32,7 @@ impl ClosedForm {
         }
     }
 
-    /// n of the I_n behind it.
+    /// n of the I_n behind it; 0 where it needs none, on a sine.
     pub fn order(&self) -> usize {
         match self {
             Self::Written(derived) => derived.order,
@@ -63,11 +63,7 @@ impl ClosedForm {
 /// # Errors
 /// `Usage` for a part that is not linear.
 pub fn closed_form(part: &dyn Elastic, band: Option<f64>) -> Result<ClosedForm> {
-    let letters = part.letters().ok_or_else(|| {
-        Error::usage(format!("{} is not linear: its mean error has no closed form", part.name()))
-            .with_hint("every linear part has one; without --formula the figures of this one are simulated")
-    })?;
-    let request = request(letters, band.is_some());
+    let request = request(part, band.is_some())?;
     let (derivation, simplifier) = (request.derivation()?, request.simplifier()?);
     let order = derivation.order(&simplifier)?;
     if order > LONGEST {
@@ -77,7 +73,15 @@ pub fn closed_form(part: &dyn Elastic, band: Option<f64>) -> Result<ClosedForm> 
 }
 
 /// The paper's irregular roll with another centre of mass, behind two low-passes.
-fn request(letters: Letters, banded: bool) -> FormulaRequest {
+pub(super) fn request(part: &dyn Elastic, banded: bool) -> Result<FormulaRequest> {
+    let letters = part.letters().ok_or_else(|| {
+        Error::usage(format!("{} is not linear: its mean error has no closed form", part.name()))
+            .with_hint("every linear part has one; without --formula the figures of this one are simulated")
+    })?;
+    Ok(with(letters, banded))
+}
+
+fn with(letters: Letters, banded: bool) -> FormulaRequest {
     let mut paper = irregular_roll();
     if banded {
         paper.shaping = paper.shaping.map(|s| format!("{s}/(s/omega_c + 1)^2"));
@@ -91,7 +95,7 @@ fn request(letters: Letters, banded: bool) -> FormulaRequest {
 }
 
 /// α as the integral that the request describes.
-fn integral(r: &FormulaRequest, order: usize) -> Result<String> {
+pub(super) fn integral(r: &FormulaRequest, order: usize) -> Result<String> {
     let told = |name: &str, text: &Option<String>| -> Result<String> {
         Ok(Formula::parse(name, text.as_deref().unwrap_or("1"))?.text())
     };
@@ -111,6 +115,8 @@ pub struct ClosedValues {
     pub means: Vec<(f64, f64)>,
     /// What the linear theory takes for small, where the mean is largest.
     pub smallness: Vec<Smallness>,
+    /// What became of a sea.
+    pub sea: Option<SeaMotion>,
 }
 
 /// The value of the mean error on each heading, rad.
@@ -119,16 +125,23 @@ pub struct ClosedValues {
 /// `BadInput` without headings; as [`Instrument::error`](crate::gyro::Instrument::error); `OutOfRange` beyond what the
 /// linear theory gives.
 pub fn closed_values(compass: &Compass, excitation: &Excitation, headings: &[f64]) -> Result<ClosedValues> {
-    let (motion, instrument) = (excitation.motion()?.motion, compass.instrument());
+    let (ShipMotion { motion, regular, sea }, instrument) = (excitation.motion()?, compass.instrument());
     let value = |heading: &f64| -> Result<(f64, f64)> {
-        let mean = instrument.rectified_error(&motion, *heading)?;
+        let mean = match &regular {
+            Some(sine) => instrument.regular_error(sine, *heading)?.rectified,
+            None => instrument.rectified_error(&motion, *heading)?,
+        };
         bounded(mean)?;
         Ok((*heading, mean))
     };
     let means: Vec<(f64, f64)> = headings.iter().map(value).collect::<Result<_>>()?;
     let worst = means.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
     let (worst, _) = *worst.ok_or_else(|| Error::bad_input("a mean error has a heading"))?;
-    let error = instrument.error(&motion, worst)?;
-    let smallness = instrument.smallness(&motion, worst, &error)?;
-    Ok(ClosedValues { means, smallness })
+    let smallness = match &regular {
+        Some(sine) => {
+            instrument.regular_smallness(&motion, worst, &instrument.regular_error(sine, worst)?)?
+        }
+        None => instrument.smallness(&motion, worst, &instrument.error(&motion, worst)?)?,
+    };
+    Ok(ClosedValues { means, smallness, sea })
 }

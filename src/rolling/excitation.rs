@@ -1,9 +1,9 @@
 //! What moves the ship.
 
+use super::waves::{SeaMotion, Waves};
 use crate::gyro::seed::Regular;
-use crate::gyro::{Axis, Motion, range};
-use crate::lti::TransferFunction;
-use crate::spectrum::{Hull, RationalFit, Roll, Sea, fit_rational};
+use crate::gyro::{Motion, range};
+use crate::spectrum::Roll;
 use crate::{Error, Result};
 
 /// What moves the ship, and where its band ends.
@@ -26,19 +26,6 @@ pub enum Source {
     Sea(Waves),
 }
 
-/// A sea and the ship in it.
-#[derive(Debug, Clone)]
-pub struct Waves {
-    /// The sea.
-    pub sea: Sea,
-    /// The bearing from which it comes, rad, clockwise off the bow: 0 ahead, π/2 from abeam to starboard.
-    pub from: f64,
-    /// The ship.
-    pub hull: Hull,
-    /// Motions beside roll: pitch, heave, sway, surge, yaw.
-    pub also: Vec<Axis>,
-}
-
 /// The motion that an excitation makes.
 #[derive(Debug, Clone)]
 pub struct ShipMotion {
@@ -47,8 +34,8 @@ pub struct ShipMotion {
     /// Regular roll, behind the low-passes where there are any; `motion` is then the narrow irregular roll that stands
     /// for it.
     pub regular: Option<Regular>,
-    /// How far the rational spectrum of a sea's surface is off.
-    pub fit: Option<RationalFit>,
+    /// What became of a sea.
+    pub sea: Option<SeaMotion>,
 }
 
 impl Excitation {
@@ -73,12 +60,40 @@ impl Excitation {
         }
     }
 
-    /// The same in a sea of another significant height, m; anything else stays as it is.
+    /// The same where the ship goes through the waves at a speed, m/s; anything but a sea stays as it is.
     #[must_use]
-    pub fn of_height(&self, height: f64) -> Self {
+    pub fn under_way(mut self, speed: f64) -> Self {
+        if let Source::Sea(waves) = &mut self.source {
+            waves.speed = speed;
+        }
+        self
+    }
+
+    /// What makes it large or small: the significant height of a sea, m; the amplitude of regular roll, or the standard
+    /// deviation of irregular roll, rad.
+    pub fn size(&self) -> f64 {
+        match &self.source {
+            Source::Irregular(roll) => roll.variance.sqrt(),
+            Source::Regular(roll) => roll.amplitude,
+            Source::Sea(waves) => waves.sea.height(),
+        }
+    }
+
+    /// The same of another [`size`](Self::size).
+    ///
+    /// ```
+    /// use gyrospec::{Roll, rolling::Excitation};
+    /// let wide = Excitation::irregular(Roll::new(0.01, 0.1, 0.8)?).of_size(0.2);
+    /// assert!((wide.roll().unwrap().variance - 0.04).abs() < 1e-15);
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    #[must_use]
+    pub fn of_size(&self, size: f64) -> Self {
         let mut other = self.clone();
-        if let Source::Sea(waves) = &mut other.source {
-            waves.sea = waves.sea.of_height(height);
+        match &mut other.source {
+            Source::Irregular(roll) => roll.variance = size * size,
+            Source::Regular(roll) => roll.amplitude = size,
+            Source::Sea(waves) => waves.sea = waves.sea.of_height(size),
         }
         other
     }
@@ -101,10 +116,8 @@ impl Excitation {
             }
             Source::Regular(roll) => ShipMotion { regular: Some(*roll), ..of(narrow(roll)?) },
             Source::Sea(waves) => {
-                range::SEA_FROM.check(waves.from)?;
-                let fit = rational(&waves.sea)?;
-                let motion = Motion::in_sea(&fit.shaping, &waves.responses()?)?;
-                ShipMotion { fit: Some(fit), ..of(motion) }
+                let (motion, sea) = waves.motion()?;
+                ShipMotion { sea: Some(sea), ..of(motion) }
             }
         };
         if let Some(corner) = self.band {
@@ -119,50 +132,11 @@ impl Excitation {
 }
 
 fn of(motion: Motion) -> ShipMotion {
-    ShipMotion { motion, regular: None, fit: None }
+    ShipMotion { motion, regular: None, sea: None }
 }
 
 /// Regular roll as the limit of ever narrower irregular roll: θ₀² = 2A, p = ε, μ → 0.
 fn narrow(roll: &Regular) -> Result<Motion> {
     let p = roll.frequency;
     Ok(Motion::roll(&Roll::new(0.5 * roll.amplitude * roll.amplitude, 1e-7 * p, p)?))
-}
-
-/// The sea's surface by a rational spectrum, weighted with ω⁴ as slopes are.
-fn rational(sea: &Sea) -> Result<RationalFit> {
-    sea.check()?;
-    let omega: Vec<f64> = (1..=240).map(|k| f64::from(k) * 0.02 * sea.peak()).collect();
-    let density: Vec<f64> = omega.iter().map(|w| sea.density(*w)).collect();
-    let weight: Vec<f64> = omega.iter().map(|w| w.powi(4)).collect();
-    fit_rational(&omega, &density, &weight, &[0, 1, 3, 5])
-}
-
-impl Waves {
-    /// The parts of its slope athwart and along the ship.
-    pub fn slopes(&self) -> (f64, f64) {
-        Hull::slopes(self.from)
-    }
-
-    fn responses(&self) -> Result<Vec<(Axis, TransferFunction)>> {
-        let mut all = Vec::new();
-        if self.slopes().0 != 0.0 {
-            all.push((Axis::Roll, self.hull.roll_response(self.from)?));
-        }
-        for axis in &self.also {
-            all.push((
-                *axis,
-                match axis {
-                    Axis::Pitch => self.hull.pitch_response(self.from)?,
-                    Axis::Heave => self.hull.heave_response(self.from)?,
-                    Axis::Sway => self.hull.sway_response(self.from)?,
-                    Axis::Surge => self.hull.surge_response(self.from)?,
-                    Axis::Yaw => self.hull.yaw_response(self.from)?,
-                    Axis::Roll => {
-                        return Err(Error::bad_input("roll is in every sea; the others stand beside it"));
-                    }
-                },
-            ));
-        }
-        Ok(all)
-    }
 }

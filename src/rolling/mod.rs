@@ -22,11 +22,15 @@
 
 mod against;
 mod analysis;
+mod card;
 mod case;
 #[cfg(feature = "symbolic")]
 mod closed_form;
+#[cfg(feature = "symbolic")]
+mod closed_motion;
 mod compass;
 mod equations;
+mod error_spectrum;
 mod excitation;
 mod free;
 mod obstacle;
@@ -34,17 +38,25 @@ mod recorded;
 mod request;
 mod scorsby;
 mod table;
+mod trials;
+mod waves;
 
 pub use against::Against;
 pub use analysis::{Analysis, SLOW, analyse};
+pub use card::{Card, Column};
 pub use case::{Days, Row};
 #[cfg(feature = "symbolic")]
 pub use closed_form::{ClosedForm, ClosedValues, closed_form, closed_values};
+#[cfg(feature = "symbolic")]
+pub use closed_motion::closed_form_on;
 pub use compass::{Compass, Origin};
-pub use excitation::{Excitation, ShipMotion, Source, Waves};
+pub use error_spectrum::{Density, ErrorSpectrum, error_spectrum};
+pub use excitation::{Excitation, ShipMotion, Source};
 pub use free::{LeftAlone, left_alone};
 pub use obstacle::Obstacle;
 pub use recorded::Recorded;
 pub use request::{Prepared, Request};
 pub use scorsby::{Approval, Scorsby, TableError, TableMotion};
 pub use table::{MeasuredRoll, Table};
+pub use trials::{Identification, TrialRow, identification};
+pub use waves::{SeaMotion, Waves};

@@ -57,7 +57,7 @@ pub(super) fn too_long(cases: &[Case], excitation: &Excitation) -> Result<Option
     for case in distinct(cases)? {
         let effort = case.instrument.effort(&case.motion.motion)?;
         if effort.replicates() < FEWEST {
-            let excitation = case.height.map_or_else(|| excitation.clone(), |h| excitation.of_height(h));
+            let excitation = case.height.map_or_else(|| excitation.clone(), |h| excitation.of_size(h));
             let band = shorter(&case.instrument, excitation, &effort)?;
             return Ok(Some(Obstacle::TooLong {
                 part: case.instrument.elastic.name().to_owned(),

@@ -2,8 +2,8 @@
 //! spectrum beside it.
 
 use super::case::Case;
-use super::table::{MeasuredRoll, Table};
-use super::{Against, Analysis, Compass, Days, Excitation, Obstacle};
+use super::table::{Beyond, MeasuredRoll, Table};
+use super::{Against, Analysis, Compass, Days, Excitation, Obstacle, Source};
 use crate::Result;
 use crate::estimate::fit::Progress;
 
@@ -14,6 +14,8 @@ pub struct Recorded {
     pub compass: Compass,
     /// The roll.
     pub analysis: Analysis,
+    /// Two first-order low-passes on the roll at this frequency, rad/s.
+    pub band: Option<f64>,
     /// rad.
     pub headings: Vec<f64>,
     /// Days of simulation beside the formula.
@@ -41,10 +43,11 @@ impl Recorded {
             return Err(obstacle.error());
         }
         let (roll, spectrum) = (self.analysis.fit.roll, &self.analysis.spectrum);
-        let mean = self.compass.instrument().mean_by_spectrum(&roll, spectrum)?;
+        let mean = self.compass.instrument().mean_by_spectrum(&roll, self.band, spectrum)?;
+        let excitation = Excitation { source: Source::Irregular(roll), band: self.band };
         let case = |heading: &f64| -> Result<Case> {
             let (instrument, heading) = (self.compass.instrument(), *heading);
-            let motion = Excitation::irregular(roll).motion()?;
+            let motion = excitation.motion()?;
             let rectified = instrument.rectified_error(&motion.motion, heading)?;
             let measured = Some(instrument.sailing_error(heading) + mean.ratio() * rectified);
             let value = heading.to_degrees();
@@ -54,14 +57,15 @@ impl Recorded {
         let empty = Table {
             compass: self.compass.clone(),
             excitation: None,
-            fit: None,
-            recorded: Some(MeasuredRoll { analysis: self.analysis.clone(), mean }),
+            sea: None,
+            off_by: None,
+            recorded: Some(MeasuredRoll { analysis: self.analysis.clone(), band: self.band, mean }),
             against: Against::Heading(self.headings.clone()),
             rows: Vec::new(),
             left_out: Vec::new(),
             smallness: Vec::new(),
             tail: None,
         };
-        empty.filled(&cases, self.days, progress)
+        empty.filled(&cases, self.days, Beyond::Refused, progress)
     }
 }

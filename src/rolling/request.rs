@@ -2,7 +2,7 @@
 
 use super::case::Case;
 use super::obstacle::too_long;
-use super::table::{MeasuredRoll, Table};
+use super::table::{Beyond, MeasuredRoll, Table};
 use super::{Against, Compass, Days, Excitation, Obstacle, ShipMotion};
 use crate::estimate::fit::Progress;
 use crate::gyro::Tail;
@@ -38,7 +38,7 @@ impl Request {
     /// As [`Excitation::motion`]; `BadInput` for heights where there is no sea.
     pub fn prepare(&self) -> Result<Prepared<'_>> {
         let motion = self.excitation.motion()?;
-        let cases = self.cases()?;
+        let cases = self.cases(&motion)?;
         let instrument = self.compass.instrument();
         let tail = if motion.regular.is_some() { None } else { instrument.tail(&motion.motion)? };
         Ok(Prepared { request: self, motion, cases, tail })
@@ -52,10 +52,11 @@ impl Request {
         self.prepare()?.table(progress)
     }
 
-    fn cases(&self) -> Result<Vec<Case>> {
+    fn cases(&self, own: &ShipMotion) -> Result<Vec<Case>> {
         let case = |heading: f64, height: Option<f64>, value: f64| -> Result<Case> {
-            let excitation = height.map_or_else(|| self.excitation.clone(), |h| self.excitation.of_height(h));
-            let (instrument, motion) = (self.compass.instrument(), excitation.motion()?);
+            let excitation = height.map_or_else(|| self.excitation.clone(), |h| self.excitation.of_size(h));
+            let motion = if height.is_some() { excitation.motion()? } else { own.clone() };
+            let instrument = self.compass.instrument();
             let sea = excitation.waves().map(|w| w.sea);
             Ok(Case { instrument, motion, sea, heading, value, height, measured: None })
         };
@@ -108,6 +109,19 @@ impl Prepared<'_> {
     /// That of its [`Obstacle`]; as [`Instrument::error`](crate::gyro::Instrument::error); `OutOfRange` where no row
     /// has an error that the linear theory gives, or one of the headings has none.
     pub fn table(self, progress: &dyn Progress) -> Result<Table> {
+        let over_headings = matches!(self.request.against, Against::Heading(_));
+        self.filled(if over_headings { Beyond::Refused } else { Beyond::LeftOut }, progress)
+    }
+
+    /// The same where rows beyond the linear theory are left out, be it all of them.
+    ///
+    /// # Errors
+    /// As [`Prepared::table`], but for these rows.
+    pub fn reached(self, progress: &dyn Progress) -> Result<Table> {
+        self.filled(Beyond::AllLeftOut, progress)
+    }
+
+    fn filled(self, beyond: Beyond, progress: &dyn Progress) -> Result<Table> {
         if let Some(obstacle) = self.obstacle()? {
             return Err(obstacle.error());
         }
@@ -115,7 +129,8 @@ impl Prepared<'_> {
         let empty = Table {
             compass: r.compass.clone(),
             excitation: Some(r.excitation.clone()),
-            fit: self.motion.fit,
+            sea: self.motion.sea.filter(|_| !matches!(r.against, Against::Height { .. })),
+            off_by: None,
             recorded: None::<MeasuredRoll>,
             against: r.against.clone(),
             rows: Vec::new(),
@@ -123,6 +138,6 @@ impl Prepared<'_> {
             smallness: Vec::new(),
             tail: self.tail,
         };
-        empty.filled(&self.cases, r.days, progress)
+        empty.filled(&self.cases, r.days, beyond, progress)
     }
 }

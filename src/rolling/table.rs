@@ -1,12 +1,12 @@
 //! The table of errors.
 
 use super::case::{Case, Moments};
-use super::{Against, Analysis, Compass, Days, Excitation, Row};
+use super::{Against, Analysis, Compass, Days, Excitation, Row, SeaMotion};
 use crate::Result;
 use crate::estimate::fit::Progress;
 use crate::gyro::validity::{Smallness, bounded, steepness};
-use crate::gyro::{BySpectrum, Tail};
-use crate::spectrum::{RationalFit, Roll};
+use crate::gyro::{BySpectrum, OffBy, Tail};
+use crate::spectrum::Roll;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -17,8 +17,10 @@ pub struct Table {
     pub compass: Compass,
     /// What moves the ship; `None` where its roll was recorded.
     pub excitation: Option<Excitation>,
-    /// How far the rational spectrum of a sea is off.
-    pub fit: Option<RationalFit>,
+    /// What became of a sea, where it is of one height.
+    pub sea: Option<SeaMotion>,
+    /// How far its rational spectrum is off, where the mean is largest.
+    pub off_by: Option<OffBy>,
     /// The recorded roll.
     pub recorded: Option<MeasuredRoll>,
     /// What the rows run over.
@@ -33,11 +35,24 @@ pub struct Table {
     pub tail: Option<Tail>,
 }
 
+/// What becomes of rows beyond the linear theory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Beyond {
+    /// One of them and there is no table.
+    Refused,
+    /// The table is that of the others, where there are some.
+    LeftOut,
+    /// The table is that of the others, or has no rows.
+    AllLeftOut,
+}
+
 /// A recorded roll with the mean error by it.
 #[derive(Debug, Clone)]
 pub struct MeasuredRoll {
     /// The roll.
     pub analysis: Analysis,
+    /// Two first-order low-passes on it at this frequency, rad/s.
+    pub band: Option<f64>,
     /// The mean by its fit and by its spectrum.
     pub mean: BySpectrum,
 }
@@ -77,7 +92,8 @@ impl Table {
     #[cfg(feature = "symbolic")]
     pub fn closed_form(&self) -> Option<super::ClosedForm> {
         self.roll()?;
-        let band = self.excitation.as_ref().and_then(|e| e.band);
+        let recorded = self.recorded.as_ref().and_then(|r| r.band);
+        let band = self.excitation.as_ref().map_or(recorded, |e| e.band);
         super::closed_form(self.compass.part.as_ref(), band).ok()
     }
 
@@ -93,6 +109,7 @@ impl Table {
         mut self,
         cases: &[Case],
         days: Option<Days>,
+        beyond: Beyond,
         progress: &dyn Progress,
     ) -> Result<Self> {
         let judged: Vec<(&Case, Row, Result<()>)> = cases
@@ -102,9 +119,12 @@ impl Table {
             .collect();
         let reached = judged.iter().filter(|j| j.2.is_ok());
         let worst = reached.max_by(|a, b| self.mean(&a.1).abs().total_cmp(&self.mean(&b.1).abs()));
-        let beyond: Vec<f64> = judged.iter().filter(|j| j.2.is_err()).map(|j| j.1.value).collect();
-        let over_headings = matches!(self.against, Against::Heading(_));
-        let Some((case, row, _)) = worst.filter(|_| beyond.is_empty() || !over_headings) else {
+        let left_out: Vec<f64> = judged.iter().filter(|j| j.2.is_err()).map(|j| j.1.value).collect();
+        let told = left_out.is_empty() || beyond != Beyond::Refused;
+        let Some((case, row, _)) = worst.filter(|_| told) else {
+            if beyond == Beyond::AllLeftOut {
+                return Ok(Self { left_out, ..self });
+            }
             self.rows =
                 judged.into_iter().map(|(_, row, reached)| reached.map(|()| row)).collect::<Result<_>>()?;
             return Ok(self);
@@ -114,9 +134,12 @@ impl Table {
             Some(_) => instrument.regular_smallness(motion, case.heading, &row.error)?,
             None => instrument.smallness(motion, case.heading, &row.error)?,
         };
+        if let Some(sea) = &case.motion.sea {
+            self.off_by = instrument.off_by(motion, case.heading, &sea.noise)?;
+        }
         self.smallness.extend(case.sea.as_ref().map(steepness));
         self.rows = judged.into_iter().filter(|j| j.2.is_ok()).map(|j| j.1).collect();
-        self.left_out = beyond;
+        self.left_out = left_out;
         Ok(self)
     }
 }

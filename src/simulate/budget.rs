@@ -106,7 +106,7 @@ impl Budget {
 
     /// What one simulation may spend of it.
     pub(super) fn one_run(&self) -> Allowance<'_> {
-        Allowance { budget: self, left: Cell::new(self.whole.one_run) }
+        Allowance { budget: self, left: Cell::new(self.whole.one_run), owed: Cell::new(0) }
     }
 
     /// Counts steps.
@@ -173,15 +173,29 @@ impl Budget {
 pub(super) struct Allowance<'a> {
     budget: &'a Budget,
     left: Cell<u64>,
+    /// Steps that the budget has not been told of yet.
+    owed: Cell<u64>,
 }
+
+/// Steps of which the budget, which threads share, is told at once.
+const LOT: u64 = 4096;
 
 impl Allowance<'_> {
     /// Counts steps with so many sensitivities each; false where they are more than is left.
     pub fn spend(&self, steps: u64, sensitivities: usize) -> bool {
         let left = self.left.get();
         self.left.set(left.saturating_sub(steps));
-        self.budget.spend(steps.min(left).saturating_mul(1 + sensitivities as u64));
+        let owed = self.owed.get().saturating_add(steps.min(left).saturating_mul(1 + sensitivities as u64));
+        self.owed.set(owed);
+        if owed >= LOT {
+            self.settle();
+        }
         steps <= left
+    }
+
+    /// Tells the budget what it has not been told of.
+    fn settle(&self) {
+        self.budget.spend(self.owed.replace(0));
     }
 
     /// Refuses to go on once the time is up.
@@ -197,6 +211,12 @@ impl Allowance<'_> {
     /// The budget that it is a share of.
     pub fn budget(&self) -> &Budget {
         self.budget
+    }
+}
+
+impl Drop for Allowance<'_> {
+    fn drop(&mut self) {
+        self.settle();
     }
 }
 
@@ -225,6 +245,7 @@ mod tests {
         let part = whole.part(10);
         let run = part.one_run();
         assert!(run.spend(3, 0) && run.spend(2, 8) && !run.spend(1, 8));
+        drop(run); // a budget hears of the last steps when the run ends
         assert_eq!((whole.spent(), part.spent()), (3 + 2 * 9, 21));
         assert!(part.one_run().spend(5, 0) && Budget::default().one_run().spend(1_000_000, 0));
     }

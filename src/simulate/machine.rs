@@ -2,8 +2,10 @@
 
 use super::history::History;
 use super::mesh::Mesh;
+use super::table::Table;
 use crate::model::Scalar;
 use crate::model::program::{Program, Remembered, Switching, execute};
+use gyrospec_native::Steps;
 
 /// The registers of one run and what they were last loaded with.
 pub(super) struct Machine<'a, T> {
@@ -18,6 +20,10 @@ pub(super) struct Machine<'a, T> {
     /// −(T − value of T) of every column: no value, but the tangents of its delay.
     lead: Vec<Option<T>>,
     loaded: f64,
+    /// What the inputs alone make, where it is known beforehand.
+    pub table: Option<&'a Table>,
+    /// The explicit steps as machine code.
+    pub native: Option<&'a Steps>,
     scratch: Vec<T>,
 }
 
@@ -44,6 +50,8 @@ impl<'a, T: Scalar> Machine<'a, T> {
             interval: 0,
             lead,
             loaded: f64::NAN,
+            table: None,
+            native: None,
             scratch: Vec::with_capacity(switches * (switches + 1)),
         }
     }
@@ -69,6 +77,12 @@ impl<'a, T: Scalar> Machine<'a, T> {
         self.mesh.jumps[self.interval].and_then(|c| self.lead[c]).map(|lead| -lead)
     }
 
+    /// Whether a whole step can be taken without a look at the registers between: no switch slides or follows, and
+    /// no past is asked for.
+    pub fn is_smooth(&self) -> bool {
+        self.switching == Switching::Hold && self.sliding.is_empty() && self.pasts.is_empty()
+    }
+
     /// Forgets which time the registers hold, after a switch has changed.
     pub fn forget_time(&mut self) {
         self.loaded = f64::NAN;
@@ -83,6 +97,46 @@ impl<'a, T: Scalar> Machine<'a, T> {
     }
 
     fn load_new_time(&mut self, t: f64) {
+        self.load_data(t);
+        self.load_made();
+    }
+
+    /// Loads the time of a stage of a piece of the interval; a table may know what the inputs alone make there.
+    pub fn load_stage(&mut self, t: f64, piece: Option<usize>, stage: usize) {
+        let (Some(table), Some(piece)) = (self.table, piece) else { return self.load_time(t) };
+        if t == self.loaded {
+            return;
+        }
+        self.load_inputs(t);
+        for (r, value) in table.registers.iter().zip(table.row(self.interval, piece, stage)) {
+            self.r[at(*r)] = T::constant(*value);
+        }
+        self.load_made();
+    }
+
+    /// What a new time asks for beyond what was measured.
+    fn load_made(&mut self) {
+        match self.native {
+            Some(native) if self.switching == Switching::Hold => native.time(&mut self.r),
+            _ => execute(&self.program.per_time, &mut self.r, self.switching),
+        }
+    }
+
+    /// The outputs; states and time must be loaded.
+    pub fn outputs(&mut self) {
+        match self.native {
+            Some(native) if self.is_smooth() => native.output(&mut self.r),
+            _ => execute(&self.program.output_code, &mut self.r, self.switching),
+        }
+    }
+
+    /// Loads a time, and computes what the inputs and the time alone make.
+    pub fn load_data(&mut self, t: f64) {
+        self.load_inputs(t);
+        execute(&self.program.per_data, &mut self.r, self.switching);
+    }
+
+    fn load_inputs(&mut self, t: f64) {
         self.loaded = t;
         let into = t - self.mesh.time[self.interval];
         let at_end = t == self.mesh.time[self.interval + 1];
@@ -98,7 +152,6 @@ impl<'a, T: Scalar> Machine<'a, T> {
             };
         }
         self.r[at(self.program.time)] = T::constant(t);
-        execute(&self.program.per_time, &mut self.r, self.switching);
     }
 
     /// Loads a time and a state.

@@ -3,6 +3,7 @@
 //! Between two mesh times every input is a straight line, so a step of the solver never crosses
 //! a kink of the data.
 
+use super::table::Tables;
 use crate::record::{Channel, Hold};
 use std::sync::Arc;
 
@@ -89,6 +90,8 @@ pub(super) struct Mesh {
     pub jumps: Vec<Option<usize>>,
     /// The usual length of an interval, s.
     pub usual: f64,
+    /// What the inputs alone make, for the programs of the mesh's owner.
+    pub tables: Tables,
 }
 
 impl Mesh {

@@ -14,6 +14,8 @@ mod history;
 mod linear;
 mod machine;
 mod mesh;
+mod native;
+mod pieces;
 mod plan;
 mod probe;
 mod request;
@@ -25,6 +27,8 @@ mod start;
 mod static_run;
 mod steps;
 mod stiff;
+mod table;
+mod tabulate;
 mod trace;
 mod warnings;
 

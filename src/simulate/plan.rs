@@ -131,8 +131,8 @@ pub(super) struct Search<'a> {
 
 impl Search<'_> {
     fn run(&self, (method, substeps): (Solver, usize), allowance: &Allowance<'_>) -> Result<Ran<f64>> {
-        let Course { program, mesh, clocks, steady, .. } = *self.course;
-        let course = Course { program, mesh, clocks, steady, method, substeps, allowance };
+        let Course { program, natives, mesh, clocks, steady, .. } = *self.course;
+        let course = Course { program, natives, mesh, clocks, steady, method, substeps, allowance };
         run(&course, self.parameters, self.given)
     }
 

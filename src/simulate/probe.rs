@@ -2,7 +2,7 @@
 
 use super::machine::Machine;
 use crate::model::Scalar;
-use crate::model::program::{Register, execute};
+use crate::model::program::Register;
 use std::sync::Arc;
 
 /// Registers wanted at rising times.
@@ -69,7 +69,7 @@ impl<'a, T: Scalar> Probe<'a, T> {
 
     /// Writes down the loaded registers.
     fn write(&mut self, m: &mut Machine<'_, T>, clock: usize, row: usize) {
-        execute(&m.program.output_code, &mut m.r, m.switching);
+        m.outputs();
         let registers = &self.clocks[clock].registers;
         let first = row * registers.len();
         for (j, register) in registers.iter().enumerate() {

@@ -3,9 +3,12 @@
 use super::budget::Allowance;
 use super::machine::Machine;
 use super::mesh::Mesh;
+use super::native::Natives;
+use super::pieces::{piece, substeps};
 use super::probe::{Clock, Probe, Stretch};
 use super::start::start;
 use super::steps::{Solver, Stepper};
+use super::tabulate::tabulated;
 use crate::Result;
 use crate::model::Scalar;
 use crate::model::program::{Program, Switching};
@@ -26,6 +29,8 @@ const EVENT: usize = 4;
 /// What a run needs besides numbers.
 pub(super) struct Course<'a> {
     pub program: &'a Program,
+    /// What of the program was made machine code.
+    pub natives: &'a Natives,
     pub mesh: &'a Mesh,
     pub clocks: &'a [Clock],
     /// States that start where the model is steady.
@@ -109,6 +114,11 @@ impl Roughness {
 /// Runs from start to end.
 pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T]) -> Result<Ran<T>> {
     let mut m = Machine::new(course.program, course.mesh, parameters);
+    let table = tabulated(course.program, course.mesh, (course.substeps, course.method));
+    let steps = course.substeps.saturating_mul(course.mesh.intervals());
+    let explicit = course.method != Solver::Stiff;
+    let native = explicit.then(|| course.natives.of(course.program, parameters, steps)).flatten();
+    (m.table, m.native) = (table.as_deref(), native.as_deref());
     let first = course.mesh.time[0];
     let x = start(&mut m, first, given, course.steady)?;
     let n = x.len();
@@ -166,9 +176,12 @@ impl<T: Scalar> Runner<'_, T> {
             let before = self.events;
             let h = (to - from) / pieces as f64;
             for s in 0..pieces {
-                let end = if s + 1 == pieces { to } else { from + (s + 1) as f64 * h };
-                let begin = from + s as f64 * h;
-                if is_layer && s == 0 { self.begin_finely(begin, end) } else { self.advance(begin, end) }
+                let (begin, end) = piece((from, to), (s, pieces), h);
+                if is_layer && s == 0 {
+                    self.begin_finely(begin, end);
+                } else {
+                    self.advance(begin, end, Some(s));
+                }
             }
             let events = EVENT * (self.events - before);
             if events > 0 && !course.allowance.spend(events as u64, T::TANGENTS) {
@@ -187,7 +200,7 @@ impl<T: Scalar> Runner<'_, T> {
         let mut t = from;
         for k in (0..=LAYER).rev() {
             let next = if k == 0 { to } else { from + (to - from) * 0.5f64.powi(k) };
-            self.advance(t, next);
+            self.advance(t, next, None);
             t = next;
         }
     }
@@ -218,15 +231,16 @@ impl<T: Scalar> Runner<'_, T> {
         }
     }
 
-    /// From one time to another within an interval, through whatever events lie between.
-    fn advance(&mut self, from: f64, to: f64) {
+    /// From one time to another within an interval, through whatever events lie between. A whole piece of the
+    /// interval has a number.
+    fn advance(&mut self, from: f64, to: f64, piece: Option<usize>) {
         let mut t = from;
         for event in 0.. {
             if !self.m.sliding.is_empty() && event < MOST_EVENTS {
                 self.leave_slides(t);
             }
-            self.stepper.step(&mut self.m, (t, to - t), (&self.x, &self.k), &mut self.x1);
-            self.m.rates(to, &self.x1, &mut self.k1);
+            let piece = piece.filter(|_| event == 0);
+            self.stepper.step(&mut self.m, (t, to, piece), (&self.x, &self.k), (&mut self.x1, &mut self.k1));
             if !self.m.program.watches.is_empty() && self.k1.iter().any(|k| !k.value().is_finite()) {
                 self.step_following(t, to);
                 self.accept(t, to);
@@ -241,8 +255,12 @@ impl<T: Scalar> Runner<'_, T> {
             let whole = Stretch { from: t, to, x0: &self.x, k0: &self.k, x1: &self.x1, k1: &self.k1 };
             let (at, switch) = self.m.locate(&whole, &mut self.room);
             if at > t {
-                self.stepper.step(&mut self.m, (t, at - t), (&self.x, &self.k), &mut self.x1);
-                self.m.rates(at, &self.x1, &mut self.k1);
+                self.stepper.step(
+                    &mut self.m,
+                    (t, at, None),
+                    (&self.x, &self.k),
+                    (&mut self.x1, &mut self.k1),
+                );
                 self.accept(t, at);
             }
             self.m.change(switch, at, &mut self.x, &mut self.k);
@@ -260,7 +278,7 @@ impl<T: Scalar> Runner<'_, T> {
         self.m.sliding.clear();
         self.m.switching = Switching::Follow;
         self.m.forget_time();
-        self.stepper.step(&mut self.m, (t, to - t), (&self.x, &self.k), &mut self.x1);
+        self.stepper.step(&mut self.m, (t, to, None), (&self.x, &self.k), (&mut self.x1, &mut self.k1));
         self.m.forget_time();
         self.m.rates(to, &self.x1, &mut self.k1);
         self.m.switching = Switching::Hold;
@@ -287,10 +305,4 @@ impl<T: Scalar> Runner<'_, T> {
         std::mem::swap(&mut self.x, &mut self.x1);
         std::mem::swap(&mut self.k, &mut self.k1);
     }
-}
-
-/// Steps in an interval: a long one gets more.
-fn substeps(usual_steps: usize, length: f64, usual: f64) -> usize {
-    let wanted = usual_steps as f64 * length / usual - 1e-6;
-    (wanted.ceil() as usize).max(usual_steps.min(1)).clamp(1, 1_000_000)
 }

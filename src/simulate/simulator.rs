@@ -4,6 +4,7 @@ use super::budget::{Allowance, Budget};
 use super::gaps;
 use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
+use super::native::Natives;
 use super::plan::{self, Plan, Search};
 use super::probe::Clock;
 use super::request::{Case, Options, Trajectory, Unknown};
@@ -46,6 +47,7 @@ use std::sync::Arc;
 pub struct Simulator {
     pub(super) model: Arc<Model>,
     pub(super) program: Arc<Program>,
+    pub(super) natives: Arc<Natives>,
     pub(super) samples: Arc<[Samples]>,
     outputs: Vec<OutputSignal>,
     pub(super) clocks: Vec<Clock>,
@@ -86,6 +88,7 @@ impl Simulator {
             constants: signals::constants(model, recording)?,
             model: Arc::new(model.clone()),
             program: Arc::new(program),
+            natives: Arc::default(),
             samples: samples.into(),
             outputs,
             clocks,
@@ -346,6 +349,7 @@ impl Simulator {
     ) -> Course<'a> {
         Course {
             program: &self.program,
+            natives: &self.natives,
             mesh,
             clocks: &self.clocks,
             steady,

@@ -71,13 +71,39 @@ impl<T: Scalar> Stepper<T> {
         }
     }
 
-    /// Steps from x with rates k1 at t over h; the new state goes to `out`.
-    pub fn step(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
-        match self.method {
-            Solver::Explicit => self.explicit(m, (t, h), (x, k1), out),
-            Solver::Heun => self.heun(m, (t, h), (x, k1), out),
-            Solver::Stiff => self.stiff(m, (t, h), (x, k1), out),
+    /// Steps from x with rates k1 at one time to another; gives the new state and its rates, which are loaded. A whole
+    /// piece of an interval has a number.
+    pub fn step(
+        &mut self,
+        m: &mut Machine<'_, T>,
+        (t, to, piece): (f64, f64, Option<usize>),
+        (x, k1): (&[T], &[T]),
+        (out, rates): (&mut [T], &mut [T]),
+    ) {
+        if let Some(native) = m.native.filter(|_| m.is_smooth()) {
+            match (self.method, self.k.as_mut_slice()) {
+                (Solver::Explicit, [sum, _, last]) => {
+                    let h = to - t;
+                    m.load_stage(t + 0.5 * h, piece, 0);
+                    native.first_half(&m.r, x, k1, h, &mut self.stage, sum);
+                    m.load_stage(to, piece, 1);
+                    native.second_half(&mut m.r, (x, &self.stage, sum), h, (out, rates, last));
+                    return;
+                }
+                (Solver::Heun, [last]) => {
+                    m.load_stage(to, piece, 0);
+                    native.heun(&mut m.r, (x, k1), to - t, (out, rates, last));
+                    return;
+                }
+                _ => {}
+            }
         }
+        match self.method {
+            Solver::Explicit => self.explicit(m, (t, to), (x, k1), out),
+            Solver::Heun => self.heun(m, (t, to), (x, k1), out),
+            Solver::Stiff => self.stiff(m, (t, to - t), (x, k1), out),
+        }
+        m.rates(to, out, rates);
     }
 
     /// Adds the embedded errors of the last step, of h s and with the rates k at its end, to sums
@@ -99,19 +125,27 @@ impl<T: Scalar> Stepper<T> {
         }
     }
 
-    fn heun(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
+    fn heun(&mut self, m: &mut Machine<'_, T>, (t, to): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
+        let h = to - t;
         let k2 = &mut self.k[0];
         for i in 0..x.len() {
             out[i] = x[i] + k1[i].scale(h);
         }
-        m.rates(t + h, out, k2);
+        m.rates(to, out, k2);
         for i in 0..x.len() {
             // x + h·(k₁ + k₂)/2
             out[i] = x[i] + (k1[i] + k2[i]).scale(0.5 * h);
         }
     }
 
-    fn explicit(&mut self, m: &mut Machine<'_, T>, (t, h): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
+    fn explicit(
+        &mut self,
+        m: &mut Machine<'_, T>,
+        (t, to): (f64, f64),
+        (x, k1): (&[T], &[T]),
+        out: &mut [T],
+    ) {
+        let h = to - t;
         let n = x.len();
         let [k2, k3, k4] = self.k.as_mut_slice() else { return };
         let stage = &mut self.stage;
@@ -126,7 +160,7 @@ impl<T: Scalar> Stepper<T> {
         for i in 0..n {
             stage[i] = x[i] + k3[i].scale(h);
         }
-        m.rates(t + h, stage, k4);
+        m.rates(to, stage, k4);
         for i in 0..n {
             // x + h·(k₁ + 2k₂ + 2k₃ + k₄)/6
             out[i] = x[i] + (k1[i] + (k2[i] + k3[i]).scale(2.0) + k4[i]).scale(h / 6.0);

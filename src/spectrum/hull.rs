@@ -14,11 +14,14 @@ use crate::{Error, Result};
 /// | `slope` | χ, effective part of the wave slope | 1 |
 /// | `beam` | B, width of the waterplane | m |
 /// | `length` | L, length of the waterplane | m |
+/// | `quadratic` | d of d\|φ̇\|φ̇, more damping of roll | 1/rad |
+/// | `cubic` | c of cφ̇³, more damping of roll | s/rad² |
 ///
 /// A sea from the bearing ν off the bow (clockwise: 0 ahead, π/2 from abeam to starboard) has the slope
 /// σ = (−s²/g)ζ along its travel, of which −σ sin ν acts athwart and +σ cos ν along the ship; positive turns carry the
-/// mast to port and forward. Heave is given the phase of the slope. Waves come at their own frequency: the speed of the
-/// ship through them is not counted.
+/// mast to port and forward. Heave is given the phase of the slope. These are the answers of a ship without way; what
+/// she meets under way is [`Encounter`](super::Encounter), and what damps her roll more than in proportion to its rate is
+/// in [`Hull::equivalent_damping`].
 ///
 /// A plane wave of the number k = ω²/g (deep water) has, averaged over a rectangle of L by B, its slope and its height
 /// times
@@ -52,12 +55,24 @@ pub struct Hull {
     pub beam: f64,
     /// L, m.
     pub length: f64,
+    /// d, 1/rad.
+    pub quadratic: f64,
+    /// c, s/rad².
+    pub cubic: f64,
 }
 
 impl Default for Hull {
     /// A freighter of 15 m beam and 90 m length that rolls with a period of 9 s.
     fn default() -> Self {
-        Self { frequency: 0.7, damping: 0.08, slope: 0.7, beam: 15.0, length: Self::BEAMS * 15.0 }
+        Self {
+            frequency: 0.7,
+            damping: 0.08,
+            slope: 0.7,
+            beam: 15.0,
+            length: Self::BEAMS * 15.0,
+            quadratic: 0.0,
+            cubic: 0.0,
+        }
     }
 }
 
@@ -77,13 +92,20 @@ impl Hull {
     /// # Errors
     /// `BadInput` when a number is not positive, or nothing of the slope lies athwart.
     pub fn roll_response(&self, from: f64) -> Result<TransferFunction> {
+        let athwart = excited(Self::slopes(from).0, "roll")?;
+        let slope =
+            TransferFunction::new(&[-athwart / GRAVITY, 0.0, 0.0], self.averaged(from)?.denominator())?;
+        Ok(slope.then(&self.resonance(self.damping)?))
+    }
+
+    /// θ/σ for the mean slope σ athwart and a damping ratio ζ: ω_φ² χ/(s² + 2ζω_φ s + ω_φ²), rad/rad.
+    ///
+    /// # Errors
+    /// `BadInput` when a number is not positive.
+    pub fn resonance(&self, damping: f64) -> Result<TransferFunction> {
         self.check()?;
         let w2 = self.frequency * self.frequency;
-        let resonance = TransferFunction::new(
-            &[-excited(Self::slopes(from).0, "roll")? * w2 * self.slope / GRAVITY, 0.0, 0.0],
-            &[1.0, 2.0 * self.damping * self.frequency, w2],
-        )?;
-        Ok(resonance.then(&self.averaged(from)?))
+        TransferFunction::new(&[w2 * self.slope], &[1.0, 2.0 * damping * self.frequency, w2])
     }
 
     /// Pitch/ζ = cos ν (−s²/g) S: the mean slope along the ship, rad/m.
@@ -135,10 +157,7 @@ impl Hull {
     /// S, by a filter of order four whose power is 1/(1 + pω⁴ + qω⁸).
     fn averaged(&self, from: f64) -> Result<TransferFunction> {
         self.check()?;
-        let (athwart, along) = Self::slopes(from);
-        // α = (L cos ν/2g)², β = (B sin ν/2g)², s⁴
-        let [a, b] = [self.length * along, self.beam * athwart].map(|x| (0.5 * x / GRAVITY).powi(2));
-        let (p, q) = ((a + b) / 3.0, (a * a + b * b) / 15.0 + a * b / 9.0);
+        let [p, q] = self.series(from);
         // ρ = q^(−1/8), cos 4η = −p/(2√q), u = s/ρ:  H = (1 + 2 sin η u + u²)(1 + 2 cos η u + u²)
         let (corner, eta) = (q.powf(-0.125), 0.25 * (-0.5 * p / q.sqrt()).acos());
         let pair = |damping: f64| [1.0 / (corner * corner), 2.0 * damping / corner, 1.0];
@@ -146,12 +165,30 @@ impl Hull {
         Ok(first.then(&TransferFunction::new(&[1.0], &pair(eta.cos()))?))
     }
 
-    fn check(&self) -> Result<()> {
+    /// p and q of 1/S² = 1 + pω⁴ + qω⁸ in waves from ν, s⁴ and s⁸.
+    fn series(&self, from: f64) -> [f64; 2] {
+        let (athwart, along) = Self::slopes(from);
+        // α = (L cos ν/2g)², β = (B sin ν/2g)², s⁴
+        let [a, b] = [self.length * along, self.beam * athwart].map(|x| (0.5 * x / GRAVITY).powi(2));
+        [(a + b) / 3.0, (a * a + b * b) / 15.0 + a * b / 9.0]
+    }
+
+    /// S² over ω⁴ in waves from ν: what the waterplane leaves of a wave's power.
+    pub(super) fn keeps(&self, from: f64) -> impl Fn(f64) -> f64 {
+        let [p, q] = self.series(from);
+        move |fourth| 1.0 / (1.0 + fourth * (p + q * fourth))
+    }
+
+    pub(super) fn check(&self) -> Result<()> {
         let values = [self.frequency, self.damping, self.slope, self.beam, self.length];
-        if values.iter().all(|v| v.is_finite() && *v > 0.0) {
+        let more = [self.quadratic, self.cubic];
+        if values.iter().all(|v| v.is_finite() && *v > 0.0) && more.iter().all(|v| v.is_finite() && *v >= 0.0)
+        {
             return Ok(());
         }
-        Err(Error::bad_input("frequency, damping, slope, beam and length of a ship must be positive"))
+        Err(Error::bad_input(
+            "frequency, damping, slope, beam and length of a ship must be positive, and what damps her more not negative",
+        ))
     }
 }
 

@@ -31,6 +31,20 @@ pub struct LeastSquares {
 /// `NotComputed` when the residuals at the start are not finite or the normal matrix stays
 /// singular, so that the data do not determine the parameters.
 pub fn least_squares(start: &[f64], residuals: impl Fn(&[f64]) -> Vec<f64>) -> Result<LeastSquares> {
+    let (p, sum_of_squares) = least(start, &residuals)?;
+    let (normal, _) = normal_equations(&jacobian(&p, &residuals), &residuals(&p));
+    let inverse_normal = normal.partial_piv_lu().inverse();
+    if !(0..p.len()).all(|i| inverse_normal[(i, i)].is_finite() && inverse_normal[(i, i)] >= 0.0) {
+        return Err(Error::not_computed("the data do not determine the parameters"));
+    }
+    Ok(LeastSquares { parameters: p, sum_of_squares, inverse_normal })
+}
+
+/// The parameters of the least Σ rᵢ(p)² found from `start`, whether or not they are the only ones, and that sum.
+///
+/// # Errors
+/// `NotComputed` when the residuals at the start are not finite.
+pub fn least(start: &[f64], residuals: &impl Fn(&[f64]) -> Vec<f64>) -> Result<(Vec<f64>, f64)> {
     let cost = |r: &[f64]| r.iter().map(|v| v * v).sum::<f64>();
     let mut p = start.to_vec();
     let mut r = residuals(&p);
@@ -40,7 +54,7 @@ pub fn least_squares(start: &[f64], residuals: impl Fn(&[f64]) -> Vec<f64>) -> R
     }
     let mut damping = 1e-3;
     for _ in 0..200 {
-        let (normal, gradient) = normal_equations(&jacobian(&p, &residuals), &r);
+        let (normal, gradient) = normal_equations(&jacobian(&p, residuals), &r);
         let mut gained = 0.0;
         while damping < 1e12 {
             let trial = step(&p, &normal, &gradient, damping);
@@ -58,12 +72,7 @@ pub fn least_squares(start: &[f64], residuals: impl Fn(&[f64]) -> Vec<f64>) -> R
             break;
         }
     }
-    let (normal, _) = normal_equations(&jacobian(&p, &residuals), &r);
-    let inverse_normal = normal.partial_piv_lu().inverse();
-    if !(0..p.len()).all(|i| inverse_normal[(i, i)].is_finite() && inverse_normal[(i, i)] >= 0.0) {
-        return Err(Error::not_computed("the data do not determine the parameters"));
-    }
-    Ok(LeastSquares { parameters: p, sum_of_squares: best, inverse_normal })
+    Ok((p, best))
 }
 
 fn jacobian(p: &[f64], residuals: &impl Fn(&[f64]) -> Vec<f64>) -> Vec<Vec<f64>> {

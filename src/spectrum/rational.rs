@@ -9,10 +9,11 @@
 //! The idea of a shaping filter: H. W. Bode, C. E. Shannon, Proc. IRE 38 (1950) 417–425.
 //!
 //! # Numerical aspects
-//! Every F so made is stable and of minimum phase by construction. The error is stated as
-//! found on the given grid, never assumed.
+//! Every F so made is stable and of minimum phase by construction. No section is narrower than a step of the grid,
+//! between whose points it would hide, nor beyond its end. The error is stated as found on the given grid, never
+//! assumed.
 
-use super::least_squares;
+use super::least_squares::least;
 use crate::lti::TransferFunction;
 use crate::{Error, Result};
 
@@ -26,6 +27,9 @@ pub struct RationalFit {
     /// ∫ S_fit w dω / ∫ S w dω − 1: the error of the weighted power.
     pub power_error: f64,
 }
+
+/// Sections, and zeros at s = 0.
+pub(crate) type Shape = (usize, usize);
 
 /// Fits |F(jω)|² to `density` at `omega` (rad/s, increasing), with `weight` (same length),
 /// by second-order sections in series: of `zeros[i]` it tries i + 1 sections with s^`zeros[i]` above, and keeps the best.
@@ -43,6 +47,26 @@ pub struct RationalFit {
 /// # Errors
 /// `BadInput` for lists that do not fit together, `NotComputed` when nothing converges.
 pub fn fit_rational(omega: &[f64], density: &[f64], weight: &[f64], zeros: &[usize]) -> Result<RationalFit> {
+    let shapes: Vec<Shape> = zeros.iter().enumerate().map(|(i, zero)| (i + 1, *zero)).collect();
+    let search = Search { shapes: &shapes, starts: &[(0.15, 0.3), (0.4, 0.3)], enough: 0.0 };
+    fit_shapes((omega, density, weight), &search)
+}
+
+/// What is tried in a rational fit.
+pub(crate) struct Search<'a> {
+    /// The forms.
+    pub shapes: &'a [Shape],
+    /// How far apart the sections start, ln ω, and with which damping ratio.
+    pub starts: &'a [(f64, f64)],
+    /// Squared error of the amplitude, a part of the weighted power, that ends the search.
+    pub enough: f64,
+}
+
+/// The same by a search of one's own.
+pub(crate) fn fit_shapes(
+    (omega, density, weight): (&[f64], &[f64], &[f64]),
+    search: &Search<'_>,
+) -> Result<RationalFit> {
     let n = omega.len();
     let power: f64 = (0..n.min(density.len())).map(|k| density[k] * weight[k.min(weight.len() - 1)]).sum();
     if n < 8 || density.len() != n || weight.len() != n || !(power.is_finite() && power > 0.0) {
@@ -50,32 +74,42 @@ pub fn fit_rational(omega: &[f64], density: &[f64], weight: &[f64], zeros: &[usi
     }
     let peak = (0..n).max_by(|a, b| (density[*a] * weight[*a]).total_cmp(&(density[*b] * weight[*b])));
     let centre = omega[peak.unwrap_or(0)].max(1e-6);
+    let gap = omega.windows(2).map(|w| w[1] - w[0]).fold(f64::INFINITY, f64::min);
+    let reach = [gap / centre, omega[n - 1] / centre];
+    let size: Vec<f64> = weight.iter().map(|w| w.sqrt()).collect();
     let target: Vec<f64> = (0..n).map(|k| (density[k] * weight[k] / power).sqrt()).collect();
     let mut best: Option<(f64, Vec<f64>, usize)> = None;
-    for (index, zero) in zeros.iter().enumerate() {
-        let sections = index + 1;
+    for (sections, zero) in search.shapes {
+        if best.as_ref().is_some_and(|b| b.0 < search.enough) {
+            break;
+        }
         let residuals = |p: &[f64]| -> Vec<f64> {
-            let amplitude = |k: usize| modelled(p, *zero, omega[k], centre) * weight[k].sqrt();
-            (0..n).map(|k| amplitude(k) - target[k]).collect()
+            let amplitude = modelled(p, *zero, reach);
+            (0..n).map(|k| amplitude(omega[k] / centre) * size[k] - target[k]).collect()
         };
-        for spread in [0.15, 0.4] {
-            let start = started(sections, spread, |p| residuals(p), &target);
-            let Ok(found) = least_squares(&start, residuals) else { continue };
-            if best.as_ref().is_none_or(|b| found.sum_of_squares < 0.9 * b.0) {
-                best = Some((found.sum_of_squares, found.parameters, *zero));
+        for begin in search.starts {
+            let start = started(*sections, *begin, |p| residuals(p), &target);
+            let Ok((p, squares)) = least(&start, &residuals) else { continue };
+            if best.as_ref().is_none_or(|b| squares < 0.9 * b.0) {
+                best = Some((squares, p, *zero));
             }
         }
     }
     let (_, p, zero) = best.ok_or_else(|| Error::not_computed("no rational spectrum fits"))?;
-    stated(&p, zero, centre, power, (omega, density, weight))
+    stated(&p, zero, (centre, reach), power, (omega, density, weight))
 }
 
 /// Sections spread about the centre, the gain set so that the sizes agree.
-fn started(sections: usize, spread: f64, r: impl Fn(&[f64]) -> Vec<f64>, target: &[f64]) -> Vec<f64> {
+fn started(
+    sections: usize,
+    (spread, damping): (f64, f64),
+    r: impl Fn(&[f64]) -> Vec<f64>,
+    target: &[f64],
+) -> Vec<f64> {
     let mut p = vec![0.0];
     for i in 0..sections {
         let place = (i as f64 - (sections as f64 - 1.0) / 2.0) * spread;
-        p.extend([place, (0.3_f64).ln()]);
+        p.extend([place, damping.ln()]);
     }
     let made: f64 = r(&p).iter().zip(target).map(|(r, t)| (r + t).powi(2)).sum();
     let wanted: f64 = target.iter().map(|t| t * t).sum();
@@ -83,29 +117,36 @@ fn started(sections: usize, spread: f64, r: impl Fn(&[f64]) -> Vec<f64>, target:
     p
 }
 
-/// |F(jω)| with frequencies in parts of the centre; p = [ln k, ln ω₁, ln ζ₁, …].
-fn modelled(p: &[f64], zeros: usize, omega: f64, centre: f64) -> f64 {
-    let x = omega / centre;
-    let mut value = p[0].exp() * x.powi(zeros as i32);
-    for section in p[1..].chunks_exact(2) {
-        let (w, z) = (section[0].exp(), section[1].exp());
-        value /= (w * w - x * x).hypot(2.0 * z * w * x);
+/// ωᵢ and ζᵢ, frequencies in parts of the centre, of which the grid has a step and an end: ωᵢ up to four times the end,
+/// no half width ζᵢωᵢ below the step, and none beyond the end that does not reach back to it.
+fn section(p: &[f64], [step, end]: [f64; 2]) -> (f64, f64) {
+    let w = step + 1.0 / ((-p[0]).exp() + 0.25 / end);
+    (w, p[1].exp() + (step + (w - end).max(0.0)) / w)
+}
+
+/// |F(jω)| over x, a part of the centre; p = [ln k, …] with two numbers a [`section`].
+fn modelled(p: &[f64], zeros: usize, reach: [f64; 2]) -> impl Fn(f64) -> f64 {
+    let gain = p[0].exp();
+    let sections: Vec<(f64, f64)> = p[1..].chunks_exact(2).map(|two| section(two, reach)).collect();
+    move |x| {
+        let power = |(w, z): &(f64, f64)| (w * w - x * x).powi(2) + (2.0 * z * w * x).powi(2);
+        gain * x.powi(zeros as i32) / sections.iter().map(power).product::<f64>().sqrt()
     }
-    value
 }
 
 fn stated(
     p: &[f64],
     zeros: usize,
-    centre: f64,
+    (centre, reach): (f64, [f64; 2]),
     power: f64,
     (omega, density, weight): (&[f64], &[f64], &[f64]),
 ) -> Result<RationalFit> {
     let gain = power.sqrt() * p[0].exp() * centre.powi(-(zeros as i32));
     let mut shaping = TransferFunction::constant(gain);
     let mut remaining = zeros;
-    for section in p[1..].chunks_exact(2) {
-        let (w, z) = (section[0].exp() * centre, section[1].exp());
+    for two in p[1..].chunks_exact(2) {
+        let (w, z) = section(two, reach);
+        let w = w * centre;
         let taken = remaining.min(2);
         remaining -= taken;
         let mut top = vec![0.0; taken + 1];

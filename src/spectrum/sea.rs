@@ -4,7 +4,7 @@ use crate::{Error, Result};
 use std::f64::consts::PI;
 
 /// g, m/s².
-pub(super) const GRAVITY: f64 = 9.81;
+pub(crate) const GRAVITY: f64 = 9.81;
 
 /// The spectrum of a wind sea's surface.
 ///

@@ -29,7 +29,8 @@ pub use audit::{
 };
 pub use formula::{
     CodeLanguage, Derivation, Derived, Formula, FormulaRequest, LAPLACE, Mean, Relation, Sampler, Simplifier,
-    Source, Values, completed, derivative, formula, irregular_roll, known_letter, numeric, symbols, value,
+    SineMean, Source, Values, completed, derivative, formula, irregular_roll, known_letter, numeric, symbols,
+    value,
 };
 #[doc(hidden)]
 pub use fraction::Fraction;

@@ -22,6 +22,7 @@ fn prepare(folder: &Path) {
         write(&format!("{name}.toml"), &table);
     }
     write("compass.toml", "[parameters]\nh = { value = 3.0, unit = \"m\" }\n");
+    write("trials.csv", &example("trials.csv"));
     write("cases.jsonl", "{\"h\":[1,2,3],\"g\":[0,1]}\n{\"h\":[1,1],\"c\":[1]}\n");
     let request = [
         "first = \"1/(T*s + 1)\"",

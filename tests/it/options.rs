@@ -31,7 +31,7 @@ fn arguments(name: &str, list: &[(&str, &str)]) -> Vec<Given> {
 /// Exit code, answer and whether each file that was to be written is there.
 fn called(name: &str, folder: &Path, parts: &[&Given], before: &[&str]) -> (i32, String) {
     let own = tempfile::tempdir_in(folder).unwrap();
-    for file in ["compass.toml", "gimbal.toml", "roll.csv"] {
+    for file in ["compass.toml", "gimbal.toml", "roll.csv", "trials.csv"] {
         std::fs::copy(folder.join(file), own.path().join(file)).unwrap();
     }
     let words = parts.iter().flat_map(|p| &p.words);
@@ -50,9 +50,13 @@ fn called(name: &str, folder: &Path, parts: &[&Given], before: &[&str]) -> (i32,
     (code, String::from_utf8_lossy(&out.stdout).into_owned())
 }
 
-/// Words beside those of a call; the free motion and the Scorsby table take none.
+/// Words beside those of a call; the free motion, the Scorsby table and the list take none.
 fn beside<'a>(parts: &[&Given], before: &[&'a str]) -> Vec<&'a str> {
-    if parts.iter().any(|g| g.id == "free" || g.id == "scorsby") { Vec::new() } else { before.to_vec() }
+    if parts.iter().any(|g| ["free", "scorsby", "list"].contains(&g.id.as_str())) {
+        Vec::new()
+    } else {
+        before.to_vec()
+    }
 }
 
 /// What is wrong with a pair: neither refused nor seen in the answer, as text or JSON, beside each alone.
@@ -88,10 +92,19 @@ fn dropped(
 
 /// Goes through all pairs of a subcommand's arguments beside other words.
 fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {
+    each_pair_with(&|_| true, name, list, before);
+}
+
+/// Goes through the pairs of which one is wanted.
+fn each_pair_with(is_wanted: &dyn Fn(&str) -> bool, name: &str, list: &[(&str, &str)], before: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let put = |file: &str, text: &str| std::fs::write(folder.path().join(file), text).unwrap();
-    put("compass.toml", "[parameters]\nT = { value = 0.6, unit = \"s\" }\n");
+    put("compass.toml", "[parameters]\nT = { value = 0.6, unit = \"s\" }\nP = 90.0\n");
     put("gimbal.toml", "[parameters]\nomega0 = 120.0\n");
+    put(
+        "trials.csv",
+        "heading [deg],amplitude [deg],period [s],error [deg]\n45,5,5,-0.5\n45,5,7,-0.2\n60,5,9,-0.06\n",
+    );
     let roll =
         std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/roll.csv")).unwrap();
     // a second channel of roll, so that a name makes a difference
@@ -103,8 +116,9 @@ fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {
     let all = arguments(name, list);
     let alone: Vec<(i32, String)> =
         all.par_iter().map(|g| called(name, folder.path(), &[g], &beside(&[g], before))).collect();
-    let pairs: Vec<(usize, usize)> =
-        (0..all.len()).flat_map(|i| (i + 1..all.len()).map(move |j| (i, j))).collect();
+    let wanted: Vec<bool> = all.iter().map(|g| is_wanted(&g.id)).collect();
+    let pairs = (0..all.len()).flat_map(|i| (i + 1..all.len()).map(move |j| (i, j)));
+    let pairs: Vec<(usize, usize)> = pairs.filter(|(i, j)| wanted[*i] || wanted[*j]).collect();
     let check = |&(i, j): &(usize, usize)| {
         dropped(name, folder.path(), [(&all[i], &alone[i]), (&all[j], &alone[j])], before)
     };
@@ -113,7 +127,7 @@ fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {
 }
 
 /// Values that no argument has by default.
-const ROLL_ERROR: [(&str, &str); 33] = [
+const ROLL_ERROR: [(&str, &str); 39] = [
     ("model_or_parameters", "compass.toml"),
     ("recording", "compass.toml roll.csv"),
     ("roll", "--roll starboard"),
@@ -137,6 +151,8 @@ const ROLL_ERROR: [(&str, &str); 33] = [
     ("sea_from", "--sea-from 60"),
     ("ship", "--ship 10s,0.1,0.8,12m"),
     ("ship_length", "--ship-length 70m"),
+    ("spread", "--spread 4"),
+    ("roll_damping", "--roll-damping 0.3,0.1"),
     ("also", "--also heave"),
     ("band", "--band 2.5"),
     ("against", "--against latitude"),
@@ -146,6 +162,10 @@ const ROLL_ERROR: [(&str, &str); 33] = [
     ("free", "--free"),
     ("scorsby", "--scorsby"),
     ("formula", "--formula"),
+    ("list", "--list"),
+    ("card", "--card"),
+    ("csv", "--csv %"),
+    ("spectrum", "--spectrum"),
     ("svg", "--svg %"),
 ];
 
@@ -158,13 +178,32 @@ fn each_pair_of_options_of_the_rolling_error_is_used_or_refused() {
     each_pair("roll-error", &roll_error(), &["--heading", "45"]);
 }
 
+/// What is asked of the sea and of the ship in it.
+const OF_A_SEA: [&str; 11] = [
+    "speed",
+    "sea",
+    "height",
+    "period",
+    "gamma",
+    "sea_from",
+    "ship",
+    "ship_length",
+    "spread",
+    "roll_damping",
+    "also",
+];
+
+/// Pairs without an option of the sea are tried on irregular roll.
 #[test]
 fn the_same_in_a_sea() {
-    let list: Vec<_> = roll_error()
-        .into_iter()
-        .map(|(id, words)| (id, if id == "simulate" { "--seed 7" } else { words }))
-        .collect();
-    each_pair("roll-error", &list, &["--heading", "45", "--sea", "jonswap"]);
+    let cheap = |id, words| match id {
+        "simulate" => "--seed 7",
+        "card" => "--card 3m",
+        _ => words,
+    };
+    let list: Vec<_> = roll_error().into_iter().map(|(id, words)| (id, cheap(id, words))).collect();
+    let is_of_a_sea = |id: &str| OF_A_SEA.contains(&id);
+    each_pair_with(&is_of_a_sea, "roll-error", &list, &["--heading", "45", "--sea", "jonswap"]);
 }
 
 #[test]
@@ -200,6 +239,43 @@ fn each_pair_of_options_of_a_strapdown_system_is_used_or_refused() {
     each_pair("strapdown", &STRAPDOWN, &[&cone[..], &place].concat());
     let sea = ["--loop", "20min,0.6", "--irregular", "3deg,0.1,0.7", "--lever", "2m"];
     each_pair("strapdown", &STRAPDOWN, &[&place[..], &sea].concat());
+}
+
+#[test]
+fn each_pair_of_options_of_the_identification_is_used_or_refused() {
+    let list = [
+        ("trials", "trials.csv"),
+        ("compass", "--compass compass.toml"),
+        ("latitude", "--latitude 50"),
+        ("lever", "--lever 2m"),
+        ("json", "--json"),
+    ];
+    // the table stands before each pair, so that naming it again is refused
+    each_pair("identify", &list, &["trials.csv"]);
+}
+
+const PENDULOUS: [(&str, &str); 12] = [
+    ("latitude", "--latitude 55"),
+    ("speed", "--speed 12kn"),
+    ("headings", "--heading 40"),
+    ("corrector", "--corrector 48,10kn"),
+    ("manoeuvres", "--manoeuvres 6kn,10min"),
+    ("momentum", "--momentum 20"),
+    ("offset", "--offset 2deg"),
+    ("flow", "--flow 90s"),
+    ("ballistic", "--ballistic 0.5"),
+    ("tuned_at", "--tuned-at 45"),
+    ("html", "--html %"),
+    ("json", "--json"),
+];
+
+#[test]
+fn each_pair_of_options_of_a_compass_with_a_ballistic_is_used_or_refused() {
+    each_pair("pendulous", &PENDULOUS, &["--latitude", "50"]);
+    // where headings differ
+    let list: Vec<_> = PENDULOUS.into_iter().map(|(id, words)| (id, words.replace("12kn", "9kn"))).collect();
+    let list: Vec<_> = list.iter().map(|(id, words)| (*id, words.as_str())).collect();
+    each_pair("pendulous", &list, &["--latitude", "50", "--speed", "10kn"]);
 }
 
 /// Exit code and both outputs of a command of roll-error on a model file.

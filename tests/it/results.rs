@@ -100,6 +100,8 @@ fn no_result_destroys_what_was_read() {
         ("roll-error compass.toml roll.toml --svg", &["data/roll.csv", "roll.toml", "compass.toml"]),
         ("roll-error roll.toml --html", &["data/roll.csv", "roll.toml"]),
         ("roll-error log.toml --html", &["data/log", "log.toml"]),
+        ("roll-error compass.toml roll.toml --card --csv", &["data/roll.csv", "roll.toml", "compass.toml"]),
+        ("roll-error roll.toml --card --html", &["data/roll.csv", "roll.toml"]),
         ("formula request.toml --out", &["request.toml", "./request.toml"]),
         ("audit formulas.toml --out", &["formulas.toml", "data/../formulas.toml"]),
     ] {

@@ -30,7 +30,7 @@ fn the_share_of_the_tail_is_that_of_its_frequencies() {
     let lag = |w: f64| m * c / (c * c + (r * w).powi(2));
     let example = "--irregular=0.17320508075688773rad,0.1,0.8";
     // the white tail of a slow and narrow roll, of a quick one, and a sine
-    let (narrow, quick) = ("--irregular=1deg,0.001,5", "--irregular=1deg,0.3,3");
+    let (narrow, quick) = ("--irregular=1deg,0.001,5rad/s", "--irregular=1deg,0.3,3rad/s");
     let rolls = [(example, [0.1, 0.8]), (narrow, [0.001, 5.0]), (quick, [0.3, 3.0])];
     let parts: [(&str, &dyn Fn(f64) -> f64); 2] = [("--inertia", &inertia), ("--lever=3m", &lag)];
     let ends = [1e-3, 1e9];
@@ -126,7 +126,7 @@ fn what_is_said_of_the_tail_is_what_it_counts_for() {
         assert!(!note.contains("of the mean"), "{note}");
     }
     // a narrow roll and a sine hardly have a tail
-    for (words, most) in [("--irregular=1deg,0.001,5", 2e-4), ("--irregular=10deg,1e-9,0.8", 1e-7)] {
+    for (words, most) in [("--irregular=1deg,0.001,5rad/s", 2e-4), ("--irregular=10deg,1e-9,0.8", 1e-7)] {
         let told = asked_json(&[words]);
         assert!(told["white_tail"]["share"].as_f64().unwrap() < most, "{told}");
         let note = told["note"].as_str().unwrap();

@@ -34,8 +34,14 @@ fn a_request_tells_what_the_command_tells() {
     compass.part = Box::new(Compliance { meridian, vertical: Some((1e4, 0.5)) });
     compass.speed = 6.0;
     let sea = Sea::Jonswap { height: 3.0, peak: std::f64::consts::TAU / 8.0, gamma: 3.3 };
-    let waves =
-        Waves { sea, from: 60f64.to_radians(), hull: Hull::default(), also: vec![Axis::Pitch, Axis::Heave] };
+    let waves = Waves {
+        sea,
+        from: 60f64.to_radians(),
+        speed: 6.0,
+        spread: None,
+        hull: Hull::default(),
+        also: vec![Axis::Pitch, Axis::Heave],
+    };
     let excitation = Excitation { source: Source::Sea(waves), band: Some(4.0) };
     let request = Request { compass, excitation, ..example() };
     let words = [
@@ -65,7 +71,8 @@ fn a_recorded_roll_tells_what_the_command_tells() {
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/roll.csv");
     let analysis = analyse(&Recording::read(&file).unwrap(), "roll").unwrap();
     let compass = Compass { part: Box::new(Inertia), ..Compass::paper() };
-    let recorded = Recorded { compass: compass.clone(), analysis, headings: vec![NORTHEAST], days: None };
+    let recorded =
+        Recorded { compass: compass.clone(), analysis, band: None, headings: vec![NORTHEAST], days: None };
     let table = recorded.table(&Silent).unwrap();
     assert!(table.is_by_spectrum() && table.rows[0].measured == Some(table.mean(&table.rows[0])));
     let told: Value = serde_json::from_str(&json(&table).unwrap()).unwrap();

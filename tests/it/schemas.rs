@@ -196,6 +196,9 @@ fn integrals_and_tables_fit_their_schemas() {
     let noise = ["--walk", "1e-6", "--align", "300s", "--latitude", "45"];
     fits("strapdown", &said(&[&["strapdown", "--json"], &shaken[..], &rotor].concat()));
     fits("strapdown", &said(&[&["strapdown", "--json"], &noise[..]].concat()));
+    let ship = ["--speed", "12kn", "--corrector", "40,10kn", "--manoeuvres", "5kn,10min"];
+    fits("pendulous", &said(&["pendulous", "--latitude", "50", "--json"]));
+    fits("pendulous", &said(&[&["pendulous", "--latitude", "50", "--json"], &ship[..]].concat()));
     let values = "m=1, r=1, c=1, N=1";
     let call = ["formula", "--h", "m*s^2 + r*s + c", "--g", "N", "--values", values, "--format", "json"];
     fits("formula", &said(&call));
@@ -214,6 +217,10 @@ fn rolling_errors_fit_their_schemas() {
     ] {
         fits("roll-error", &said(call));
     }
-    fits("roll-error-formula", &said(&["roll-error", "--formula", "--json"]));
+    for motion in [&[][..], &["--regular", "5deg,0.7"], &["--sea", "pm"]] {
+        fits("roll-error-formula", &said(&[&["roll-error", "--formula", "--json"], motion].concat()));
+    }
+    fits("roll-error-spectrum", &said(&["roll-error", "--spectrum", "--json"]));
+    fits("identified", &said(&["identify", "examples/trials.csv", "--json"]));
     fits("scorsby", &said(&["roll-error", "--scorsby", "--json"]));
 }

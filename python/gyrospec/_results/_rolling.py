@@ -27,12 +27,15 @@ class RollErrorRow:
     latitude_deg: float | None = None
     significant_height_m: float | None = None
     measured_spectrum_mean_deg: float | None = None
+    percentiles_deg: dict[str, float] | None = None
+    """The error lies below `p5`, `p50`, `p95`, `p99` so many percent of the time."""
+    skewness: float | None = None
     mean_margin_deg: float | None = None
     """Half the 99 % interval of the mean, where a part that is not linear is simulated."""
     spread_margin_deg: float | None = None
     linearised_mean_deg: float | None = None
     """The mean by stochastic linearisation of such a part, whose error nothing bounds."""
-    simulated: dict[str, float] | None = None
+    simulated: dict[str, Any] | None = None
 
 
 @dataclass(frozen=True, repr=False)
@@ -55,6 +58,8 @@ class RollError(Report):
     """The mean on heading 45° by the motion's frequencies up to each, and by what share of the largest of these
     means an end of the band above it changes it; none for a motion of finite acceleration that has hardly any
     there."""
+    sea: dict[str, Any] | None = None
+    """What became of a sea: how far its rational spectrum is off, and the damping of her roll in it."""
     trusted_mean: str = "mean_deg"
     """The column of the mean to trust: `mean_deg`, or `measured_spectrum_mean_deg`."""
     sign: str = ""

@@ -12,6 +12,7 @@ mod fault;
 mod fit;
 mod integral;
 mod model;
+mod pendulous;
 mod recording;
 mod roll_error;
 mod simulate;
@@ -36,6 +37,8 @@ mod _gyrospec {
     use super::integral::{Integral, integral};
     #[pymodule_export]
     use super::model::Model;
+    #[pymodule_export]
+    use super::pendulous::pendulous;
     #[pymodule_export]
     use super::recording::Recording;
     #[pymodule_export]

@@ -1,11 +1,14 @@
 //! `gyrospec roll-error`: mean and spread of the rolling error.
 
+mod answer;
+mod card;
 mod compass;
 mod examples;
 mod hints;
 mod options;
 mod part;
 mod recording;
+mod spectrum;
 
 use super::input::Held;
 use super::progress::Meter;
@@ -13,11 +16,14 @@ use super::{Outcome, output};
 use crate::estimate::fit::Progress;
 use crate::gyro::SIGN;
 use crate::record::read_once;
-use crate::report::polar;
-use crate::report::rolling::{Sheet, card, formula_json, formula_text, free_text, json, page, text};
-use crate::report::rolling::{approval_json, approval_text};
-use crate::rolling::{Compass, Recorded, Request, Scorsby, Table, closed_form, closed_values, left_alone};
+use crate::report::rolling::{
+    Sheet, formula_json, formula_text, free_text, instruments_text, json, page, text,
+};
+use crate::report::rolling::{approval_json, approval_text, deviation_csv, deviation_sheet, deviation_text};
+use crate::report::{polar, rolling};
+use crate::rolling::{Compass, Recorded, Request, Scorsby, Table, closed_form_on, closed_values, left_alone};
 use crate::{Error, Result};
+use answer::Instead;
 use hints::worded;
 use options::RowOptions;
 use std::path::PathBuf;
@@ -47,75 +53,16 @@ pub struct Arguments {
     /// Polar picture of the error against heading, as SVG; - is standard output.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
-    /// A report with pictures, one page that opens offline; - is standard output.
+    /// A report with pictures, one page that opens offline; of --card one sheet of A4; - is standard output.
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
+    /// The card as CSV; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
     /// One JSON object instead of text.
     #[arg(long)]
     json: bool,
 }
-
-/// What may be told in place of a table of errors.
-#[derive(clap::Args)]
-struct Instead {
-    /// Free motion instead: periods, damping and settling against latitude.
-    #[arg(long, conflicts_with_all = FREE_OF)]
-    free: bool,
-    /// The largest errors on a Scorsby table instead, beside what type approval allows.
-    #[arg(long, conflicts_with_all = SCORSBY_SETS)]
-    scorsby: bool,
-    /// Closed form of the mean error, with its value on each --heading.
-    #[arg(long, conflicts_with_all = LETTERS_HAVE_NO)]
-    formula: bool,
-}
-
-impl Instead {
-    /// Whether it is asked for.
-    fn is_given(&self) -> bool {
-        self.free || self.scorsby || self.formula
-    }
-}
-
-/// What says nothing of the free motion.
-const FREE_OF: [&str; 15] = [
-    "recording",
-    "roll",
-    "part",
-    "lever",
-    "speed",
-    "motion",
-    "waves",
-    "band",
-    "against",
-    "headings",
-    "simulate",
-    "seed",
-    "svg",
-    "html",
-    "json",
-];
-
-/// What the table sets itself, or what is not told of it.
-const SCORSBY_SETS: [&str; 14] = [
-    "free",
-    "formula",
-    "recording",
-    "roll",
-    "speed",
-    "motion",
-    "waves",
-    "band",
-    "against",
-    "headings",
-    "simulate",
-    "seed",
-    "svg",
-    "html",
-];
-
-/// What the closed form cannot show.
-const LETTERS_HAVE_NO: [&str; 8] =
-    ["free", "recording", "speed", "against", "simulate", "seed", "svg", "html"];
 
 /// Step of the headings in the picture, degrees; a divisor of the table's.
 const PICTURE_STEP: usize = 3;
@@ -133,7 +80,10 @@ Examples:
   gyrospec roll-error --sea jonswap --height 3m --period 8s --sea-from 60deg --also pitch,heave --against latitude
   gyrospec roll-error compass.toml ship.csv --roll roll_deg:deg --json
   gyrospec roll-error --free
+  gyrospec roll-error --list
   gyrospec roll-error --scorsby --lever 1m
+  gyrospec roll-error --sea jonswap --period 9s --card 1m,2m,4m,6m --html card.html --csv card.csv
+  gyrospec roll-error --regular 5deg,10s --card 2deg,10deg,15deg
   gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --band 2.5rad/s --heading 45deg --simulate 4
   gyrospec roll-error --inertia --flow 4s,0.1 --friction 2N --band 2.5rad/s --heading 45deg
 Parts go together: each option of a part adds it to the suspension.";
@@ -141,10 +91,19 @@ Parts go together: each option of a part adds it to the suspension.";
 pub fn run(a: &Arguments) -> Result<Outcome> {
     let read = a.model_or_parameters.iter().chain(&a.recording);
     let read: Vec<PathBuf> = read.cloned().collect();
-    let [picture, html] = output::open([&a.svg, &a.html].map(Option::as_deref))?;
-    output::spare(picture.iter().chain(&html), &read)?;
-    let to_stdout = picture.iter().chain(&html).any(output::Place::is_standard_output);
-    if to_stdout && a.json {
+    // the parser does not ask for what conflicts with another option, as --card does with --against
+    if a.csv.is_some() && a.instead.card.is_none() {
+        return Err(
+            Error::usage("--csv writes the deviation card, and there is none").with_hint("say --card")
+        );
+    }
+    if a.instead.list {
+        output::words(&instruments_text())?;
+        return Ok(Outcome::Done);
+    }
+    let places = Places::open(a)?;
+    output::spare(places.all(), &read)?;
+    if places.take_standard_output() && a.json {
         return Err(Error::usage("standard output takes one result: a page, a picture or JSON")
             .with_hint("name a file for the picture or the page"));
     }
@@ -161,11 +120,17 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
     }
     let named = |e: Error| parameters.map_or(e.clone(), |held| held.place(e));
     let compass = compass::read(parameters.map(Held::path), &a.instrument).map_err(named)?;
+    if let Some(sizes) = &a.instead.card {
+        return carded(a, sizes, (compass, file), places, read);
+    }
     if a.instead.is_given() {
         if file.is_some() {
             return Err(Error::usage(
-                "a recording says nothing of the closed form, of the free motion or of a Scorsby table",
+                "a recording says nothing of the closed form, the spectrum, the free motion or a Scorsby table",
             ));
+        }
+        if a.instead.spectrum {
+            return spectrum::told(&compass, a, places.html, &read).map(|()| Outcome::Done);
         }
         let text = match (a.instead.free, a.instead.scorsby) {
             (true, _) => free(&compass)?,
@@ -175,7 +140,7 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
         told(&text, a.json)?;
         return Ok(Outcome::Done);
     }
-    computed(a, (compass, file), (picture, html), read)
+    computed(a, (compass, file), places, read)
 }
 
 /// The compass left alone, and a sudden change of 10 kn.
@@ -191,17 +156,8 @@ fn scorsby(compass: &Compass, as_json: bool) -> Result<String> {
 
 /// The closed form, with its value on each heading.
 fn formula(compass: &Compass, a: &Arguments) -> Result<String> {
-    if a.motion.is_sea() {
-        return Err(Error::usage("a sea's fitted spectrum has no short formula")
-            .with_hint("leave --sea away: the formula is for irregular roll of the form (3.3)"));
-    }
-    if a.motion.is_regular() {
-        return Err(Error::usage("the closed form is for irregular roll; on regular roll the lag has (2.4)").with_hint(
-            "−P²θ₀²h²p⁴ sin 2K/(4 g² H U C₀ cos φ (1 + p²T²)) = mean α; --regular without --formula gives its value",
-        ));
-    }
-    let excitation = a.motion.excitation(compass.roll)?;
-    let closed = closed_form(compass.part.as_ref(), excitation.band)?;
+    let excitation = a.motion.excitation(compass.roll)?.under_way(compass.speed);
+    let closed = closed_form_on(compass.part.as_ref(), &excitation)?;
     let headings = if a.rows.has_headings() { a.rows.headings()? } else { vec![45f64.to_radians()] };
     let values = closed_values(compass, &excitation, &headings)?;
     Ok(if a.json {
@@ -219,13 +175,16 @@ pub enum Asked {
     Recorded(Box<Recorded>),
 }
 
-impl Asked {
-    fn options(compass: Compass, a: &Arguments, rows: &RowOptions) -> Result<Self> {
-        let excitation = a.motion.excitation(compass.roll)?;
-        let against = rows.rows(&a.instrument, &a.motion)?;
-        Ok(Self::Options(Box::new(Request { compass, excitation, against, days: rows.days()? })))
+impl Arguments {
+    /// What the options ask for of a compass.
+    fn request(&self, compass: Compass, rows: &RowOptions) -> Result<Request> {
+        let excitation = self.motion.excitation(compass.roll)?.under_way(compass.speed);
+        let against = rows.rows(&self.instrument, &self.motion)?;
+        Ok(Request { compass, excitation, against, days: rows.days()? })
     }
+}
 
+impl Asked {
     /// The table, or what stands against it in the words of the options.
     pub fn table(&self, progress: &dyn Progress) -> Result<Table> {
         match self {
@@ -241,40 +200,96 @@ impl Asked {
     }
 }
 
+/// Where the results go.
+struct Places {
+    picture: Option<output::Place>,
+    html: Option<output::Place>,
+    csv: Option<output::Place>,
+}
+
+impl Places {
+    fn open(a: &Arguments) -> Result<Self> {
+        let [picture, html, csv] = output::open([&a.svg, &a.html, &a.csv].map(Option::as_deref))?;
+        Ok(Self { picture, html, csv })
+    }
+
+    fn all(&self) -> impl Iterator<Item = &output::Place> {
+        self.picture.iter().chain(&self.html).chain(&self.csv)
+    }
+
+    fn take_standard_output(&self) -> bool {
+        self.all().any(output::Place::is_standard_output)
+    }
+}
+
+/// The recording's question, whose files are read from here on.
+fn of_recording(
+    a: &Arguments,
+    compass: &Compass,
+    held: &Held,
+    rows: &RowOptions,
+    places: &Places,
+    read: &mut Vec<PathBuf>,
+) -> Result<Recorded> {
+    let recording = recording::read(held, a.roll.as_deref())?;
+    super::record::tell_notes([&recording]);
+    read.extend(recording.sources.iter().map(|s| s.file.clone()));
+    output::spare(places.all(), &*read)?;
+    recording::asked(compass, &recording, a, rows)
+}
+
+/// The deviation card, put where it was asked for.
+fn carded(
+    a: &Arguments,
+    sizes: &str,
+    (compass, file): (Compass, Option<&Held>),
+    places: Places,
+    mut read: Vec<PathBuf>,
+) -> Result<Outcome> {
+    let card = match file {
+        Some(held) => {
+            card::of_recorded(sizes, &of_recording(a, &compass, held, &a.rows, &places, &mut read)?)?
+        }
+        None => card::of_options(a, sizes, &a.request(compass, &a.rows)?)?,
+    };
+    let to_stdout = places.take_standard_output();
+    let html = places.html.map(|place| place.data(deviation_sheet(&card)));
+    let csv = places.csv.map(|place| place.data(deviation_csv(&card)));
+    output::put(&html.into_iter().chain(csv).collect::<Vec<_>>(), &read)?;
+    if !to_stdout {
+        told(&deviation_text(&card), false)?;
+    }
+    Ok(Outcome::Done)
+}
+
 /// The rows of a motion, put where they were asked for.
 fn computed(
     a: &Arguments,
     (compass, file): (Compass, Option<&Held>),
-    (picture, html): (Option<output::Place>, Option<output::Place>),
+    places: Places,
     mut read: Vec<PathBuf>,
 ) -> Result<Outcome> {
-    let to_stdout = picture.iter().chain(&html).any(output::Place::is_standard_output);
     let mut rows = a.rows.clone();
-    if (picture.is_some() || html.is_some()) && !rows.has_headings() && rows.days()?.is_none() {
+    if (places.picture.is_some() || places.html.is_some()) && !rows.has_headings() && rows.days()?.is_none() {
         rows.step = PICTURE_STEP;
     }
     let asked = match file {
-        Some(held) => {
-            let recording = recording::read(held, a.roll.as_deref())?;
-            super::record::tell_notes([&recording]);
-            read.extend(recording.sources.iter().map(|s| s.file.clone()));
-            output::spare(picture.iter().chain(&html), &read)?;
-            Asked::Recorded(Box::new(recording::asked(&compass, &recording, a, &rows)?))
-        }
-        None => Asked::options(compass, a, &rows)?,
+        Some(held) => Asked::Recorded(Box::new(of_recording(a, &compass, held, &rows, &places, &mut read)?)),
+        None => Asked::Options(Box::new(a.request(compass, &rows)?)),
     };
     let table = asked.table(&Meter)?;
     let every = if rows.step == a.rows.step || rows.has_headings() { 1 } else { a.rows.step / rows.step };
     let shown = table.every(every);
     let text = if a.json { json(&shown)? } else { text(&shown) };
+    let to_stdout = places.take_standard_output();
     let mut results = Vec::new();
-    if let Some(place) = html {
+    if let Some(place) = places.html {
         let formula = table.closed_form().map(|f| f.text());
         let sheet = Sheet { table: &table, every, formula: formula.as_deref(), seed: a.rows.seed };
         results.push(place.data(page(&sheet)));
     }
-    if let Some(place) = picture {
-        let card = card(&table)
+    if let Some(place) = places.picture {
+        let card = rolling::card(&table)
             .ok_or_else(|| Error::usage("the polar picture runs over headings; leave --against away"))?;
         results.push(place.data(polar::svg(&card)));
     }
@@ -311,6 +326,11 @@ pub fn asked(options: &[String], given: &Given<'_>) -> Result<(Asked, u64)> {
     }
     let words = std::iter::once("roll-error").chain(options.iter().map(String::as_str));
     let a = <Alone as clap::Parser>::try_parse_from(words).map_err(|e| usage(&e))?.arguments;
+    if a.instead.is_given() {
+        return Err(Error::usage(
+            "only the table of errors is told here: ask for free, scorsby, formula or card on the command line",
+        ));
+    }
     let compass = match given.text {
         Some(text) => compass::with(Compass::parse(text)?, &a.instrument)?,
         None => compass::read(given.path, &a.instrument)?,
@@ -320,7 +340,7 @@ pub fn asked(options: &[String], given: &Given<'_>) -> Result<(Asked, u64)> {
         None if a.roll.is_some() => {
             return Err(Error::usage("roll names the channel of a recording, and there is none"));
         }
-        None => Asked::options(compass, &a, &a.rows)?,
+        None => Asked::Options(Box::new(a.request(compass, &a.rows)?)),
     };
     Ok((asked, a.rows.seed))
 }

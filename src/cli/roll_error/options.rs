@@ -21,7 +21,7 @@ pub struct InstrumentOptions {
     /// Height of the compass above the roll axis.
     #[arg(long, allow_hyphen_values = true)]
     pub lever: Option<String>,
-    /// Speed of the ship over the ground.
+    /// Speed of the ship over the ground; in a sea, through the waves too.
     #[arg(long, allow_hyphen_values = true)]
     pub speed: Option<String>,
 }
@@ -135,6 +135,12 @@ struct SeaOptions {
     /// Length of the ship's waterline; six beams if absent.
     #[arg(long, requires = "sea", value_name = "LENGTH", allow_hyphen_values = true)]
     ship_length: Option<String>,
+    /// Waves from many directions: n of cosⁿ about the main one, 2 to 4 in a wind sea; long crests if absent.
+    #[arg(long, requires = "sea", value_name = "N")]
+    spread: Option<f64>,
+    /// Damping of the ship's roll beyond the ratio: d of d|rate|rate, 1/rad, and c of c rate³, s/rad²; 0 if absent.
+    #[arg(long, requires = "sea", value_name = "QUADRATIC[,CUBIC]")]
+    roll_damping: Option<String>,
     /// Other motions in the same sea; heave and yaw change the spread alone, not the mean.
     #[arg(long, requires = "sea", value_enum, value_delimiter = ',')]
     also: Vec<Also>,
@@ -143,7 +149,12 @@ struct SeaOptions {
 impl MotionOptions {
     /// Whether a motion was asked for.
     pub fn given(&self) -> bool {
-        self.irregular.is_some() || self.regular.is_some() || self.sea.is_some() || self.band.is_some()
+        self.is_named() || self.band.is_some()
+    }
+
+    /// Whether it says what the motion is, not only where its band ends.
+    pub fn is_named(&self) -> bool {
+        self.irregular.is_some() || self.regular.is_some() || self.sea.is_some()
     }
 
     /// Whether the motion is a sea.
@@ -151,9 +162,9 @@ impl MotionOptions {
         self.sea.is_some()
     }
 
-    /// Whether the motion is regular roll.
-    pub fn is_regular(&self) -> bool {
-        self.regular.is_some()
+    /// Whether the size of the motion was said.
+    pub fn is_sized(&self) -> bool {
+        self.waves.height.is_some() || self.irregular.is_some() || self.regular.is_some()
     }
 
     /// What moves the ship; irregular roll is `default`, else the paper's, where nothing is said.
@@ -176,8 +187,12 @@ impl MotionOptions {
             }
             (None, None, None) => Source::Irregular(default.unwrap_or_else(|| seed::example_3_1().1)),
         };
-        let band = self.band.as_deref().map(|text| quantity("band", text, &range::BAND)).transpose()?;
-        Ok(Excitation { source, band })
+        Ok(Excitation { source, band: self.band()? })
+    }
+
+    /// The corner of the low-passes, rad/s.
+    pub fn band(&self) -> Result<Option<f64>> {
+        self.band.as_deref().map(|text| quantity("band", text, &range::BAND)).transpose()
     }
 }
 
@@ -189,6 +204,14 @@ impl SeaOptions {
         let from = from.unwrap_or(std::f64::consts::FRAC_PI_2);
         let hull = self.hull()?;
         let (athwart, along) = Hull::slopes(from);
+        if let Some(n) = self.spread {
+            range::SEA_SPREAD.check(n).map_err(|e| e.about("--spread"))?;
+            if self.also.contains(&Also::Yaw) {
+                return Err(Error::usage("yaw is that of a sea whose crests are long")
+                    .with_hint("leave --spread or yaw away; yaw changes no mean"));
+            }
+        }
+        let (athwart, along) = if self.spread.is_some() { (1.0, 1.0) } else { (athwart, along) };
         for also in &self.also {
             let (name, [across, ahead]) = (format!("{also:?}").to_lowercase(), also.excited_by());
             let lacks = match (ahead && along == 0.0, across && athwart == 0.0) {
@@ -206,7 +229,8 @@ impl SeaOptions {
             )
             .with_hint("say --also pitch, or another --sea-from"));
         }
-        Ok(Waves { sea, from, hull, also: self.also.iter().map(|a| a.axis()).collect() })
+        let also = self.also.iter().map(|a| a.axis()).collect();
+        Ok(Waves { sea, from, speed: 0.0, spread: self.spread, hull, also })
     }
 
     fn sea(&self, kind: SeaKind) -> Result<Sea> {
@@ -239,10 +263,16 @@ impl SeaOptions {
             let ranges = [&range::ROLL_PERIOD, &range::ROLL_DAMPING, &range::WAVE_SLOPE, &range::BEAM];
             let v = quantities("ship", text, &ranges)?;
             let frequency = std::f64::consts::TAU / v[0];
-            hull = Hull { frequency, damping: v[1], slope: v[2], beam: v[3], length: Hull::BEAMS * v[3] };
+            let (beam, length) = (v[3], Hull::BEAMS * v[3]);
+            hull = Hull { frequency, damping: v[1], slope: v[2], beam, length, ..hull };
         }
         if let Some(text) = &self.ship_length {
             hull.length = quantity("ship-length", text, &range::SHIP_LENGTH)?;
+        }
+        if let Some(text) = &self.roll_damping {
+            let ranges = [&range::QUADRATIC_DAMPING, &range::CUBIC_DAMPING];
+            let v = quantities("roll-damping", text, &ranges[..text.split(',').count().clamp(1, 2)])?;
+            (hull.quadratic, hull.cubic) = (v[0], v.get(1).copied().unwrap_or(0.0));
         }
         Ok(hull)
     }
@@ -255,6 +285,9 @@ pub enum Against {
     /// Significant wave height of the sea.
     Height,
 }
+
+/// Days that are simulated at most.
+const MOST_DAYS: f64 = 1e4;
 
 /// Step of the headings of a table, degrees.
 pub const STEP: usize = 15;
@@ -270,9 +303,9 @@ pub struct RowOptions {
     /// Step of the headings when none is given, degrees.
     #[arg(skip = STEP)]
     pub step: usize,
-    /// Simulate this many days beside the formula, two at least.
+    /// Simulate this many days beside the formula, 2 to 10000.
     #[arg(long, value_name = "DAYS")]
-    simulate: Option<usize>,
+    simulate: Option<String>,
     /// Seed of the simulation.
     #[arg(long, default_value_t = 1, requires = "simulate")]
     pub seed: u64,
@@ -286,11 +319,22 @@ impl RowOptions {
 
     /// The days to simulate: two at least, since the interval comes from their scatter.
     pub fn days(&self) -> Result<Option<Days>> {
-        match self.simulate {
-            Some(0 | 1) => Err(Error::usage("--simulate needs two days at least")
-                .with_hint("each day is a replicate, and the 99 % interval comes from their scatter")),
-            days => Ok(days.map(|count| Days { count, seed: self.seed })),
+        let Some(text) = &self.simulate else { return Ok(None) };
+        let value: Option<f64> = text.trim().parse().ok().filter(|v: &f64| v.is_finite() && v.fract() == 0.0);
+        let Some(value) = value else {
+            return Err(Error::usage(format!("--simulate takes a whole number of days, not `{text}`")));
+        };
+        if value < 2.0 {
+            return Err(Error::usage("--simulate needs two days at least")
+                .with_hint("each day is a replicate, and the 99 % interval comes from their scatter"));
         }
+        if value > MOST_DAYS {
+            return Err(Error::usage(format!("--simulate takes {MOST_DAYS} days at most, not {text}"))
+                .with_hint(
+                    "the interval falls as the root of the days: a hundred times as many for a tenth of it",
+                ));
+        }
+        Ok(Some(Days { count: value as usize, seed: self.seed }))
     }
 
     /// Whether something was said.

@@ -11,9 +11,9 @@ use std::path::Path;
 
 /// The rolling error on a recorded roll, as it is asked for.
 pub fn asked(compass: &Compass, recording: &Recording, a: &Arguments, rows: &RowOptions) -> Result<Recorded> {
-    if a.motion.given() || rows.against != Against::Heading {
+    if a.motion.is_named() || rows.against != Against::Heading {
         return Err(Error::usage("a recording is the motion, and its rows run over headings")
-            .with_hint("leave the options of the motion and --against away"));
+            .with_hint("leave the options of the motion but --band, and --against, away"));
     }
     let name = roll_name(recording, a.roll.as_deref())?;
     let mut compass = compass.clone();
@@ -25,7 +25,8 @@ pub fn asked(compass: &Compass, recording: &Recording, a: &Arguments, rows: &Row
         return Err(worded(&obstacle));
     }
     let analysis = analyse(recording, &name)?;
-    Ok(Recorded { compass, analysis, headings: rows.headings()?, days: rows.days()? })
+    let (band, headings, days) = (a.motion.band()?, rows.headings()?, rows.days()?);
+    Ok(Recorded { compass, analysis, band, headings, days })
 }
 
 /// Reads a recording. For a bare CSV whose header has no units, `roll` as NAME:UNIT says what

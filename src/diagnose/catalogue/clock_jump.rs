@@ -23,7 +23,8 @@ use crate::units::Unit;
 
 /// A clock that jumps.
 pub(super) const MECHANISM: Mechanism =
-    Mechanism::new("clock-jump", "a clock that jumps", Group::Output, include_str!("clock_jump.rs"), propose);
+    Mechanism::new("clock-jump", "a clock that jumps", Group::Output, include_str!("clock_jump.rs"), propose)
+        .shifting_time();
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

@@ -29,7 +29,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     Group::Output,
     include_str!("clock_offset.rs"),
     propose,
-);
+)
+.shifting_time();
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials || scene.tables.len() < 2 {

@@ -31,7 +31,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     Group::Input,
     include_str!("input_delay.rs"),
     propose,
-);
+)
+.shifting_time();
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

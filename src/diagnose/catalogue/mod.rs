@@ -67,6 +67,8 @@ pub struct Mechanism {
     source: &'static str,
     /// The extended models, one or several a site.
     pub propose: fn(&Scene) -> Vec<Proposal>,
+    /// Whether it shifts a signal in time, so that what is missing goes with the signal's rate.
+    pub shifts_time: bool,
 }
 
 impl Mechanism {
@@ -78,7 +80,12 @@ impl Mechanism {
         source: &'static str,
         propose: fn(&Scene) -> Vec<Proposal>,
     ) -> Self {
-        Self { code, title, group, source, propose }
+        Self { code, title, group, source, propose, shifts_time: false }
+    }
+
+    /// The same, which shifts a signal in time.
+    const fn shifting_time(self) -> Self {
+        Self { shifts_time: true, ..self }
     }
 
     /// The page: the file's own doc comment without the comment marks.

@@ -29,7 +29,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     Group::Output,
     include_str!("output_delay.rs"),
     propose,
-);
+)
+.shifting_time();
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

@@ -17,7 +17,7 @@
 //! Differentiated noise is large: the means along the signal count, not the single samples.
 
 use super::bins::{self, Sample};
-use super::probe::{Probe, accused};
+use super::probe::{Accused, Probe};
 use super::{Assembly, Law, Point};
 use crate::diagnose::catalogue::{Proposal, edit};
 use crate::estimate::Fit;
@@ -116,14 +116,14 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     let model = &fit.model;
     let target = target(model, p)?;
     let neutral = p.neutral.as_ref()?;
-    let (signal, along, signal_unit) = accused(model, p);
+    let accused = Accused::of(model, p);
     let mut probe = Probe::of(model);
     let mut at_rest = Vec::new();
     for (a, value) in p.added.iter().zip(neutral) {
         at_rest.push((a.name.as_str(), probe.constant(*value, &a.unit)));
     }
     let rest = probe.variant(&target.whole, &at_rest);
-    for e in [along, target.factor.clone(), rest, target.whole.clone()] {
+    for e in [accused.along.clone(), target.factor.clone(), rest, target.whole.clone()] {
         probe.watch(e);
     }
     let spread = spread(fit, p);
@@ -138,10 +138,11 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     let times: Vec<f64> = measured.iter().map(|m| m[0]).collect();
     let rows = probe.run(bench, fit, &times)?;
     let (mut data, mut curve) = (Vec::new(), Vec::new());
-    let (of_x, of_y) = (|x: f64| signal_unit.from_si(x), |y: f64| target.unit.difference_from_si(y));
+    let of_y = |y: f64| target.unit.difference_from_si(y);
+    let along = accused.values(&rows);
     for (row, (t, v)) in rows.iter().enumerate() {
         let Some(m) = measured.get(times.partition_point(|x| x < t)) else { continue };
-        let (x, factor, rest, whole) = (of_x(v[0]), v[1], v[2], v[3]);
+        let (x, factor, rest, whole) = (along[row], v[1], v[2], v[3]);
         let difference = if channel.wraps { principal(m[1] - rest) } else { m[1] - rest };
         let pulls: Vec<f64> = v[4..].iter().map(|b| (b - whole) / factor).collect();
         let deviation = of_y(spread.of(&pulls)).abs();
@@ -149,8 +150,8 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
         curve.push(Sample { x, y: of_y((whole - rest) / factor), deviation, row });
     }
     let words = Words {
-        signal,
-        signal_unit,
+        signal: accused.words,
+        signal_unit: accused.unit,
         effect: target.words,
         effect_unit: target.unit,
         formula: target.formula,
@@ -206,26 +207,27 @@ fn most_moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Moved> {
 fn moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     let (bench, found) = (&assembly.bench, &assembly.found);
     let m = most_moved(assembly, p)?;
-    let (signal, along, signal_unit) = accused(&found.last.model, p);
+    let accused = Accused::of(&found.last.model, p);
     let stride = m.time.len().div_ceil(SAMPLES).max(1);
     let at: Vec<usize> = (0..m.time.len()).step_by(stride).collect();
     let times: Vec<f64> = at.iter().map(|i| m.time[*i]).collect();
     let mut probe = Probe::of(&found.last.model);
-    probe.watch(along);
+    probe.watch(accused.along.clone());
     let rows = probe.run(bench, &found.last, &times)?;
+    let along = accused.values(&rows);
     let output = &found.last.model.outputs[m.output];
     let unit = output.unit.of_differences();
     let (mut data, mut curve) = (Vec::new(), Vec::new());
-    for (row, (t, v)) in rows.iter().enumerate() {
+    for (row, (t, _)) in rows.iter().enumerate() {
         let Some(i) = at.get(times.partition_point(|x| x < t)) else { continue };
-        let x = signal_unit.from_si(v[0]);
+        let x = along[row];
         let sample = |y: f64| Sample { x, y: unit.difference_from_si(y), deviation: 0.0, row };
         data.push(sample(m.without[*i]));
         curve.push(sample(m.without[*i] - m.with[*i]));
     }
     let words = Words {
-        signal,
-        signal_unit,
+        signal: accused.words,
+        signal_unit: accused.unit,
         effect: format!("{}: measured less the model without it", output.name),
         effect_unit: unit,
         formula: String::new(),
@@ -248,7 +250,7 @@ fn law(p: &Proposal, words: Words, data: &[Sample], curve: &[Sample]) -> Law {
     let cut = order.len() / 100;
     let inside = |y: f64| order.get(cut).is_some_and(|l| y >= *l) && y <= order[order.len() - 1 - cut];
     // the wildest are derivatives at the ends of a stretch, which would hide the law
-    let kept: Vec<Sample> = data.iter().filter(|s| inside(s.y)).copied().collect();
+    let kept: Vec<Sample> = data.iter().filter(|s| s.x.is_finite() && inside(s.y)).copied().collect();
     let drawn = kept.iter().step_by(kept.len().div_ceil(DRAWN).max(1));
     Law {
         code: p.code.to_string(),

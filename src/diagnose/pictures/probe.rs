@@ -1,9 +1,10 @@
 //! A finding's effect, watched along the run of the model that has it.
 
 use crate::diagnose::bench::Bench;
-use crate::diagnose::catalogue::{Proposal, edit};
+use crate::diagnose::catalogue::{self, Proposal, edit};
 use crate::estimate::Fit;
 use crate::estimate::fit::{Effort, setup};
+use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
 use crate::model::{Definition, Model, Output, Parameter};
 use crate::record::Channel;
@@ -105,8 +106,49 @@ impl Probe {
     }
 }
 
-/// The signal that a finding goes with: what it brings in, else what its term or its site names.
-pub fn accused(model: &Model, p: &Proposal) -> (String, Expr, Unit) {
+/// The signal that a finding goes with.
+pub struct Accused {
+    /// Its name, or that it is the rate of a name.
+    pub words: String,
+    /// The signal.
+    pub along: Expr,
+    /// Unit of what is drawn.
+    pub unit: Unit,
+    /// Whether the signal's rate is drawn.
+    is_rate: bool,
+}
+
+impl Accused {
+    /// What a finding brings in, else what its term or its site names; of a shift in time the rate of what it shifts.
+    pub fn of(model: &Model, p: &Proposal) -> Self {
+        if catalogue::find(p.code).is_ok_and(|m| m.shifts_time) {
+            // u(t + τ) − u(t) = τ u̇ + …
+            let (name, along, unit) = signal(model, &p.site.name);
+            let unit = Unit::parse("s").map_or_else(|_| unit.clone(), |s| unit.over(&s));
+            return Self { words: format!("rate of {name}"), along, unit, is_rate: true };
+        }
+        let (words, along, unit) = accused(model, p);
+        Self { words, along, unit, is_rate: false }
+    }
+
+    /// What is drawn along the axis, in its unit, for each row whose first value is the signal.
+    pub fn values(&self, rows: &[(f64, Vec<f64>)]) -> Vec<f64> {
+        let own: Vec<f64> = rows.iter().map(|r| r.1[0]).collect();
+        if !self.is_rate {
+            return own.into_iter().map(|x| self.unit.from_si(x)).collect();
+        }
+        let kept: Vec<usize> = (0..own.len()).filter(|i| own[*i].is_finite()).collect();
+        let (time, level): (Vec<f64>, Vec<f64>) = kept.iter().map(|i| (rows[*i].0, own[*i])).unzip();
+        let mut rates = vec![f64::NAN; own.len()];
+        if let Some(smoother) = Smoother::new(&time, &level) {
+            kept.iter().enumerate().for_each(|(k, i)| rates[*i] = self.unit.from_si(smoother.jet(k)[1]));
+        }
+        rates
+    }
+}
+
+/// What a finding brings in, else what its term or its site names.
+fn accused(model: &Model, p: &Proposal) -> (String, Expr, Unit) {
     let is_signal = |n: &str| {
         model.states.iter().any(|s| s.name == n)
             || model.inputs.iter().any(|i| i.name == n)
@@ -122,11 +164,16 @@ pub fn accused(model: &Model, p: &Proposal) -> (String, Expr, Unit) {
     let Some(name) = usable.next().filter(|_| !over_time) else {
         return ("t".into(), Expr::name("t"), edit::unit_of_name(model, "t").unwrap_or_else(Unit::one));
     };
-    if let Some(o) = model.outputs.iter().find(|o| o.name == name && !is_inner(model, &name)) {
-        return (name, o.equals.clone(), o.unit.clone());
+    signal(model, &name)
+}
+
+/// A signal by its name.
+fn signal(model: &Model, name: &str) -> (String, Expr, Unit) {
+    if let Some(o) = model.outputs.iter().find(|o| o.name == name && !is_inner(model, name)) {
+        return (name.to_owned(), o.equals.clone(), o.unit.clone());
     }
-    let unit = edit::unit_of_name(model, &name).unwrap_or_else(Unit::one);
-    (name.clone(), Expr::name(name), unit)
+    let unit = edit::unit_of_name(model, name).unwrap_or_else(Unit::one);
+    (name.to_owned(), Expr::name(name), unit)
 }
 
 fn is_inner(model: &Model, name: &str) -> bool {

@@ -106,14 +106,19 @@ fn sign_of(x: f64, at_zero: Register) -> f64 {
 }
 
 fn whole_power<T: Scalar>(a: T, n: i32) -> T {
-    let x = a.value();
-    let slope = if n == 0 { 0.0 } else { f64::from(n) * x.powi(n - 1) };
-    a.chain(x.powi(n), slope)
+    let (value, slope) = whole_power_parts(a.value(), n);
+    a.chain(value, slope)
+}
+
+/// xⁿ and its slope.
+#[inline]
+pub(crate) fn whole_power_parts(x: f64, n: i32) -> (f64, f64) {
+    (x.powi(n), if n == 0 { 0.0 } else { f64::from(n) * x.powi(n - 1) })
 }
 
 /// f′(x) with y = f(x); 0 where it is infinite, as at √0, so that fits can start there.
 #[inline]
-fn slope(f: Function, x: f64, y: f64) -> f64 {
+pub(crate) fn slope(f: Function, x: f64, y: f64) -> f64 {
     let slope = match f {
         Function::Sin => x.cos(),
         Function::Cos => -x.sin(),

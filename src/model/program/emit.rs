@@ -35,9 +35,10 @@ pub(super) fn program(model: &Model, mut built: Built) -> Result<Program> {
     };
     let everything = vec![true; g.nodes.len()];
     emitter.once = emitter.segment(&everything, &moving, &[Level::Run]);
+    let per_data = emitter.segment(&moving, &moving, &[Level::Data]);
     let per_time = emitter.segment(&moving, &moving, &[Level::Time]);
     let per_state = emitter.segment(&moving, &moving, &[Level::State]);
-    let changing = [Level::Time, Level::State];
+    let changing = [Level::Data, Level::Time, Level::State];
     let output_code = emitter.segment(&fresh(&outputs), &moving, &changing);
     let motion_code = emitter.segment(&fresh(&motion), &moving, &changing);
     let jacobian_code = emitter.segment(&fresh(&slopes), &moving, &changing);
@@ -59,6 +60,7 @@ pub(super) fn program(model: &Model, mut built: Built) -> Result<Program> {
         jacobian: registers(&roots.jacobian),
         explicit_time: registers(&roots.explicit_time),
         once: emitter.once.clone(),
+        per_data,
         per_time,
         per_state,
         motion_code,

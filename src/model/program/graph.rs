@@ -1,7 +1,8 @@
 //! The graph of a model's expressions: equal subexpressions are one node.
 //!
 //! Nodes are numbered so that parts come before what is made of them; constants fold on the way.
-//! A node's level says when it must be computed anew: never, for a run, for a time, for a state.
+//! A node's level says when it must be computed anew: never, for a run, for a time of a recording, for a time of a run,
+//! for a state.
 
 use crate::expression::Function;
 use std::collections::HashMap;
@@ -14,6 +15,8 @@ pub(super) type Id = usize;
 pub(super) enum Level {
     Constant,
     Run,
+    /// What the inputs and the time alone make, the same in every run.
+    Data,
     Time,
     State,
 }
@@ -110,17 +113,32 @@ impl Graph {
         match *node {
             Node::Constant(_) => Level::Constant,
             Node::Parameter(_) => Level::Run,
-            Node::Column(_) | Node::ColumnSlope(_) | Node::Time => Level::Time,
+            Node::Column(c) if self.columns[c].delay.is_none() => Level::Data,
+            Node::Time => Level::Data,
+            Node::Column(_) | Node::ColumnSlope(_) => Level::Time,
             Node::State(_) | Node::Held(_) | Node::Past(_) | Node::PastSlope(_) => Level::State,
             Node::Sign(k) => self.switch_level(k),
-            _ => self.parts(node).into_iter().map(|p| self.levels[p]).max().unwrap_or(Level::Constant),
+            _ => self.together(self.parts(node)),
         }
     }
 
     fn switch_level(&self, k: usize) -> Level {
         let s = self.switches[k];
         let width = s.half_width.map_or(Level::Constant, |w| self.levels[w]);
-        self.levels[s.argument].max(width).max(Level::Run)
+        // the simulation holds the sign
+        match self.levels[s.argument].max(width).max(Level::Run) {
+            Level::Data => Level::Time,
+            level => level,
+        }
+    }
+
+    /// The level of what is made of these.
+    fn together(&self, parts: Vec<Id>) -> Level {
+        let levels: Vec<Level> = parts.into_iter().map(|p| self.levels[p]).collect();
+        match levels.iter().copied().max().unwrap_or(Level::Constant) {
+            Level::Data if levels.contains(&Level::Run) => Level::Time,
+            level => level,
+        }
     }
 
     /// What a node is made of.

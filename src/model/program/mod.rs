@@ -1,7 +1,7 @@
 //! A model compiled to register code, generic over plain and dual numbers.
 //!
 //! Every node of the graph has a register. The code stands in segments by how often it must run:
-//! once a run, once a time, once a state; further segments give outputs, the motion of guards and
+//! once a run, once a time (of the recording, or of a run), once a state; further segments give outputs, the motion of guards and
 //! the Jacobian when they are asked for.
 
 mod build;
@@ -10,7 +10,7 @@ mod derive;
 mod emit;
 mod graph;
 
-pub(crate) use code::{Op, Switching, execute};
+pub(crate) use code::{Action, Op, Switching, execute, slope, whole_power_parts};
 
 use super::Model;
 use crate::Result;
@@ -74,6 +74,8 @@ pub(crate) struct Program {
     pub jacobian: Vec<Register>,
     pub explicit_time: Vec<Register>,
     pub once: Vec<Op>,
+    /// What was measured, and the time, alone.
+    pub per_data: Vec<Op>,
     pub per_time: Vec<Op>,
     pub per_state: Vec<Op>,
     pub motion_code: Vec<Op>,

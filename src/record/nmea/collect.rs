@@ -2,15 +2,17 @@
 
 use super::super::input::Sink;
 use super::known::{self, Known};
+use super::mixed::{self, Talkers};
 use super::request::{Request, Selection};
 use super::sentence::{self, Fault, Sentence};
 use super::stamp::why_no_stamp;
 use crate::error::nearest;
 use crate::record::Hold;
 use crate::record::request::Wanted;
-use crate::units::Unit;
+use crate::units::{Unit, figure};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
+use std::f64::consts::TAU;
 
 /// First line and words of what was noticed.
 type Notes = Vec<(Option<usize>, String)>;
@@ -25,6 +27,7 @@ pub(super) struct Group {
     /// For each selection, the fields that held text, and the first of them.
     texts: Vec<Count>,
     invalid: Count,
+    talkers: Talkers,
 }
 
 /// How often, and the first line and its text.
@@ -179,13 +182,38 @@ impl Collector {
             );
             notes.push((Some(group.invalid.first), says));
         }
-        let talkers: Vec<&str> = self.seen.keys().map(String::as_str).filter(|a| group.mixes(a)).collect();
-        if talkers.len() > 1 {
-            let says =
-                format!("{name} comes from several talkers ({}); name one of them", talkers.join(", "));
-            notes.push((None, says));
-        }
+        notes.extend(self.one_instrument(group)?.map(|says| (None, says)));
         Ok(())
+    }
+
+    /// Refuses a channel of two instruments, or says what looks like one.
+    fn one_instrument(&self, group: &Group) -> Result<Option<String>> {
+        let name = group.label();
+        let talkers: Vec<(&String, &usize)> = self.seen.iter().filter(|(a, _)| group.mixes(a)).collect();
+        let list: Vec<String> = talkers.iter().map(|(a, n)| format!("{a} ({n})")).collect();
+        let counts: Vec<usize> = talkers.iter().map(|t| *t.1).collect();
+        if talkers.len() > 1 && group.talkers.are_in_turn(&counts) {
+            let first = talkers[0].0;
+            return Err(Error::bad_input(format!(
+                "{name} comes from several talkers in turn, {}: these are several instruments, and one channel of all \
+                 would be none of them",
+                list.join(", ")
+            ))
+            .with_hint(format!("give each a channel by its whole address, such as sentence = \"{first}\"")));
+        }
+        if talkers.len() > 1 {
+            return Ok(Some(format!(
+                "{name} comes from several talkers, one after the other ({}); name one of them",
+                list.join(", ")
+            )));
+        }
+        let apart = group.apart();
+        Ok(apart.map(|apart| {
+            format!(
+                "{name} looks like two instruments in turn, {apart} apart, that one talker sends: read as one they are \
+                 neither; give one of them another talker, or log each in a file of its own"
+            )
+        }))
     }
 
     fn there(&self) -> String {
@@ -197,7 +225,16 @@ impl Collector {
 impl Group {
     fn new(sentence: String, id: Option<u32>) -> Self {
         let (selections, time, values) = (Vec::new(), Vec::new(), Vec::new());
-        Self { sentence, id, selections, time, values, texts: Vec::new(), invalid: Count::default() }
+        Self {
+            sentence,
+            id,
+            selections,
+            time,
+            values,
+            texts: Vec::new(),
+            invalid: Count::default(),
+            talkers: Talkers::default(),
+        }
     }
 
     fn add(&mut self, selection: Selection) {
@@ -215,19 +252,31 @@ impl Group {
         address != self.sentence && sentence::kind(address) == self.sentence
     }
 
+    /// How far apart two instruments are that one talker sends in turn, with its unit; angles alone are asked.
+    fn apart(&self) -> Option<String> {
+        let mut angles = self.selections.iter().zip(&self.values).filter(|(s, _)| s.wanted.wraps);
+        angles.find_map(|(s, values)| {
+            let apart = mixed::in_turn(values, Some(s.unit.from_si(TAU)))?;
+            Some(format!("{} {}", figure(apart), s.unit))
+        })
+    }
+
     fn take(&mut self, sentence: &Sentence, time: f64, line: usize) -> Result<()> {
+        let other = self.talkers.take(sentence.address);
         if let Some(previous) = self.time.last().copied().filter(|p| *p >= time) {
             let what = if previous == time { "stands there twice" } else { "runs backwards" };
+            let whose = if other {
+                format!("where two talkers send it, name one, such as {}", sentence.address)
+            } else {
+                format!("where two instruments send {}, give one of them another talker", sentence.address)
+            };
             return Err(Error::bad_input(format!(
                 "the time stamp of {} {what}: {previous} s, then {time} s",
                 self.label()
             ))
             .with_line(line)
             .with_column(1)
-            .with_hint(format!(
-                "split the log where its clock was set; where two talkers send it, name one, such as {}",
-                sentence.address
-            )));
+            .with_hint(format!("split the log where its clock was set; {whose}")));
         }
         self.time.push(time);
         let invalid = known::marked_invalid(sentence);

@@ -10,6 +10,7 @@
 
 mod collect;
 mod known;
+mod mixed;
 mod request;
 mod sentence;
 mod stamp;

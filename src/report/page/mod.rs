@@ -1,7 +1,9 @@
 //! One page that opens offline, without scripts: the same house for every report.
 
+mod sheet;
 mod table;
 
+pub use sheet::sheet;
 pub use table::{estimate, estimates, head, interval, quantity, table};
 
 use crate::report::svg::escaped;

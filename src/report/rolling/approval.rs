@@ -14,7 +14,7 @@ pub fn approval_text(compass: &Compass, a: &Approval) -> String {
     let mut out = format!(
         "Scorsby table: roll {:.0}°, pitch {:.0}° and yaw, by sines of {} to {} s, at most {} m/s² at the compass\n\
          (IMO resolution A.424(XI), 5.2; the lever h = {} m makes the acceleration)\n\
-         compass: {}, part: {}, latitude {}°\n\n\
+         compass: {}, gives way: {}; latitude {}°\n\n\
          motion           period   heading   pitch leads   acceleration   largest mean error\n",
         t.roll.to_degrees(),
         t.pitch.to_degrees(),
@@ -23,7 +23,7 @@ pub fn approval_text(compass: &Compass, a: &Approval) -> String {
         figure(t.acceleration),
         figure(compass.sphere.lever),
         words::origin(&compass.origin),
-        compass.part.name(),
+        words::part(compass.part.name()),
         figure(compass.sphere.latitude.to_degrees()),
     );
     a.worst.iter().for_each(|e| line(&mut out, e));

@@ -16,7 +16,7 @@ pub fn card(table: &Table) -> Option<Polar> {
     });
     let by = if table.is_by_spectrum() { "; the mean is that by the measured spectrum" } else { "" };
     Some(Polar {
-        title: format!("Heading error, {}", table.compass.part.name()),
+        title: format!("Heading error, {}", words::part(table.compass.part.name())),
         subtitle: format!("{}{by}", words::motion(table)),
         warning: words::beyond(&table.smallness),
         points: points.collect(),

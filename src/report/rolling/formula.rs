@@ -3,7 +3,7 @@
 use super::json::smallness;
 use super::words;
 use crate::gyro::{SIGN, side};
-use crate::rolling::{ClosedForm, ClosedValues, Compass, Excitation};
+use crate::rolling::{ClosedForm, ClosedValues, Compass, Excitation, Source};
 use std::fmt::Write;
 
 /// The closed form and its values as text.
@@ -14,14 +14,14 @@ pub fn formula_text(
     values: &ClosedValues,
 ) -> String {
     let mut out = format!(
-        "Mean heading error on irregular roll K(τ) = A e^(−μ|τ|)(cos ετ + (μ/ε) sin ε|τ|), b² = μ² + ε²{}:\n\n{}\n\n\
+        "Mean heading error on {}:\n\n{}\n\n\
          {}\n\n\
          Here ({}; {}; latitude {:.1}°, h = {} m):\n",
-        if excitation.band.is_some() { ",\nbehind two low-passes at ω_c" } else { "" },
+        moved(excitation),
         closed.text(),
         derived(closed),
         words::origin(&compass.origin),
-        words::excitation(excitation, None, false),
+        words::excitation(excitation, values.sea.as_ref(), false),
         compass.sphere.latitude.to_degrees(),
         compass.sphere.lever
     );
@@ -49,10 +49,30 @@ pub fn formula_text(
     out
 }
 
+/// The motion with letters.
+fn moved(excitation: &Excitation) -> String {
+    let roll = match &excitation.source {
+        Source::Irregular(_) => "irregular roll K(τ) = A e^(−μ|τ|)(cos ετ + (μ/ε) sin ε|τ|), b² = μ² + ε²",
+        Source::Regular(_) => "regular roll θ₀ sin pt",
+        Source::Sea(_) => {
+            return "roll in a sea, white noise of density N through W(s)/s² (numbers in s and m)".into();
+        }
+    };
+    let band = if excitation.band.is_some() { ",\nbehind two low-passes at ω_c" } else { "" };
+    format!("{roll}{band}")
+}
+
 /// Where a closed form comes from.
 fn derived(closed: &ClosedForm) -> String {
     let order = closed.order();
     match closed {
+        ClosedForm::Written(_) if order == 0 => {
+            format!(
+                "the mean product of two sines; agrees with complex arithmetic at {} random points",
+                closed.points()
+            )
+        }
+        ClosedForm::Integral { .. } if order == 0 => "a ratio of polynomials in these letters".into(),
         ClosedForm::Written(_) => {
             format!(
                 "derived from I_{order}; agrees with the numeric engine at {} random points",
@@ -80,7 +100,7 @@ pub fn formula_json(
         "formula": closed.text(),
         "order": closed.order(),
         "points_checked": closed.points(),
-        "motion": words::excitation(excitation, None, false),
+        "motion": words::excitation(excitation, values.sea.as_ref(), false),
         "sign": SIGN,
         "validity": values.smallness.iter().map(smallness).collect::<Vec<_>>(),
         "values": values.means.iter().map(row).collect::<Vec<_>>(),

@@ -1,6 +1,6 @@
 //! The table of errors as one JSON object.
 
-use super::words;
+use super::{distribution, sea, words};
 use crate::gyro::validity::Smallness;
 use crate::gyro::{SIGN, Tail};
 use crate::rolling::{Against, Row, Table};
@@ -38,6 +38,9 @@ pub fn json(table: &Table) -> Result<String> {
     });
     if let Some(tail) = &table.tail {
         value["white_tail"] = white_tail(tail);
+    }
+    if let Some(sea) = sea::as_json(table) {
+        value["sea"] = sea;
     }
     let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
     text.push('\n');
@@ -85,6 +88,10 @@ fn row(r: &Row, against: &str) -> Value {
         "spread_linear_deg": e.deviation_linear.to_degrees(),
         "spread_quadratic_deg": e.deviation_quadratic.to_degrees(),
     });
+    if let Some(shape) = &r.shape {
+        out["percentiles_deg"] = distribution::of(shape.percentiles(e));
+        out["skewness"] = json!(shape.skewness);
+    }
     if !r.is_exact() {
         out["mean_margin_deg"] = json!(e.rectified_margin.to_degrees());
         out["spread_margin_deg"] = json!(e.deviation_margin.to_degrees());
@@ -100,6 +107,9 @@ fn row(r: &Row, against: &str) -> Value {
             "mean_margin_deg": m.mean_margin.to_degrees(),
             "variance_deg2": m.variance * to2,
             "variance_margin_deg2": m.variance_margin * to2,
+            "percentiles_deg": distribution::of(m.percentiles.map(|q| q.value)),
+            "percentiles_low_deg": distribution::of(m.percentiles.map(|q| q.low)),
+            "percentiles_high_deg": distribution::of(m.percentiles.map(|q| q.high)),
         });
     }
     out

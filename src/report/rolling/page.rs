@@ -24,8 +24,8 @@ pub struct Sheet<'a> {
 
 /// Everything that the page says.
 struct Rolling<'a> {
-    /// The kind of gyrosphere.
-    instrument: &'a str,
+    /// What gives way in it.
+    part: String,
     /// Where its numbers come from.
     compass: &'a str,
     /// The motion in words.
@@ -58,10 +58,10 @@ struct Row {
     mean: f64,
     /// Standard deviation.
     spread: f64,
-    /// The part of it by the swing of the gyrosphere.
-    swing: f64,
-    /// The part of it by products of motions.
-    products: f64,
+    /// The part of it with each roll.
+    quick: f64,
+    /// The part of it by products of motions, whose strength comes and goes.
+    slow: f64,
     /// Half the 99 % interval of the mean, where a simulation gives it.
     margin: Option<f64>,
     /// The mean by quadrature over the measured spectrum.
@@ -91,7 +91,7 @@ pub fn page(sheet: &Sheet<'_>) -> String {
     let sources = recorded.iter().flat_map(|r| &r.sources);
     let round = t.rows.len() > 8;
     drawn(&Rolling {
-        instrument: t.compass.part.name(),
+        part: words::part(t.compass.part.name()),
         compass: &words::origin(&t.compass.origin),
         motion: &words::motion(t),
         against: match t.against {
@@ -116,8 +116,8 @@ fn row(r: &rolling::Row) -> Row {
         value: r.value,
         mean: words::plain(r.error.mean().to_degrees()),
         spread: r.error.deviation.to_degrees(),
-        swing: r.error.deviation_linear.to_degrees(),
-        products: r.error.deviation_quadratic.to_degrees(),
+        quick: r.error.deviation_linear.to_degrees(),
+        slow: r.error.deviation_quadratic.to_degrees(),
         margin: (!r.is_exact()).then(|| r.error.rectified_margin.to_degrees()),
         measured: r.measured.map(|m| words::plain(m.to_degrees())),
     }
@@ -143,10 +143,12 @@ fn pictured<'a>(a: &'a Analysis, says: &'a str) -> Recorded<'a> {
 fn drawn(r: &Rolling<'_>) -> String {
     let program = concat!("gyrospec ", env!("CARGO_PKG_VERSION"));
     let page = Page {
-        kind: format!("Rolling error of a gyrocompass: {}", r.instrument),
+        kind: "Rolling error of a gyrocompass".into(),
         title: "Rolling error of a gyrocompass".into(),
         verdict: sentence(r),
-        lead: format!("{} Motion: {}. Compass: {}.", r.beyond, r.motion, r.compass).trim_start().to_owned(),
+        lead: format!("{} Motion: {}. Compass: {}; gives way: {}.", r.beyond, r.motion, r.compass, r.part)
+            .trim_start()
+            .to_owned(),
         sections: vec![
             Section::new("card", "The error", errors(r)),
             Section::new("roll", "The recorded roll", r.recorded.as_ref().map_or(String::new(), recorded)),
@@ -228,8 +230,8 @@ fn rows(r: &Rolling<'_>) -> String {
             figure(x.value),
             degrees(x.mean),
             format!("±{:.4}°", x.spread),
-            format!("{:.4}°", x.swing),
-            format!("{:.4}°", x.products),
+            format!("{:.4}°", x.quick),
+            format!("{:.4}°", x.slow),
         ];
         if margin {
             cells.push(x.margin.map_or("–".into(), |m| format!("±{m:.4}°")));
@@ -240,14 +242,15 @@ fn rows(r: &Rolling<'_>) -> String {
         cells
     };
     let first = format!("#{}", r.against);
-    let mut heads = vec![first.as_str(), "#mean", "#spread", "#of it by swing", "#by products"];
+    let mut heads = vec![first.as_str(), "#mean", "#spread", "#of it quick", "#of it slow"];
     if margin {
         heads.push("#mean within (99 %)");
     }
     if measured {
         heads.push("#mean by measured spectrum");
     }
-    table(&heads, &r.rows.iter().map(cells).collect::<Vec<_>>()) + &format!("<p class=\"note\">{SIGN}</p>")
+    table(&heads, &r.rows.iter().map(cells).collect::<Vec<_>>())
+        + &format!("<p class=\"note\">{SIGN}<br>{}</p>", words::PARTS_OF_SPREAD)
 }
 
 fn paragraphs(text: &str) -> String {

@@ -84,10 +84,10 @@ fn than(part: f64) -> String {
 }
 
 /// What of the answer depends on frequencies that nobody measured.
-fn unmeasured(above: f64) -> String {
+fn unmeasured(above: f64, banded: bool) -> String {
     let tail = |end: &str| {
         let tail = ", where (3.3) gives the\nacceleration a white tail of infinite variance";
-        if above.abs() >= MeasuredRoll::MUCH { format!("{tail}{end}") } else { String::new() }
+        if above.abs() >= MeasuredRoll::MUCH && !banded { format!("{tail}{end}") } else { String::new() }
     };
     if above < -0.005 {
         let tail = tail(" that nothing measured supports,");
@@ -103,10 +103,10 @@ fn unmeasured(above: f64) -> String {
     )
 }
 
-/// Why the two means differ, and which to trust.
-pub fn differs(measured: &MeasuredRoll) -> String {
+/// Why the two means differ, and what follows where the measured spectrum's is the one to trust.
+pub fn differs(measured: &MeasuredRoll, follows: &str) -> String {
     let m = &measured.mean;
-    let mut text = unmeasured(m.above());
+    let mut text = unmeasured(m.above(), measured.band.is_some());
     text.push_str(&format!(
         "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\
          {} since inside the band the roll is not quite of the form (3.3), or the recording is short.\n",
@@ -115,7 +115,7 @@ pub fn differs(measured: &MeasuredRoll) -> String {
         than(m.form())
     ));
     if measured.is_surer() {
-        text.push_str("The measured spectrum has no form forced upon it: trust the last column more.\n");
+        text.push_str(&format!("The measured spectrum has no form forced upon it: {follows}.\n"));
     }
     text
 }

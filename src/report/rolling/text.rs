@@ -32,12 +32,13 @@ pub fn text(table: &Table) -> String {
     };
     let _ = writeln!(
         out,
-        "Heading error of a gyrosphere: {}; h = {} m, {place}\n\
-         compass: {}\nmotion: {}\nsign: {SIGN}\n",
-        table.compass.part.name(),
+        "Heading error of a gyrocompass by rolling, {place}; h = {} m above the roll axis\n\
+         compass: {}; gives way: {}\nmotion: {}\nsign: {SIGN}\n{}\n",
         s.lever,
         words::origin(&table.compass.origin),
-        words::motion(table)
+        words::part(table.compass.part.name()),
+        words::motion(table),
+        words::PARTS_OF_SPREAD
     );
     let beyond = words::beyond(&table.smallness);
     if !beyond.is_empty() {
@@ -82,7 +83,7 @@ fn heads(table: &Table) -> String {
         Against::Latitude { .. } => "latitude °",
         Against::Height { .. } => "height m",
     };
-    let mut out = format!("{first:>10}        mean  ±  spread    by swing   by products");
+    let mut out = format!("{first:>10}        mean  ±  spread   of it quick     slow");
     if any(|r| !r.is_exact()) {
         out.push_str("   mean within");
     }

@@ -1,10 +1,9 @@
 //! What is said of a compass, its motion and its figures, in words that all reports share.
 
-use super::{recorded, tail};
+use super::{distribution, recorded, sea, tail};
 use crate::gyro::validity::{LARGEST_MEAN, Smallness};
 use crate::gyro::{Axis, IDLE};
-use crate::rolling::{Against, Excitation, Origin, Source, Table, Waves};
-use crate::spectrum::{Hull, RationalFit, Sea};
+use crate::rolling::{Against, Excitation, Origin, SeaMotion, Source, Table};
 use crate::units::figure;
 use std::f64::consts::{PI, TAU};
 
@@ -24,33 +23,48 @@ pub fn origin(o: &Origin) -> String {
     text
 }
 
+/// What gives way, without the paper's name and numbers of equations.
+pub fn part(name: &str) -> String {
+    let spring = "damped spring";
+    let plain =
+        name.replace("lag with inertia (2.2)", "damped spring with inertia").replace("lag (2.3)", spring);
+    if plain.starts_with("lag and") { plain.replacen("lag", spring, 1) } else { plain }
+}
+
+/// What the two parts of the spread are.
+pub const PARTS_OF_SPREAD: &str = "spread: quick, with each roll of the ship, and slow, as strong and weak rolling come and go; \
+the squares of both add up to its square";
+
 /// The motion of a table.
 pub fn motion(table: &Table) -> String {
     match (&table.excitation, &table.recorded) {
-        (Some(e), _) => excitation(e, table.fit.as_ref(), matches!(table.against, Against::Height { .. })),
+        (Some(e), _) => excitation(e, table.sea.as_ref(), matches!(table.against, Against::Height { .. })),
         (None, Some(r)) => format!(
-            "the recorded roll by its fit, and the last column by its measured spectrum to {:.2} rad/s",
-            PI / r.analysis.samples.step
+            "the recorded roll by its fit, and the last column by its measured spectrum to {:.2} rad/s{}",
+            PI / r.analysis.samples.step,
+            r.band.map_or_else(String::new, |b| format!("; both behind two low-passes at {b} rad/s"))
         ),
         (None, None) => String::new(),
     }
 }
 
-/// An excitation, and how far the rational spectrum of its sea is off; over all heights of the sea, or of its own.
-pub fn excitation(e: &Excitation, fit: Option<&RationalFit>, heights: bool) -> String {
+/// An excitation, and how far the rational spectrum of its sea is off; of several sizes in turn, or of its own.
+pub fn excitation(e: &Excitation, sea: Option<&SeaMotion>, in_turn: bool) -> String {
     let mut text = match &e.source {
         Source::Irregular(roll) => format!(
-            "irregular roll, standard deviation {:.2}°, μ = {} 1/s, ε = {} rad/s",
-            roll.variance.sqrt().to_degrees(),
+            "irregular roll, {}, μ = {} 1/s, ε = {} rad/s (period {} s)",
+            size("standard deviation", roll.variance.sqrt(), in_turn),
             roll.decay,
-            roll.frequency
+            roll.frequency,
+            figure(TAU / roll.frequency)
         ),
         Source::Regular(roll) => format!(
-            "regular roll, amplitude {:.2}°, frequency {} rad/s",
-            roll.amplitude.to_degrees(),
-            roll.frequency
+            "regular roll, {}, frequency {} rad/s (period {} s)",
+            size("amplitude", roll.amplitude, in_turn),
+            roll.frequency,
+            figure(TAU / roll.frequency)
         ),
-        Source::Sea(waves) => waves_in_words(waves, fit, heights),
+        Source::Sea(waves) => sea::words(waves, sea, in_turn),
     };
     if let Some(corner) = e.band {
         text.push_str(&format!("; behind two low-passes at {corner} rad/s"));
@@ -58,46 +72,14 @@ pub fn excitation(e: &Excitation, fit: Option<&RationalFit>, heights: bool) -> S
     text
 }
 
-fn waves_in_words(waves: &Waves, fit: Option<&RationalFit>, heights: bool) -> String {
-    let sea = &waves.sea;
-    let (name, grown) = match sea {
-        Sea::PiersonMoskowitz { .. } => ("Pierson-Moskowitz", true),
-        Sea::Bretschneider { .. } => ("Bretschneider", false),
-        Sea::Jonswap { .. } => ("JONSWAP", false),
-    };
-    let period = format!("peak period {:.1} s", TAU / sea.peak());
-    let size = match (heights, grown) {
-        (false, _) => format!("significant height {:.2} m, {period}", sea.height()),
-        (true, true) => "of each significant height in turn, with the peak period that goes with it".into(),
-        (true, false) => format!("of each significant height in turn, {period}"),
-    };
-    let off = fit.map_or_else(String::new, |fit| {
-        format!(
-            "; rational spectrum within {:.1} % (its slope's power within {:.1} %)",
-            100.0 * fit.error,
-            100.0 * fit.power_error.abs()
-        )
-    });
-    let hull = hull_in_words(&waves.hull);
-    format!("{name} sea from {:03.0}° off the bow, {size}; {hull}{off}", waves.from.to_degrees())
-}
-
-/// The waterplane over which the waves are averaged.
-fn hull_in_words(hull: &Hull) -> String {
-    let [length, beam] = [hull.length, hull.beam].map(figure);
-    let assumed = if hull.length == Hull::BEAMS * hull.beam { " (six beams)" } else { "" };
-    format!("slope averaged over a ship of {length} m{assumed} by {beam} m")
+/// The size of a roll, rad.
+fn size(what: &str, size: f64, in_turn: bool) -> String {
+    if in_turn { format!("of each {what} in turn") } else { format!("{what} {:.2}°", size.to_degrees()) }
 }
 
 /// What of the numbers to trust, in lines.
 pub fn note(table: &Table) -> String {
-    let mut out = match (&table.recorded, &table.tail) {
-        (Some(measured), _) => recorded::differs(measured),
-        (None, Some(t)) => tail::text(t),
-        (None, None) => not_linear(table),
-    };
-    out.push_str(&asides(table));
-    out.push_str(unjudged(&table.smallness));
+    let mut out = trust(table, "trust the last column more");
     if !table.left_out.is_empty() {
         let left: Vec<String> = table.left_out.iter().map(ToString::to_string).collect();
         out.push_str(&format!(
@@ -106,6 +88,18 @@ pub fn note(table: &Table) -> String {
             left.join(", ")
         ));
     }
+    out
+}
+
+/// The same but for what was left out; what follows where the mean by the measured spectrum is the one to trust.
+pub fn trust(table: &Table, follows: &str) -> String {
+    let mut out = match (&table.recorded, &table.tail) {
+        (Some(measured), _) => recorded::differs(measured, follows),
+        (None, Some(t)) => tail::text(t),
+        (None, None) => not_linear(table),
+    };
+    out.push_str(&asides(table));
+    out.push_str(unjudged(&table.smallness));
     out
 }
 
@@ -134,12 +128,7 @@ fn asides(table: &Table) -> String {
     if !(moved.is_empty() && part.is_empty()) {
         out.push_str(&idle(if part.is_empty() { moved } else { part }));
     }
-    if table.compass.speed != 0.0 && waves.is_some_and(|w| w.slopes().1 != 0.0) {
-        out.push_str(
-            "The waves are met at their own frequency: the ship's speed through them is not counted.\n",
-        );
-    }
-    out
+    out + &sea::off_by(table.off_by.as_ref()) + &distribution::words(table)
 }
 
 /// How the figures of a part that is not linear come about.
@@ -147,7 +136,7 @@ fn not_linear(table: &Table) -> String {
     if table.compass.instrument().is_linear().unwrap_or(true) {
         return String::new();
     }
-    let name = table.compass.part.name();
+    let name = part(table.compass.part.name());
     let (first, rest) = name.split_at(1);
     let regular = matches!(table.excitation, Some(Excitation { source: Source::Regular(_), .. }));
     let beside = if regular {

@@ -15,6 +15,7 @@ mod resultant;
 mod rule;
 mod sampler;
 mod seed;
+mod sine;
 mod text;
 mod transfer;
 mod verify;
@@ -28,6 +29,7 @@ pub use request::FormulaRequest;
 pub use rule::Relation;
 pub use sampler::{Sampler, Values, completed};
 pub use seed::irregular_roll;
+pub use sine::SineMean;
 pub(super) use text::{leading_minus, terms};
 pub use transfer::{Mean, numeric};
 

@@ -19,9 +19,11 @@
 //! # Numerical aspects
 //! s³ τ + s² + (Bε/H) s + U cos φ B/H is stable for ε > τ U cos φ alone (Routh): a slow flow undoes the damping.
 
-use super::instrument::EARTH_RADIUS;
-use super::manoeuvre::{Manoeuvres, Settling};
-use super::range;
+use crate::gyro::instrument::EARTH_RADIUS;
+use crate::gyro::manoeuvre::{Manoeuvres, Settling};
+use crate::gyro::range;
+use crate::poly::roots::roots;
+use crate::units::{figure, significant};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
 
@@ -80,10 +82,35 @@ impl PendulousCompass {
     /// # Errors
     /// `BadInput` for impossible numbers or a compass that does not settle.
     pub fn settled_error(&self, speed: f64, heading: f64) -> Result<f64> {
-        self.check()?;
+        let [by_speed, by_damping] = self.settled_parts(speed, heading)?;
+        Ok(by_speed + by_damping)
+    }
+
+    /// Its two parts, rad: by the ship's speed, and by the damping.
+    ///
+    /// # Errors
+    /// As [`PendulousCompass::settled_error`].
+    pub fn settled_parts(&self, speed: f64, heading: f64) -> Result<[f64; 2]> {
         range::SPEED.check(speed)?;
         range::HEADING.check(heading)?;
+        self.check()?;
+        self.settles(self.level(self.latitude, speed, heading))?;
         Ok(self.settled_at(self.latitude, speed, heading))
+    }
+
+    /// The damped period, infinite where it creeps without a swing, and the time in which the slowest motion falls to
+    /// 1/e, at rest; s.
+    ///
+    /// # Errors
+    /// As [`PendulousCompass::settled_error`].
+    pub fn swing(&self) -> Result<[f64; 2]> {
+        self.check()?;
+        let (b, north) = (self.ballistic / self.momentum, self.level(self.latitude, 0.0, 0.0));
+        // τ s³ + s² + (Bε/H) s + (B/H) U cos φ
+        let poles = roots(&[self.flow, 1.0, b * self.offset, b * north]);
+        let slowest = poles.iter().map(|p| p.re).fold(f64::NEG_INFINITY, f64::max);
+        let fastest = poles.iter().map(|p| p.im.abs()).fold(0.0, f64::max);
+        Ok([if fastest > 1e-9 * north { TAU / fastest } else { f64::INFINITY }, -1.0 / slowest])
     }
 
     /// What a corrector leaves of it, rad.
@@ -93,7 +120,12 @@ impl PendulousCompass {
     pub fn corrected_error(&self, speed: f64, heading: f64, set: &Corrector) -> Result<f64> {
         range::LATITUDE.check(set.latitude)?;
         range::SPEED.check(set.speed)?;
-        Ok(self.settled_error(speed, heading)? - self.settled_at(set.latitude, set.speed, heading))
+        let error = self.settled_error(speed, heading)?;
+        if self.level(set.latitude, set.speed, heading) <= 0.0 {
+            return Err(undone().about("the corrector"));
+        }
+        let [by_speed, by_damping] = self.settled_at(set.latitude, set.speed, heading);
+        Ok(error - (by_speed + by_damping))
     }
 
     /// The standard deviation of the heading about its settled error under random manoeuvres, rad.
@@ -105,10 +137,18 @@ impl PendulousCompass {
         self.settling().deviation(manoeuvres)
     }
 
-    fn settled_at(&self, latitude: f64, speed: f64, heading: f64) -> f64 {
+    /// ν = U cos φ + v_E/R, rad/s.
+    fn level(&self, latitude: f64, speed: f64, heading: f64) -> f64 {
+        self.earth_rate * latitude.cos() + speed * heading.sin() / EARTH_RADIUS
+    }
+
+    /// v_N/(R ν), −ε (U sin φ + v_E tan φ/R)/ν.
+    fn settled_at(&self, latitude: f64, speed: f64, heading: f64) -> [f64; 2] {
         let (north, east) = (speed * heading.cos() / EARTH_RADIUS, speed * heading.sin() / EARTH_RADIUS);
-        let level = self.earth_rate * latitude.cos() + east;
-        (north - self.offset * (self.earth_rate * latitude.sin() + east * latitude.tan())) / level
+        let level = self.level(latitude, speed, heading);
+        let vertical = self.earth_rate * latitude.sin() + east * latitude.tan();
+        // no zero has a sign
+        [north / level, 0.0 - self.offset * vertical / level]
     }
 
     fn settling(&self) -> Settling {
@@ -137,16 +177,32 @@ impl PendulousCompass {
             }
         }
         range::LATITUDE.check(self.latitude)?;
-        let least = self.flow * self.earth_rate * self.latitude.cos();
-        if self.offset <= least {
-            return Err(Error::bad_input(format!(
-                "this compass does not settle: the flow's lag of {} s undoes an offset of {} rad",
-                self.flow, self.offset
-            ))
-            .with_hint(format!("ε must exceed τ U cos φ = {least:.3e} rad")));
-        }
-        Ok(())
+        self.settles(self.level(self.latitude, 0.0, 0.0))
     }
+
+    /// Refuses a level rate ν (rad/s) that is none, or with which the flow undoes the damping: ε > τ ν.
+    fn settles(&self, level: f64) -> Result<()> {
+        if level <= 0.0 {
+            return Err(undone());
+        }
+        let least = self.flow * level;
+        if self.offset > least {
+            return Ok(());
+        }
+        Err(Error::bad_input(format!(
+            "this compass does not settle: the flow's lag of {} s undoes an offset of {} rad",
+            figure(self.flow),
+            figure(self.offset)
+        ))
+        .with_hint(format!("ε must exceed τ (U cos φ + v_E/R) = {} rad", significant(least, 3))))
+    }
+}
+
+/// No compass finds north where the ship keeps up with the Earth.
+fn undone() -> Error {
+    Error::bad_input(
+        "going west as fast as this at this latitude undoes the Earth's turning: no compass finds north",
+    )
 }
 
 #[cfg(test)]

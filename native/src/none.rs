@@ -1,0 +1,46 @@
+//! What stands in for machine code where none is made.
+
+use crate::{Number, StepCode};
+use std::convert::Infallible;
+
+/// Steps as machine code; none here, since the package was built without its feature `jit`.
+#[derive(Debug)]
+pub struct Steps(Infallible);
+
+impl Steps {
+    /// None: the caller interprets.
+    pub fn compile(_: &StepCode<'_>, _: usize) -> Option<Self> {
+        None
+    }
+
+    /// Never called.
+    pub fn time<T: Number>(&self, _: &mut [T]) {
+        match self.0 {}
+    }
+
+    /// Never called.
+    pub fn output<T: Number>(&self, _: &mut [T]) {
+        match self.0 {}
+    }
+
+    /// Never called.
+    pub fn first_half<T: Number>(&self, _: &[T], _: &[T], _: &[T], _: f64, _: &mut [T], _: &mut [T]) {
+        match self.0 {}
+    }
+
+    /// Never called.
+    pub fn second_half<T: Number>(
+        &self,
+        _: &mut [T],
+        _: (&[T], &[T], &[T]),
+        _: f64,
+        _: (&mut [T], &mut [T], &mut [T]),
+    ) {
+        match self.0 {}
+    }
+
+    /// Never called.
+    pub fn heun<T: Number>(&self, _: &mut [T], _: (&[T], &[T]), _: f64, _: (&mut [T], &mut [T], &mut [T])) {
+        match self.0 {}
+    }
+}

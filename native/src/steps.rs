@@ -1,0 +1,422 @@
+//! The functions of a step, compiled, and their calls.
+
+use crate::lower::{Lowering, Num, Signatures};
+use crate::{Number, Op, Register, StepCode, spread};
+use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, Value, types};
+use cranelift_codegen::settings::{self, Configurable};
+use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
+use cranelift_jit::{JITBuilder, JITModule};
+use cranelift_module::{FuncId, Module, default_libcall_names};
+use std::collections::HashMap;
+use std::fmt;
+
+/// Addresses of the registers and of seven arrays, and the step.
+type Entry =
+    unsafe extern "C" fn(*mut f64, *const f64, *const f64, *const f64, f64, *mut f64, *mut f64, *mut f64);
+
+/// Addresses among the arguments: the registers, three arrays that are read, three that are written.
+const READ: usize = 4;
+const WRITTEN: usize = 3;
+
+/// Steps as machine code; shared freely between threads.
+///
+/// The decay ẋ = −λx with λ in register 0, x in register 1, ẋ in register 2; one step of Heun's method from x = 1:
+///
+/// ```
+/// use gyrospec_native::{Action, Op, StepCode, Steps};
+/// let code = [
+///     Op { action: Action::Mul, to: 2, a: 0, b: 1, c: 0 },
+///     Op { action: Action::Negative, to: 3, a: 2, b: 0, c: 0 },
+/// ];
+/// let step = StepCode {
+///     time: &[],
+///     code: &code,
+///     output: &[],
+///     states: &[1],
+///     rates: &[3],
+///     active: &[false; 4],
+///     kept: &[true; 4],
+/// };
+/// if let Some(steps) = Steps::compile(&step, 0) {
+///     let mut registers = [2.0, 0.0, 0.0, 0.0];
+///     let (mut x, mut rate, mut last) = ([0.0], [0.0], [0.0]);
+///     steps.heun(&mut registers, (&[1.0], &[-2.0]), 0.1, (&mut x, &mut rate, &mut last));
+///     assert_eq!(x[0], 1.0 + (-2.0 + -2.0 * (1.0 + -2.0 * 0.1)) * (0.5 * 0.1));
+///     assert_eq!(registers[1], x[0]);
+/// }
+/// ```
+pub struct Steps {
+    module: Option<JITModule>,
+    entries: [Entry; Which::ALL.len()],
+    registers: usize,
+    states: usize,
+    tangents: usize,
+}
+
+impl fmt::Debug for Steps {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "Steps({} states, {} tangents)", self.states, self.tangents)
+    }
+}
+
+// SAFETY: the module is touched again only when the last owner drops it; what it compiled is never written after it was
+// made, and keeps nothing between calls.
+#[expect(unsafe_code, reason = "the compiler's module holds addresses")]
+unsafe impl Send for Steps {}
+// SAFETY: as above: shared use reads three addresses and runs code without state.
+#[expect(unsafe_code, reason = "the compiler's module holds addresses")]
+unsafe impl Sync for Steps {}
+
+impl Drop for Steps {
+    fn drop(&mut self) {
+        if let Some(module) = self.module.take() {
+            // SAFETY: the addresses of its functions stand in this value alone, and nothing runs in it while it is
+            // dropped, since a call borrows it.
+            #[expect(unsafe_code, reason = "gives the memory of the code back")]
+            unsafe {
+                module.free_memory();
+            }
+        }
+    }
+}
+
+/// Which function of a step.
+#[derive(Clone, Copy, PartialEq)]
+enum Which {
+    Time,
+    Output,
+    First,
+    Second,
+    Heun,
+}
+
+impl Which {
+    const ALL: [Self; 5] = [Self::Time, Self::Output, Self::First, Self::Second, Self::Heun];
+}
+
+impl Steps {
+    /// The steps of a model's rates for numbers with so many tangents (an even number); none where the machine is not
+    /// known, gives no memory that may run, or the code is too long to be worth it.
+    pub fn compile(step: &StepCode<'_>, tangents: usize) -> Option<Self> {
+        if !step.is_sound(1 + tangents) || tangents % 2 == 1 {
+            return None;
+        }
+        let mut flags = settings::builder();
+        flags.set("opt_level", "none").ok()?;
+        flags.set("enable_verifier", "false").ok()?;
+        flags.set("is_pic", "false").ok()?;
+        let isa = cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()?;
+        let mut module = JITModule::new(JITBuilder::with_isa(isa, default_libcall_names()));
+        let built = Which::ALL.map(|w| define(&mut module, step, tangents, w));
+        let is_final = built.iter().all(Option::is_some) && module.finalize_definitions().is_ok();
+        let mut steps = Self {
+            module: Some(module),
+            entries: [nothing; Which::ALL.len()],
+            registers: step.active.len(),
+            states: step.states.len(),
+            tangents,
+        };
+        for (k, id) in built.into_iter().enumerate().filter(|_| is_final) {
+            steps.entries[k] = steps.entry(id?)?;
+        }
+        is_final.then_some(steps)
+    }
+
+    fn entry(&self, id: FuncId) -> Option<Entry> {
+        let address = self.module.as_ref()?.get_finalized_function(id);
+        // SAFETY: `define` gave the function exactly the signature of `Entry` in the machine's own calling convention,
+        // and it was finalised; it lives as long as the module, which lives as long as `self`.
+        #[expect(unsafe_code, reason = "an address becomes a function")]
+        Some(unsafe { std::mem::transmute::<*const u8, Entry>(address) })
+    }
+
+    /// Calls a function after the lengths of all that it touches were looked at.
+    fn call<T: Number>(&self, which: Which, r: *mut T, read: &[&[T]], h: f64, written: &mut [&mut [T]]) {
+        assert!(T::TANGENTS == self.tangents, "numbers of another kind");
+        let n = self.states;
+        assert!(
+            read.iter().all(|x| x.len() == n) && written.iter().all(|x| x.len() == n),
+            "as many as states"
+        );
+        let from = |k: usize| read.get(k).map_or(std::ptr::null(), |x| x.as_ptr().cast::<f64>());
+        let mut to =
+            |k: usize| written.get_mut(k).map_or(std::ptr::null_mut(), |x| x.as_mut_ptr().cast::<f64>());
+        let (d, e, f) = (to(0), to(1), to(2));
+        let entry = self.entries[which as usize];
+        // SAFETY: `r` comes from a slice of `registers` numbers (asserted by the callers), the arrays hold one number a
+        // state, and a number is 1 + `tangents` doubles (`Number`). The code touches registers below `registers` and
+        // numbers below `states` alone (`is_sound`, `define`), no array that its caller leaves away, and `first` writes
+        // no register. What is written is borrowed mutably, so that nothing overlaps.
+        #[expect(unsafe_code, reason = "runs the code")]
+        unsafe {
+            entry(r.cast::<f64>(), from(0), from(1), from(2), h, d, e, f);
+        }
+    }
+
+    /// Runs the instructions of a new time.
+    ///
+    /// # Panics
+    /// As [`Steps::first_half`].
+    pub fn time<T: Number>(&self, r: &mut [T]) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(Which::Time, r.as_mut_ptr(), &[], 0.0, &mut []);
+    }
+
+    /// Runs the instructions of the outputs.
+    ///
+    /// # Panics
+    /// As [`Steps::first_half`].
+    pub fn output<T: Number>(&self, r: &mut [T]) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(Which::Output, r.as_mut_ptr(), &[], 0.0, &mut []);
+    }
+
+    /// The stages of the classical method up to the last: from x with rates k₁ at the begin of a step h, the inputs in
+    /// the registers as they are in its middle, to the last stage s = x + h·k₃ and to k₁ + 2(k₂ + k₃).
+    ///
+    /// # Panics
+    /// Where the lengths or the kind of numbers are not those that it was compiled for.
+    pub fn first_half<T: Number>(&self, r: &[T], x: &[T], k: &[T], h: f64, stage: &mut [T], sum: &mut [T]) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(Which::First, r.as_ptr().cast_mut(), &[x, k], h, &mut [stage, sum]);
+    }
+
+    /// The last stage and the end of the step, the inputs in the registers as they are there: x₁ = x + h/6·(sum + k₄),
+    /// its rates k₅, which stand in the registers with all that was to be kept, and the value of k₄ in `last`.
+    ///
+    /// # Panics
+    /// As [`Steps::first_half`].
+    pub fn second_half<T: Number>(
+        &self,
+        r: &mut [T],
+        (x, stage, sum): (&[T], &[T], &[T]),
+        h: f64,
+        (x1, k1, last): (&mut [T], &mut [T], &mut [T]),
+    ) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(Which::Second, r.as_mut_ptr(), &[x, stage, sum], h, &mut [x1, k1, last]);
+    }
+
+    /// A step of Heun's method, the inputs in the registers as they are at its end: x₁ = x + h/2·(k₁ + k₂), its rates
+    /// k₃, which stand in the registers with all that was to be kept, and the value of k₂ in `last`.
+    ///
+    /// # Panics
+    /// As [`Steps::first_half`].
+    pub fn heun<T: Number>(
+        &self,
+        r: &mut [T],
+        (x, k): (&[T], &[T]),
+        h: f64,
+        (x1, k1, last): (&mut [T], &mut [T], &mut [T]),
+    ) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(Which::Heun, r.as_mut_ptr(), &[x, k], h, &mut [x1, k1, last]);
+    }
+}
+
+/// Stands where no function is yet.
+extern "C" fn nothing(
+    _: *mut f64,
+    _: *const f64,
+    _: *const f64,
+    _: *const f64,
+    _: f64,
+    _: *mut f64,
+    _: *mut f64,
+    _: *mut f64,
+) {
+}
+
+fn signature(module: &JITModule, parameters: &[Type], result: Option<Type>) -> Signature {
+    let mut signature = module.make_signature();
+    signature.params.extend(parameters.iter().map(|t| AbiParam::new(*t)));
+    signature.returns.extend(result.map(AbiParam::new));
+    signature
+}
+
+/// Builds a function of the signature `Entry`.
+fn define(module: &mut JITModule, step: &StepCode<'_>, tangents: usize, which: Which) -> Option<FuncId> {
+    let pointer = module.target_config().pointer_type();
+    let mut parameters = vec![pointer; READ];
+    parameters.push(types::F64);
+    parameters.resize(READ + 1 + WRITTEN, pointer);
+    let mut context = module.make_context();
+    context.func = Function::new();
+    context.func.signature = signature(module, &parameters, None);
+    let mut room = FunctionBuilderContext::new();
+    let mut builder = FunctionBuilder::new(&mut context.func, &mut room);
+    let called = |b: &mut FunctionBuilder<'_>, of: &[Type]| {
+        let kind = signature(module, of, Some(types::F64));
+        b.import_signature(kind)
+    };
+    let signatures = Signatures {
+        one: called(&mut builder, &[types::F64]),
+        two: called(&mut builder, &[types::F64, types::F64]),
+        whole: called(&mut builder, &[types::F64, types::I32]),
+    };
+    let block = builder.create_block();
+    builder.append_block_params_for_function_params(block);
+    builder.switch_to_block(block);
+    builder.seal_block(block);
+    let arguments = builder.block_params(block).to_vec();
+    let active = before(step, which);
+    let lowering = Lowering {
+        builder: &mut builder,
+        base: arguments[0],
+        pointer,
+        tangents,
+        active: &active,
+        signatures,
+        held: vec![None; step.active.len()],
+        spread: HashMap::new(),
+    };
+    let mut body = Body { lowering, step };
+    match which {
+        Which::Time => body.segment(step.time, which),
+        Which::Output => body.segment(step.output, which),
+        Which::First => body.first(&arguments),
+        Which::Second => body.second(&arguments),
+        Which::Heun => body.heun(&arguments),
+    }
+    builder.ins().return_(&[]);
+    builder.finalize();
+    let id = module.declare_anonymous_function(&context.func.signature).ok()?;
+    module.define_function(id, &mut context).ok()?;
+    Some(id)
+}
+
+/// The registers that may have tangents when a function begins.
+fn before(step: &StepCode<'_>, which: Which) -> Vec<bool> {
+    let mut active = step.active.to_vec();
+    if which != Which::Time {
+        spread(step.time, &mut active);
+        step.states.iter().for_each(|r| active[usize::from(*r)] = true);
+    }
+    if which == Which::Output {
+        // what the states make may have had tangents under another sign
+        step.code.iter().for_each(|op| active[usize::from(op.to)] = true);
+    }
+    active
+}
+
+/// The body of a function that is being built.
+struct Body<'a, 'f> {
+    lowering: Lowering<'a, 'f>,
+    step: &'a StepCode<'a>,
+}
+
+impl Body<'_, '_> {
+    fn states(&self) -> std::ops::Range<usize> {
+        0..self.step.states.len()
+    }
+
+    fn read(&mut self, base: Value) -> Vec<Num> {
+        self.states().map(|i| self.lowering.load(base, i, true)).collect()
+    }
+
+    fn write(&mut self, base: Value, x: &[Num]) {
+        for (i, x) in x.iter().enumerate() {
+            self.lowering.store(base, i, x);
+        }
+    }
+
+    fn constant(&mut self, c: f64, h: Value) -> Value {
+        let c = self.lowering.builder.ins().f64const(c);
+        self.lowering.builder.ins().fmul(c, h)
+    }
+
+    /// The rates at a state.
+    fn rates(&mut self, x: &[Num]) -> Vec<Num> {
+        for (register, x) in self.step.states.iter().zip(x) {
+            self.lowering.held[usize::from(*register)] = Some(x.clone());
+        }
+        for op in self.step.code {
+            self.lowering.op(op);
+        }
+        self.step.rates.iter().map(|r| self.lowering.get(*r)).collect()
+    }
+
+    /// Instructions by themselves; all of their results are left.
+    fn segment(&mut self, code: &[Op], which: Which) {
+        for op in code {
+            self.lowering.op(op);
+        }
+        for op in code {
+            match which {
+                Which::Time => self.lowering.keep_known(op.to),
+                _ => self.lowering.keep(op.to),
+            }
+        }
+    }
+
+    /// x + h·k for each state.
+    fn along(&mut self, x: &[Num], k: &[Num], h: Value) -> Vec<Num> {
+        let l = &mut self.lowering;
+        x.iter()
+            .zip(k)
+            .map(|(x, k)| {
+                let change = l.scale(k, h);
+                l.add(x, &change)
+            })
+            .collect()
+    }
+
+    fn sums(&mut self, a: &[Num], b: &[Num]) -> Vec<Num> {
+        a.iter().zip(b).map(|(a, b)| self.lowering.add(a, b)).collect()
+    }
+
+    /// The rates at the end of the step, with the registers that are to be kept, and the rates before them.
+    fn end(&mut self, x1: &[Num], last: &[Num], written: [Value; 3]) {
+        let rates = self.rates(x1);
+        self.write(written[0], x1);
+        self.write(written[1], &rates);
+        for (i, k) in last.iter().enumerate() {
+            let value = Num { value: k.value, tangents: None };
+            self.lowering.store(written[2], i, &value);
+        }
+        let computed: Vec<Register> = self.step.code.iter().map(|op: &Op| op.to).collect();
+        for r in self.step.states.iter().chain(&computed).filter(|r| self.step.kept[usize::from(**r)]) {
+            self.lowering.keep(*r);
+        }
+    }
+
+    fn first(&mut self, arguments: &[Value]) {
+        let [_, x, k, _, h, stage, sum, _] = *arguments else { return };
+        let (x, k1) = (self.read(x), self.read(k));
+        let half = self.constant(0.5, h);
+        let at = self.along(&x, &k1, half);
+        let k2 = self.rates(&at);
+        let at = self.along(&x, &k2, half);
+        let k3 = self.rates(&at);
+        let last = self.along(&x, &k3, h);
+        self.write(stage, &last);
+        // k₁ + 2(k₂ + k₃)
+        let two = self.lowering.builder.ins().f64const(2.0);
+        let middle = self.sums(&k2, &k3);
+        let doubled: Vec<Num> = middle.iter().map(|m| self.lowering.scale(m, two)).collect();
+        let sums = self.sums(&k1, &doubled);
+        self.write(sum, &sums);
+    }
+
+    fn second(&mut self, arguments: &[Value]) {
+        let [_, x, stage, sum, h, x1, k, last] = *arguments else { return };
+        let (x, stage, sum) = (self.read(x), self.read(stage), self.read(sum));
+        let k4 = self.rates(&stage);
+        let all = self.sums(&sum, &k4);
+        let six = self.lowering.builder.ins().f64const(6.0);
+        let sixth = self.lowering.builder.ins().fdiv(h, six);
+        let at = self.along(&x, &all, sixth);
+        self.end(&at, &k4, [x1, k, last]);
+    }
+
+    fn heun(&mut self, arguments: &[Value]) {
+        let [_, x, k, _, h, x1, rates, last] = *arguments else { return };
+        let (x, k1) = (self.read(x), self.read(k));
+        let at = self.along(&x, &k1, h);
+        let k2 = self.rates(&at);
+        let both = self.sums(&k1, &k2);
+        let half = self.constant(0.5, h);
+        let at = self.along(&x, &both, half);
+        self.end(&at, &k2, [x1, rates, last]);
+    }
+}

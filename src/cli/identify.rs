@@ -1,0 +1,98 @@
+//! `gyrospec identify`: T and C₀ of a compass from errors measured on regular roll.
+
+use super::input::{Held, text as text_of};
+use super::quantity::{latitude as latitude_of, quantity};
+use super::{Outcome, note, output};
+use crate::gyro::range;
+use crate::model::Model;
+use crate::record::{Input, Recording};
+use crate::report::identified::{json, text};
+use crate::rolling::{Compass, identification};
+use crate::units::Unit;
+use crate::{Error, Result};
+use std::path::{Path, PathBuf};
+
+/// T and C0 of a compass from a table of errors measured on regular roll.
+#[derive(clap::Args)]
+#[command(after_help = HELP)]
+pub struct Call {
+    /// The trials: CSV with units in its header, or a TOML recording of kind "trials"; - is standard input.
+    trials: PathBuf,
+    /// Parameters of the compass: a file with [parameters], or a built-in model; without it the paper's gyrocompass.
+    #[arg(long, value_name = "FILE")]
+    compass: Option<PathBuf>,
+    /// Latitude of trials without a column of it, in degrees or as 60°12'N.
+    #[arg(long, allow_hyphen_values = true)]
+    latitude: Option<String>,
+    /// Height of the compass above the roll axis, for amplitudes that are angles.
+    #[arg(long, allow_hyphen_values = true)]
+    lever: Option<String>,
+    /// One JSON object instead of text.
+    #[arg(long)]
+    json: bool,
+}
+
+const HELP: &str = "\
+One row a steady trial: heading, amplitude (of the compass's path, as 23.5 cm, or of the roll, as 5 deg, which --lever
+multiplies), period or frequency, error (+ is west), and latitude where it differs. Rows with gaps are left out.
+Examples:
+  gyrospec identify trials.csv --latitude 46.5
+  gyrospec identify trials.csv --compass compass.toml --json";
+
+/// Runs the subcommand.
+pub fn run(call: &Call) -> Result<Outcome> {
+    crate::record::read_once([&call.trials].into_iter().chain(&call.compass).map(PathBuf::as_path))?;
+    let held = Held::of(&call.trials)?;
+    let table = table(&held).map_err(|e| held.place(e))?;
+    let compass = compass(call)?;
+    if call.latitude.is_some() && table.find("latitude").is_some() {
+        return Err(Error::usage("--latitude is of no use here: the table has a column of it"));
+    }
+    let length = Unit::parse("m")?.dimension();
+    let by_path = table.find("amplitude").is_some_and(|c| c.unit.dimension() == length);
+    if call.lever.is_some() && by_path {
+        return Err(Error::usage(
+            "--lever is of no use here: the amplitudes are lengths, of the compass's own path",
+        ));
+    }
+    let told = identification(&table, &compass)
+        .map_err(|e| if e.file().is_some() { e } else { e.with_file(held.given()) })?;
+    if !told.unused.is_empty() {
+        note(&format!("of no use here: {}", told.unused.join(", ")));
+    }
+    if call.json { output::quoted(&json(&told)?) } else { output::words(&text(&told)) }?;
+    Ok(Outcome::Done)
+}
+
+fn compass(call: &Call) -> Result<Compass> {
+    let mut compass = match call.compass.as_deref() {
+        None => Compass::paper(),
+        Some(path) => read(path).map_err(|e| e.with_file(path))?,
+    };
+    if let Some(text) = &call.latitude {
+        compass.sphere.latitude = latitude_of("latitude", text, &range::LATITUDE)?;
+    }
+    if let Some(text) = &call.lever {
+        compass.sphere.lever = quantity("lever", text, &range::LEVER)?;
+    }
+    Ok(compass)
+}
+
+fn read(path: &Path) -> Result<Compass> {
+    match path.to_str() {
+        Some(name) if !path.exists() && Model::builtin(name).is_ok() => Compass::builtin(name),
+        _ => Compass::parse(&text_of(path)?),
+    }
+}
+
+/// The table: a TOML recording as it is, or a file of rows whose header has their units.
+fn table(held: &Held) -> Result<Recording> {
+    if Input::open(held.path())?.is_toml() {
+        return held.recording();
+    }
+    let quoted = toml::Value::String(held.path().to_string_lossy().into_owned());
+    let mut table = Recording::parse(&format!("kind = \"trials\"\n[[tables]]\nfile = {quoted}\n"), "")?;
+    // the first source is the text above, which is no file
+    table.sources.remove(0);
+    Ok(held.named(table))
+}

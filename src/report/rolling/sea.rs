@@ -1,0 +1,92 @@
+//! What is said of a sea.
+
+use crate::gyro::OffBy;
+use crate::rolling::{SeaMotion, Table, Waves};
+use crate::spectrum::{Hull, Sea};
+use crate::units::{figure, significant};
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+
+/// Part of a mean from which on what a rational spectrum misses counts.
+const MUCH: f64 = 0.05;
+
+/// A sea and the ship in it, and how far its rational spectrum is off; of each height in turn, or of its own.
+pub fn words(waves: &Waves, motion: Option<&SeaMotion>, in_turn: bool) -> String {
+    let sea = &waves.sea;
+    let (name, grown) = match sea {
+        Sea::PiersonMoskowitz { .. } => ("Pierson-Moskowitz", true),
+        Sea::Bretschneider { .. } => ("Bretschneider", false),
+        Sea::Jonswap { .. } => ("JONSWAP", false),
+    };
+    let period = format!("peak period {:.1} s", TAU / sea.peak());
+    let size = match (in_turn, grown) {
+        (false, _) => format!("significant height {:.2} m, {period}", sea.height()),
+        (true, true) => "of each significant height in turn, with the peak period that goes with it".into(),
+        (true, false) => format!("of each significant height in turn, {period}"),
+    };
+    let crests =
+        waves.spread.map_or_else(String::new, |n| format!(", spread as cosⁿ with n = {}", figure(n)));
+    let met = if waves.is_shifted() {
+        format!(", met at {} m/s", significant(waves.speed, 3))
+    } else {
+        String::new()
+    };
+    let off = motion.map_or_else(String::new, |m| {
+        format!("; rational spectrum within {:.1} % where the ship answers", 100.0 * m.error)
+    });
+    let hull = hull(&waves.hull, motion);
+    format!("{name} sea from {:03.0}° off the bow{crests}{met}, {size}; {hull}{off}", waves.from.to_degrees())
+}
+
+/// The waterplane over which the waves are averaged, and what damps her roll.
+fn hull(hull: &Hull, motion: Option<&SeaMotion>) -> String {
+    let [length, beam] = [hull.length, hull.beam].map(figure);
+    let assumed = if hull.length == Hull::BEAMS * hull.beam { " (six beams)" } else { "" };
+    let mut text = format!("slope averaged over a ship of {length} m{assumed} by {beam} m");
+    if hull.quadratic != 0.0 || hull.cubic != 0.0 {
+        let [linear, square, cube] = [hull.damping, hull.quadratic, hull.cubic].map(figure);
+        text.push_str(&format!(
+            ", whose roll is damped by the ratio {linear} and, a unit of inertia, {square}·|rate|·rate and {cube}·rate³"
+        ));
+        if let Some(m) = motion {
+            let ratio = significant(m.damping, 3);
+            text.push_str(&format!(": by the ratio {ratio} in this sea (equivalent linear damping)"));
+        }
+    }
+    text
+}
+
+/// What the rational spectrum changes of the figures, in a line; empty where nothing is known of it.
+pub fn off_by(off: Option<&OffBy>) -> String {
+    let Some(off) = off else { return String::new() };
+    let part = |x: f64| {
+        let percent = 100.0 * x.abs();
+        let size = if percent < 0.1 { "less than 0.1".to_owned() } else { format!("{percent:.1}") };
+        format!("{size} % too {}", if x < 0.0 { "small" } else { "large" })
+    };
+    let trust = if off.mean.abs() > MUCH { "; trust the sums more" } else { "" };
+    format!(
+        "By sums over the sea's own spectrum the mean by the motion is {:.5}° on heading {:.0}°: the rational spectrum\n\
+         makes it {} and the spread by products {}{trust}.\n",
+        off.exact.to_degrees(),
+        off.heading.to_degrees(),
+        part(off.mean),
+        part(off.spread)
+    )
+}
+
+/// What became of a sea of one height, as JSON.
+pub fn as_json(table: &Table) -> Option<Value> {
+    let (sea, waves) = (table.sea.as_ref()?, table.excitation.as_ref()?.waves()?);
+    let off = table.off_by.map(
+        |o| json!({ "mean": o.mean, "spread_quadratic": o.spread, "heading_deg": o.heading.to_degrees(), "exact_mean_deg": o.exact.to_degrees() }),
+    );
+    Some(json!({
+        "met_at_m_per_s": waves.speed,
+        "spread": waves.spread,
+        "rational_error": sea.error,
+        "roll_damping": sea.damping,
+        "roll_rate_deg_per_s": sea.roll_rate.to_degrees(),
+        "off_by": off,
+    }))
+}

@@ -1,0 +1,298 @@
+//! # Purpose
+//! The steps of a program as machine code: made once a program and kind of number, kept beside the program.
+//!
+//! # Method
+//! Compiling costs as much as some thousands of steps save, so that short work is interpreted. What the code needs to
+//! know of the numbers is which registers may have tangents: a parameter that is not asked for has none, nor has what
+//! was measured, nor what is made of these.
+//!
+//! # Numerical aspects
+//! Machine code and interpreter give the same values (`gyrospec_native`), so that neither the machine nor the amount of
+//! work shows in a result.
+
+use crate::expression::Function;
+use crate::model::Scalar;
+use crate::model::program::{Action, Op, Program, Register, Remembered, slope, whole_power_parts};
+use gyrospec_native::{StepCode, Steps, spread};
+use std::cell::OnceCell;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// Steps that pay for compiling.
+const WORTH: usize = 4000;
+/// Kinds of numbers of one program that are kept.
+const MOST: usize = 16;
+
+/// What was compiled of a program.
+#[derive(Debug)]
+pub(super) struct Natives {
+    /// Steps that pay for compiling.
+    worth: usize,
+    kinds: Mutex<Vec<Kind>>,
+}
+
+impl Default for Natives {
+    fn default() -> Self {
+        Self { worth: WORTH, kinds: Mutex::default() }
+    }
+}
+
+/// One kind of number on one program.
+#[derive(Debug)]
+struct Kind {
+    tangents: usize,
+    /// The registers that may have tangents.
+    active: Vec<bool>,
+    /// Steps that were interpreted.
+    steps: usize,
+    /// What compiling gave, once it was tried.
+    compiled: OnceCell<Option<Arc<Steps>>>,
+}
+
+impl Natives {
+    /// The machine code for a run of so many steps with these registers; none where the run is better interpreted.
+    pub fn of<T: Scalar>(&self, program: &Program, parameters: &[T], steps: usize) -> Option<Arc<Steps>> {
+        if program.remembered.iter().any(|m| matches!(m, Remembered::Past { .. })) {
+            return None;
+        }
+        let active = active(program, parameters)?;
+        let mut kinds = self.kinds.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = |k: &Kind| k.tangents == T::TANGENTS && k.active == active;
+        let at = kinds.iter().position(same).unwrap_or_else(|| {
+            kinds.truncate(MOST - 1);
+            kinds.insert(0, Kind { tangents: T::TANGENTS, active, steps: 0, compiled: OnceCell::new() });
+            0
+        });
+        let kind = &mut kinds[at];
+        kind.steps = kind.steps.saturating_add(steps);
+        if kind.compiled.get().is_none() && kind.steps < self.worth {
+            return None;
+        }
+        let tangents = kind.tangents;
+        kind.compiled.get_or_init(|| compiled(program, &kind.active, tangents).map(Arc::new)).clone()
+    }
+}
+
+fn at(register: Register) -> usize {
+    usize::from(register)
+}
+
+/// Which registers may have tangents when the code of a time begins.
+fn active<T: Scalar>(program: &Program, parameters: &[T]) -> Option<Vec<bool>> {
+    let mut active = vec![false; program.registers];
+    if T::TANGENTS == 0 {
+        return Some(active);
+    }
+    for (register, p) in program.parameters.iter().zip(parameters) {
+        if let Some(a) = active.get_mut(at(*register)) {
+            *a = (0..T::TANGENTS).any(|d| p.tangent(d) != 0.0);
+        }
+    }
+    spread(&translated(&program.once)?, &mut active);
+    for column in &program.columns {
+        active[at(column.value)] = column.delay.is_some_and(|d| active[at(d)]);
+    }
+    for m in &program.remembered {
+        if let Remembered::Held { held, .. } = *m {
+            active[at(held)] = true;
+        }
+    }
+    spread(&translated(&program.per_data)?, &mut active);
+    Some(active)
+}
+
+fn compiled(program: &Program, active: &[bool], tangents: usize) -> Option<Steps> {
+    let step = StepCode {
+        time: &translated(&program.per_time)?,
+        code: &translated(&program.per_state)?,
+        output: &translated(&program.output_code)?,
+        states: &program.states,
+        rates: &program.rates,
+        active,
+        kept: &kept(program),
+    };
+    Steps::compile(&step, tangents)
+}
+
+/// Code in the words of the package that compiles, without the signs that the simulation holds.
+fn translated(code: &[Op]) -> Option<Vec<gyrospec_native::Op>> {
+    let held = |op: &&Op| !matches!(op.action, Action::Sign | Action::Relay);
+    code.iter().filter(held).map(native).collect()
+}
+
+/// The registers that are read elsewhere than in the code of the states.
+fn kept(program: &Program) -> Vec<bool> {
+    let mut kept = vec![false; program.registers];
+    let code = [&program.output_code, &program.motion_code, &program.jacobian_code];
+    let read = code.into_iter().flatten().flat_map(|op| [op.a, op.b, op.c]);
+    let watched = program.watches.iter().flat_map(|w| [w.guard, w.sign, w.motion]);
+    let named =
+        [&program.states, &program.rates, &program.outputs, &program.definitions].into_iter().flatten();
+    let next = program.remembered.iter().flat_map(registers_of);
+    for r in read.chain(watched).chain(named.copied()).chain(next) {
+        if let Some(kept) = kept.get_mut(at(r)) {
+            *kept = true;
+        }
+    }
+    kept
+}
+
+/// The registers that are read of what remembers.
+pub(super) fn registers_of(m: &Remembered) -> [Register; 3] {
+    match *m {
+        Remembered::Hidden { start, .. } => [start; 3],
+        Remembered::Held { held, next, start } => [held, next, start],
+        Remembered::Past { signal, motion, delay, .. } => [signal, motion, delay],
+    }
+}
+
+/// An instruction in the words of the package that compiles.
+fn native(op: &Op) -> Option<gyrospec_native::Op> {
+    use gyrospec_native::Action as Native;
+    let action = match op.action {
+        Action::Add => Native::Add,
+        Action::Sub => Native::Sub,
+        Action::Mul => Native::Mul,
+        Action::Div => Native::Div,
+        Action::Negative => Native::Negative,
+        Action::MulAdd => Native::MulAdd,
+        Action::MulSub => Native::MulSub,
+        Action::Square => Native::Square,
+        Action::Cube => Native::Cube,
+        Action::Select => Native::Select,
+        Action::Pow => Native::Two(power, power_by_base, power_by_exponent),
+        Action::Atan2 => Native::Two(atan2, atan2_by_y, atan2_by_x),
+        Action::Whole => Native::Whole(whole, whole_slope),
+        Action::SignNow => Native::Flat(if op.b == 0 { sign } else { sign_or_one }),
+        Action::One(f) => one(f)?,
+        Action::Sign | Action::Relay => return None,
+    };
+    Some(gyrospec_native::Op { action, to: op.to, a: op.a, b: op.b, c: op.c })
+}
+
+extern "C" fn sign(x: f64) -> f64 {
+    Function::Sign.of(&[x])
+}
+
+extern "C" fn sign_or_one(x: f64) -> f64 {
+    if x == 0.0 { 1.0 } else { sign(x) }
+}
+
+extern "C" fn power(a: f64, b: f64) -> f64 {
+    a.power(b)
+}
+
+/// ∂aᵇ/∂a
+extern "C" fn power_by_base(a: f64, b: f64) -> f64 {
+    crate::model::power_slopes(a, b).0
+}
+
+/// ∂aᵇ/∂b
+extern "C" fn power_by_exponent(a: f64, b: f64) -> f64 {
+    crate::model::power_slopes(a, b).1
+}
+
+extern "C" fn atan2(y: f64, x: f64) -> f64 {
+    y.atan2(x)
+}
+
+extern "C" fn atan2_by_y(y: f64, x: f64) -> f64 {
+    x / (y * y + x * x)
+}
+
+extern "C" fn atan2_by_x(y: f64, x: f64) -> f64 {
+    -y / (y * y + x * x)
+}
+
+extern "C" fn whole(x: f64, n: i32) -> f64 {
+    whole_power_parts(x, n).0
+}
+
+extern "C" fn whole_slope(x: f64, n: i32) -> f64 {
+    whole_power_parts(x, n).1
+}
+
+/// Functions of one argument with their slopes.
+macro_rules! functions {
+    ($($name:ident),*) => {
+        fn one(f: Function) -> Option<gyrospec_native::Action> {
+            match f {
+                $(Function::$name => {
+                    extern "C" fn value(x: f64) -> f64 {
+                        Function::$name.of(&[x])
+                    }
+                    extern "C" fn by(x: f64, y: f64) -> f64 {
+                        slope(Function::$name, x, y)
+                    }
+                    Some(gyrospec_native::Action::One(value, by))
+                })*
+                _ => None,
+            }
+        }
+    };
+}
+
+functions!(Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh, Exp, Ln, Sqrt, Abs, Sign, Step);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Model;
+    use crate::record::{Channel, Recording};
+    use crate::simulate::{Options, Simulator, Unknown};
+    use crate::units::Unit;
+
+    /// A body on a spring between an input's sine and dry friction, which sticks and slips.
+    const STICKING: &str = r#"
+        name = "sticking"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        m = { value = 2, unit = "kg" }
+        c = { value = 30, unit = "N/m" }
+        r = { value = 1.5, unit = "N*s/m" }
+        F = { value = 4, unit = "N" }
+        [states]
+        q = { rate = "v", unit = "m", initial = 0.1 }
+        v = { rate = "(force - c*q - r*v - F*sign(v))/m", unit = "m/s", initial = 0 }
+        [outputs]
+        place = { equals = "q", unit = "m" }
+    "#;
+
+    fn made(model: &Model, inputs: &[(&str, &str)], output: (&str, &str)) -> Simulator {
+        let time: Vec<f64> = (0..6001).map(|i| 0.02 * f64::from(i)).collect();
+        let channel = |(name, unit): (&str, &str), f: &dyn Fn(f64) -> f64| {
+            let values = time.iter().map(|t| f(*t)).collect();
+            Channel::new(name, Unit::parse(unit).unwrap(), time.clone(), values)
+        };
+        let mut channels: Vec<Channel> =
+            inputs.iter().map(|i| channel(*i, &|t| 5.0 * (0.7 * t).sin() + 2.0 * (2.3 * t).cos())).collect();
+        channels.push(channel(output, &|_| 0.0));
+        let recording = Recording::from_channels("made", channels).unwrap();
+        Simulator::new(model, &recording, &Options::default()).unwrap()
+    }
+
+    #[test]
+    fn machine_code_and_interpreter_give_the_same_runs() {
+        let sphere = Model::builtin("gyrosphere").unwrap();
+        let sticking = Model::parse(STICKING).unwrap();
+        let cases = [
+            made(&sphere, &[("roll_acc", "rad/s^2"), ("heading", "deg")], ("alpha", "deg")),
+            made(&sticking, &[("force", "N")], ("place", "m")),
+        ];
+        for compiled in cases {
+            let mut interpreted = compiled.clone();
+            interpreted.natives = Arc::new(Natives { worth: usize::MAX, kinds: Mutex::default() });
+            let (p, x) = (compiled.parameters(), compiled.initials());
+            let unknowns = [Unknown::Parameter(0), Unknown::Parameter(1), Unknown::Initial(0)];
+            let run = |s: &Simulator| s.run_with_sensitivities(&p, &x, &unknowns).unwrap();
+            let (a, b) = (run(&compiled), run(&interpreted));
+            assert!(a.outputs[0].iter().any(|y| *y != 0.0), "something moves");
+            assert_eq!(a.outputs, b.outputs);
+            assert_eq!(a.sensitivities, b.sensitivities);
+            assert_eq!(a.events, b.events);
+            assert_eq!(compiled.run(&p, &x).unwrap().outputs, interpreted.run(&p, &x).unwrap().outputs);
+            let kinds = compiled.natives.kinds.lock().unwrap();
+            assert!(kinds.iter().all(|k| k.compiled.get().is_some()), "both kinds were worth compiling");
+        }
+    }
+}

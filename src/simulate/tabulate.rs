@@ -1,0 +1,79 @@
+//! # Purpose
+//! Fills the table of what the measured inputs and the time alone make.
+//!
+//! # Method
+//! The code of what was measured is run at the times at which the explicit methods ask for it; what other code reads of
+//! it is kept. Where that code calls no function it is quicker run than looked up.
+
+use super::machine::Machine;
+use super::mesh::Mesh;
+use super::native::registers_of;
+use super::pieces::{piece, substeps};
+use super::steps::Solver;
+use super::table::Table;
+use crate::model::program::{Action, Program, Register};
+use std::sync::Arc;
+
+/// Numbers that a table may hold.
+const LARGEST: usize = 4_000_000;
+
+/// The table of a mesh for a method with so many steps in a usual interval; none where it is not worth it.
+pub(super) fn tabulated(
+    program: &Program,
+    mesh: &Mesh,
+    (steps, method): (usize, Solver),
+) -> Option<Arc<Table>> {
+    let calls = [Action::Pow, Action::Atan2, Action::Whole];
+    let is_called = |a: &Action| calls.contains(a) || matches!(a, Action::One(_));
+    if method == Solver::Stiff || !program.per_data.iter().any(|op| is_called(&op.action)) {
+        return None;
+    }
+    let stages = if method == Solver::Explicit { 2 } else { 1 };
+    mesh.tables.of((steps, stages), || filled(program, mesh, steps, stages))
+}
+
+fn filled(program: &Program, mesh: &Mesh, steps: usize, stages: usize) -> Option<Table> {
+    let registers = read_elsewhere(program);
+    let lengths = mesh.time.windows(2).map(|w| w[1] - w[0]);
+    let pieces: Vec<usize> = lengths.map(|l| substeps(steps, l, mesh.usual)).collect();
+    let rows = stages * pieces.iter().sum::<usize>();
+    if rows.saturating_mul(registers.len()) > LARGEST {
+        return None;
+    }
+    let values = Vec::with_capacity(rows * registers.len());
+    let mut table = Table { registers, first: Vec::with_capacity(pieces.len()), stages, values };
+    let mut m = Machine::<f64>::new(program, mesh, &vec![0.0; program.parameters.len()]);
+    let mut first = 0;
+    for (interval, pieces) in pieces.into_iter().enumerate() {
+        table.first.push(first);
+        first += stages * pieces;
+        m.enter(interval);
+        let ends = (mesh.time[interval], mesh.time[interval + 1]);
+        for s in 0..pieces {
+            let (begin, end) = piece(ends, (s, pieces), (ends.1 - ends.0) / pieces as f64);
+            let middle = (stages == 2).then_some(begin + 0.5 * (end - begin));
+            for t in middle.into_iter().chain([end]) {
+                m.load_data(t);
+                table.values.extend(table.registers.iter().map(|r| m.r[usize::from(*r)]));
+            }
+        }
+    }
+    Some(table)
+}
+
+/// The registers of the code of what was measured that anything else reads.
+fn read_elsewhere(program: &Program) -> Vec<Register> {
+    let mut is_read = vec![false; program.registers];
+    let p = program;
+    let code = [&p.per_time, &p.per_state, &p.output_code, &p.motion_code, &p.jacobian_code];
+    let operands = code.into_iter().flatten().flat_map(|op| [op.a, op.b, op.c]);
+    let named = [&p.rates, &p.outputs, &p.definitions, &p.jacobian, &p.explicit_time];
+    let watched = p.watches.iter().flat_map(|w| [w.guard, w.motion]);
+    let remembered = p.remembered.iter().flat_map(registers_of);
+    for r in operands.chain(named.into_iter().flatten().copied()).chain(watched).chain(remembered) {
+        if let Some(read) = is_read.get_mut(usize::from(r)) {
+            *read = true;
+        }
+    }
+    program.per_data.iter().map(|op| op.to).filter(|r| is_read[usize::from(*r)]).collect()
+}
