@@ -50,9 +50,9 @@ const NAMES: [&str; 6] = ["heading", "amplitude", "period", "frequency", "latitu
 /// // (2.4) by hand for C0 = 1e5 N/m and T = 0.5 s at 60°
 /// let s = gyrospec::Gyrosphere { latitude: 60f64.to_radians(), ..compass.sphere };
 /// let by = (s.weight / s.gravity).powi(2) * 0.25f64.powi(2) / (4.0 * s.momentum * s.earth_rate * s.latitude.cos() * 1e5);
-/// let error = |k: f64| { let p = 0.5 + 0.03 * k; -by * p.powi(4) * (1.4 * k).sin() / (1.0 + 0.25 * p * p) };
+/// let error = |k: f64| { let p = 0.5 + 0.03 * k; -by * p.powi(4) * (0.3 * k).sin() / (1.0 + 0.25 * p * p) };
 /// let columns = vec![
-///     made("heading", "rad", &|k| 0.7 * k), made("amplitude", "m", &|_| 0.25),
+///     made("heading", "rad", &|k| 0.15 * k), made("amplitude", "m", &|_| 0.25),
 ///     made("frequency", "rad/s", &|k| 0.5 + 0.03 * k), made("latitude", "rad", &|_| 60f64.to_radians()),
 ///     made("error", "rad", &error),
 /// ];

@@ -193,11 +193,12 @@ const OF_A_SEA: [&str; 11] = [
     "also",
 ];
 
-/// Pairs without an option of the sea are tried on irregular roll.
+/// Pairs without an option of the sea, and what is followed in time, are tried on irregular roll.
 #[test]
 fn the_same_in_a_sea() {
     let cheap = |id, words| match id {
         "simulate" => "--seed 7",
+        "friction" | "free-play" => "--flow 3s,0.1",
         "card" => "--card 3m",
         _ => words,
     };

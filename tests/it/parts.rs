@@ -329,7 +329,7 @@ const OPTIONS: [&str; 7] = [
 fn each_pair_of_parts_is_computed() {
     for (i, one) in OPTIONS.iter().enumerate() {
         for other in &OPTIONS[i + 1..] {
-            let told = asked_json(&[one, other, "--band=2.5"]);
+            let told = asked_json(&[one, other, "--band=2.5", "--heading=45"]);
             let name = told["instrument"].as_str().unwrap();
             let row = &told["rows"][0];
             let mean = row["mean_deg"].as_f64().unwrap();

@@ -71,7 +71,8 @@ impl Case {
         let of = |u: f64| self.missed(z, w, dt, (u, s)).0;
         let mut u = 0.0;
         for _ in 0..20 {
-            let (here, slope) = (of(u), (of(u + 1e-7 * s) - of(u)) * 1e7 * s);
+            let here = of(u);
+            let slope = (of(u + 1e-7 * s) - here) * 1e7 * s;
             let next = u - here / slope;
             if (next - u).abs() <= 1e-12 * (u.abs() + 1e-12) {
                 break;

@@ -212,7 +212,7 @@ fn rolling_errors_fit_their_schemas() {
         &["roll-error", "--json", "--against", "latitude"],
         &["roll-error", "--json", "examples/roll.csv"],
         &["roll-error", "--json", "--inertia"],
-        &["roll-error", "--json", "--free-play", "0.1mm", "--band", "2.5rad/s"],
+        &["roll-error", "--json", "--free-play", "0.1mm", "--band", "2.5rad/s", "--heading", "45"],
         &["roll-error", "--json", "--sea", "pm", "--against", "height"],
     ] {
         fits("roll-error", &said(call));

@@ -30,7 +30,7 @@ use num_complex::Complex64;
 ///     times: read("1"),
 /// };
 /// let derived = mean.derived(&Simplifier::default())?;
-/// assert_eq!(derived.formula.text(), "x2 = a² / (2 (1 + p²T²))");
+/// assert_eq!(derived.formula.text(), "x2 = a² / (2(1 + T²p²))");
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 #[derive(Clone, PartialEq, Debug)]
