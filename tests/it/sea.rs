@@ -300,7 +300,9 @@ fn random_slope(beam: f64, sea: &Sea, seed: u64, steps: usize) -> Vec<f64> {
         .collect();
     let mut next = || {
         let slope = parts.iter().map(|[z, _]| z.re).sum();
-        parts.iter_mut().for_each(|[z, turn]| *z *= *turn);
+        for [z, turn] in &mut parts {
+            *z *= *turn;
+        }
         slope
     };
     (0..=2 * steps).map(|_| next()).collect()
