@@ -14,6 +14,8 @@
 //! values agree bit for bit, tangents but for the sign of a zero (and where a value is infinite).
 //! This is the one package of the project with unsafe code. Why each block is sound stands above it.
 
+#[cfg(feature = "jit")]
+mod body;
 mod code;
 #[cfg(feature = "jit")]
 mod lower;

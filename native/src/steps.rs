@@ -1,8 +1,9 @@
 //! The functions of a step, compiled, and their calls.
 
-use crate::lower::{Lowering, Num, Signatures};
-use crate::{Number, Op, Register, StepCode, spread};
-use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, Value, types};
+use crate::body::Body;
+use crate::lower::{Lowering, Signatures};
+use crate::{Number, StepCode, spread};
+use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, types};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
 use cranelift_jit::{JITBuilder, JITModule};
@@ -95,6 +96,9 @@ impl Which {
 }
 
 impl Steps {
+    /// Whether machine code is made at all.
+    pub const MADE: bool = true;
+
     /// The steps of a model's rates for numbers with so many tangents (an even number); none where the machine is not
     /// known, gives no memory that may run, or the code is too long to be worth it.
     pub fn compile(step: &StepCode<'_>, tangents: usize) -> Option<Self> {
@@ -272,8 +276,8 @@ fn define(module: &mut JITModule, step: &StepCode<'_>, tangents: usize, which: W
     };
     let mut body = Body { lowering, step };
     match which {
-        Which::Time => body.segment(step.time, which),
-        Which::Output => body.segment(step.output, which),
+        Which::Time => body.segment(step.time, Lowering::keep_known),
+        Which::Output => body.segment(step.output, Lowering::keep),
         Which::First => body.first(&arguments),
         Which::Second => body.second(&arguments),
         Which::Heun => body.heun(&arguments),
@@ -297,126 +301,4 @@ fn before(step: &StepCode<'_>, which: Which) -> Vec<bool> {
         step.code.iter().for_each(|op| active[usize::from(op.to)] = true);
     }
     active
-}
-
-/// The body of a function that is being built.
-struct Body<'a, 'f> {
-    lowering: Lowering<'a, 'f>,
-    step: &'a StepCode<'a>,
-}
-
-impl Body<'_, '_> {
-    fn states(&self) -> std::ops::Range<usize> {
-        0..self.step.states.len()
-    }
-
-    fn read(&mut self, base: Value) -> Vec<Num> {
-        self.states().map(|i| self.lowering.load(base, i, true)).collect()
-    }
-
-    fn write(&mut self, base: Value, x: &[Num]) {
-        for (i, x) in x.iter().enumerate() {
-            self.lowering.store(base, i, x);
-        }
-    }
-
-    fn constant(&mut self, c: f64, h: Value) -> Value {
-        let c = self.lowering.builder.ins().f64const(c);
-        self.lowering.builder.ins().fmul(c, h)
-    }
-
-    /// The rates at a state.
-    fn rates(&mut self, x: &[Num]) -> Vec<Num> {
-        for (register, x) in self.step.states.iter().zip(x) {
-            self.lowering.held[usize::from(*register)] = Some(x.clone());
-        }
-        for op in self.step.code {
-            self.lowering.op(op);
-        }
-        self.step.rates.iter().map(|r| self.lowering.get(*r)).collect()
-    }
-
-    /// Instructions by themselves; all of their results are left.
-    fn segment(&mut self, code: &[Op], which: Which) {
-        for op in code {
-            self.lowering.op(op);
-        }
-        for op in code {
-            match which {
-                Which::Time => self.lowering.keep_known(op.to),
-                _ => self.lowering.keep(op.to),
-            }
-        }
-    }
-
-    /// x + h·k for each state.
-    fn along(&mut self, x: &[Num], k: &[Num], h: Value) -> Vec<Num> {
-        let l = &mut self.lowering;
-        x.iter()
-            .zip(k)
-            .map(|(x, k)| {
-                let change = l.scale(k, h);
-                l.add(x, &change)
-            })
-            .collect()
-    }
-
-    fn sums(&mut self, a: &[Num], b: &[Num]) -> Vec<Num> {
-        a.iter().zip(b).map(|(a, b)| self.lowering.add(a, b)).collect()
-    }
-
-    /// The rates at the end of the step, with the registers that are to be kept, and the rates before them.
-    fn end(&mut self, x1: &[Num], last: &[Num], written: [Value; 3]) {
-        let rates = self.rates(x1);
-        self.write(written[0], x1);
-        self.write(written[1], &rates);
-        for (i, k) in last.iter().enumerate() {
-            let value = Num { value: k.value, tangents: None };
-            self.lowering.store(written[2], i, &value);
-        }
-        let computed: Vec<Register> = self.step.code.iter().map(|op: &Op| op.to).collect();
-        for r in self.step.states.iter().chain(&computed).filter(|r| self.step.kept[usize::from(**r)]) {
-            self.lowering.keep(*r);
-        }
-    }
-
-    fn first(&mut self, arguments: &[Value]) {
-        let [_, x, k, _, h, stage, sum, _] = *arguments else { return };
-        let (x, k1) = (self.read(x), self.read(k));
-        let half = self.constant(0.5, h);
-        let at = self.along(&x, &k1, half);
-        let k2 = self.rates(&at);
-        let at = self.along(&x, &k2, half);
-        let k3 = self.rates(&at);
-        let last = self.along(&x, &k3, h);
-        self.write(stage, &last);
-        // k₁ + 2(k₂ + k₃)
-        let two = self.lowering.builder.ins().f64const(2.0);
-        let middle = self.sums(&k2, &k3);
-        let doubled: Vec<Num> = middle.iter().map(|m| self.lowering.scale(m, two)).collect();
-        let sums = self.sums(&k1, &doubled);
-        self.write(sum, &sums);
-    }
-
-    fn second(&mut self, arguments: &[Value]) {
-        let [_, x, stage, sum, h, x1, k, last] = *arguments else { return };
-        let (x, stage, sum) = (self.read(x), self.read(stage), self.read(sum));
-        let k4 = self.rates(&stage);
-        let all = self.sums(&sum, &k4);
-        let six = self.lowering.builder.ins().f64const(6.0);
-        let sixth = self.lowering.builder.ins().fdiv(h, six);
-        let at = self.along(&x, &all, sixth);
-        self.end(&at, &k4, [x1, k, last]);
-    }
-
-    fn heun(&mut self, arguments: &[Value]) {
-        let [_, x, k, _, h, x1, rates, last] = *arguments else { return };
-        let (x, k1) = (self.read(x), self.read(k));
-        let at = self.along(&x, &k1, h);
-        let k2 = self.rates(&at);
-        let both = self.sums(&k1, &k2);
-        let half = self.constant(0.5, h);
-        let at = self.along(&x, &both, half);
-        self.end(&at, &k2, [x1, rates, last]);
-    }
 }

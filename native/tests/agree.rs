@@ -165,6 +165,12 @@ fn agree(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| a == b || (a.is_nan() && b.is_nan()))
 }
 
+/// A number at random, with tangents or with zeros in their place.
+fn drawn<T: Plain>(draw: &mut Draw, with: bool) -> T {
+    let value = draw.number();
+    T::of(value, &mut || if with { draw.number() } else { 0.0 })
+}
+
 fn parts<T: Plain>(x: &[T]) -> Vec<f64> {
     x.iter().flat_map(|x| x.parts()).collect()
 }
@@ -203,10 +209,7 @@ fn tried_segments<T: Plain>(seed: u64) -> bool {
         kept: &kept,
     };
     let Some(steps) = Steps::compile(&step, T::TANGENTS) else { return false };
-    let mut number = |with: bool| {
-        let value = draw.number();
-        T::of(value, &mut || if with { draw.number() } else { 0.0 })
-    };
+    let mut number = |with: bool| drawn::<T>(&mut draw, with);
     let zero = T::of(0.0, &mut || 0.0);
     let mut r: Vec<T> =
         (0..registers).map(|k| if k < usize::from(GIVEN) { number(k < 6) } else { zero }).collect();
@@ -242,10 +245,7 @@ fn tried<T: Plain>(seed: u64) -> bool {
         kept: &kept,
     };
     let Some(steps) = Steps::compile(&step, T::TANGENTS) else { return false };
-    let mut number = |with: bool| {
-        let value = draw.number();
-        T::of(value, &mut || if with { draw.number() } else { 0.0 })
-    };
+    let mut number = |with: bool| drawn::<T>(&mut draw, with);
     let given: Vec<T> = active.iter().map(|with| number(*with)).collect();
     let x: Vec<T> = (0..STATES).map(|_| number(true)).collect();
     let h = 0.01;

@@ -5,6 +5,7 @@ use super::{Outcome, input, output};
 use crate::gyro::gimbal::{Demodulator, Gimbal, Noise, Run, Sample, State};
 use crate::gyro::range;
 use crate::model::{Number, Numbers};
+use crate::report::json::object;
 use crate::report::terminal::{Trace, picture};
 use crate::units::figure;
 use crate::{Error, Result};
@@ -220,7 +221,5 @@ fn json(given: &Given, corner: f64) -> Result<String> {
             "figure": s.figure, "says": s.message, "value": s.value, "limit": s.limit, "unit": s.unit, "holds": s.holds(),
         })).collect::<Vec<_>>(),
     });
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
-    text.push('\n');
-    Ok(text)
+    object(&value)
 }

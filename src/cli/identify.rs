@@ -1,16 +1,16 @@
 //! `gyrospec identify`: T and C₀ of a compass from errors measured on regular roll.
 
-use super::input::{Held, text as text_of};
+use super::compass::named;
+use super::input::Held;
 use super::quantity::{latitude as latitude_of, quantity};
 use super::{Outcome, note, output};
 use crate::gyro::range;
-use crate::model::Model;
 use crate::record::{Input, Recording};
 use crate::report::identified::{json, text};
 use crate::rolling::{Compass, identification};
 use crate::units::Unit;
 use crate::{Error, Result};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// T and C0 of a compass from a table of errors measured on regular roll.
 #[derive(clap::Args)]
@@ -65,10 +65,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
 }
 
 fn compass(call: &Call) -> Result<Compass> {
-    let mut compass = match call.compass.as_deref() {
-        None => Compass::paper(),
-        Some(path) => read(path).map_err(|e| e.with_file(path))?,
-    };
+    let mut compass = named(call.compass.as_deref())?;
     if let Some(text) = &call.latitude {
         compass.sphere.latitude = latitude_of("latitude", text, &range::LATITUDE)?;
     }
@@ -76,13 +73,6 @@ fn compass(call: &Call) -> Result<Compass> {
         compass.sphere.lever = quantity("lever", text, &range::LEVER)?;
     }
     Ok(compass)
-}
-
-fn read(path: &Path) -> Result<Compass> {
-    match path.to_str() {
-        Some(name) if !path.exists() && Model::builtin(name).is_ok() => Compass::builtin(name),
-        _ => Compass::parse(&text_of(path)?),
-    }
 }
 
 /// The table: a TOML recording as it is, or a file of rows whose header has their units.

@@ -3,6 +3,7 @@
 
 mod audit;
 mod colour;
+mod compass;
 mod completions;
 mod diagnose;
 mod explain;

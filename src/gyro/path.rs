@@ -13,6 +13,7 @@
 use super::instrument::Instrument;
 use super::seed::Regular;
 use super::{Axis, LinearSignal, Motion};
+use crate::lti::poles;
 use crate::lti::{Discrete, Gaussian, StateSpace, stationary_covariance};
 use crate::{Error, ErrorKind, Result};
 use faer::Mat;
@@ -83,8 +84,7 @@ impl Drive {
     /// # Errors
     /// `NotComputed` where the eigenvalues of its filter are not found.
     pub(super) fn memory(&self) -> Result<f64> {
-        let poles = self.motion.system().a.eigenvalues();
-        let poles = poles.map_err(|_| Error::not_computed("the poles of the motion are not found"))?;
+        let poles = poles(&self.motion.system().a, "motion")?;
         Ok(-1.0 / poles.iter().map(|p| p.re).fold(f64::NEG_INFINITY, f64::max))
     }
 }

@@ -26,7 +26,8 @@
 use super::kernel::trace;
 use super::rectified::SlowFast;
 use super::{HeadingError, Instrument, Motion};
-use crate::{Error, Result};
+use crate::Result;
+use crate::lti::poles;
 use faer::{Mat, c64};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -114,8 +115,7 @@ impl SlowFast {
 
     /// The answers of slow state `row` to impulses on others, with the step of time.
     fn impulses(&self, row: usize, pushed: &[usize]) -> Result<(f64, Vec<Vec<f64>>)> {
-        let poles = self.slow.eigenvalues();
-        let poles = poles.map_err(|_| Error::not_computed("the poles of the compass are not found"))?;
+        let poles = poles(&self.slow, "compass")?;
         let fastest = poles.iter().map(|p| p.re.hypot(p.im)).fold(0.0, f64::max);
         let slowest = poles.iter().map(|p| -p.re).fold(f64::INFINITY, f64::min);
         let step = 0.02 / fastest;
@@ -136,8 +136,7 @@ impl SlowFast {
 
     /// Frequencies and widths of Simpson's rule on points about the poles.
     fn frequencies(&self) -> Result<Vec<(f64, f64)>> {
-        let poles = self.fast.eigenvalues();
-        let poles = poles.map_err(|_| Error::not_computed("the poles of the motion are not found"))?;
+        let poles = poles(&self.fast, "motion")?;
         let sizes = || poles.iter().map(|p| p.re.hypot(p.im)).filter(|s| *s > 0.0);
         let (low, high) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
         let (first, last) = ((0.01 * low).ln(), (100.0 * high).ln());

@@ -10,7 +10,8 @@
 
 use super::rectified::SlowFast;
 use super::{Instrument, Motion};
-use crate::{Error, Result};
+use crate::Result;
+use crate::lti::poles;
 
 /// So many times its own frequency a motion hardly moves.
 const FAR: f64 = 4.0;
@@ -106,8 +107,7 @@ impl SlowFast {
     /// # Errors
     /// `NotComputed` where the poles of the motion are not found.
     pub(super) fn mean_up_to(&self, row: usize, from: f64, whole: f64) -> Result<Vec<(f64, f64)>> {
-        let poles = self.fast.eigenvalues();
-        let poles = poles.map_err(|_| Error::not_computed("the poles of the motion are not found"))?;
+        let poles = poles(&self.fast, "motion")?;
         let fastest = poles.iter().map(|p| p.re.hypot(p.im)).fold(from, f64::max);
         let ends: Vec<f64> = cuts(from).chain([1e3 * fastest.max(CUTS[3])]).collect();
         let f = |x: f64| x.exp() * self.mean_density(row, x.exp());

@@ -7,6 +7,7 @@ mod covariance;
 mod cross;
 mod discrete;
 mod gaussian;
+mod poles;
 mod state_space;
 mod transfer;
 
@@ -17,5 +18,6 @@ pub use cross::{CrossIntegral, cross_integrand, cross_moment, cross_rate_moment}
 pub use discrete::Discrete;
 #[doc(hidden)]
 pub use gaussian::Gaussian;
+pub(crate) use poles::poles;
 pub use state_space::StateSpace;
 pub use transfer::TransferFunction;

@@ -1,11 +1,12 @@
 //! T and C₀ from a table of trials, as text and as JSON.
 
+use crate::Result;
 use crate::gyro::SIGN;
+use crate::report::json::object;
 use crate::report::page::estimate;
 use crate::rolling::{Identification, TrialRow};
 use crate::spectrum::Interval;
 use crate::units::{figure, significant};
-use crate::{Error, Result};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -76,7 +77,5 @@ pub fn json(told: &Identification) -> Result<String> {
         "rows": told.rows.iter().map(row).collect::<Vec<_>>(),
         "sign": SIGN,
     });
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
-    text.push('\n');
-    Ok(text)
+    object(&value)
 }

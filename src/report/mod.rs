@@ -4,6 +4,7 @@ pub mod braille;
 pub mod diagnosis;
 pub mod fit;
 pub mod identified;
+pub mod json;
 pub mod page;
 pub mod pendulous;
 pub mod polar;

@@ -1,9 +1,10 @@
 //! What vibration and noise do to a strapdown system, as text and as JSON.
 
+use crate::Result;
 use crate::gyro::SIGN;
 use crate::gyro::strapdown::{Effect, Findings, GRAVITY, RotorReads, Spread, System, Vector, Vibration};
+use crate::report::json::object;
 use crate::units::{figure, significant};
-use crate::{Error, Result};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -180,9 +181,7 @@ pub fn json(system: &System, found: &Findings) -> Result<String> {
         "linear_theory_holds": found.is_linear(),
         "sign": SIGN,
     });
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
-    text.push('\n');
-    Ok(text)
+    object(&value)
 }
 
 fn vibrations(axes: &[Option<Vibration>; 3], deviation: &str) -> Vec<Value> {

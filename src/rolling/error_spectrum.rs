@@ -2,8 +2,8 @@
 
 use super::{Compass, Excitation};
 use crate::gyro::HeadingError;
+use crate::lti::poles;
 use crate::{Error, Result};
-use faer::Mat;
 use num_complex::Complex64;
 use rayon::prelude::*;
 use std::f64::consts::TAU;
@@ -42,11 +42,6 @@ const FINE: f64 = 20.0;
 
 /// A pole is narrow where its decay is less than this share of its frequency.
 const NARROW: f64 = 0.3;
-
-fn poles(a: &Mat<f64>) -> Result<Vec<Complex64>> {
-    let found = a.eigenvalues().map_err(|_| Error::not_computed("the poles of the motion are not found"))?;
-    Ok(found.into_iter().map(|z| Complex64::new(z.re, z.im)).collect())
-}
 
 /// Frequencies evenly by their logarithm, and closer about narrow poles and twice their frequencies, where products
 /// have their peaks.
@@ -105,7 +100,10 @@ pub fn error_spectrum(compass: &Compass, excitation: &Excitation, heading: f64) 
     let lowest = TAU / compass.sphere.undamped_period() / 100.0;
     let highest = 10.0 * motion.own_frequency()?.max(0.1);
     let system = instrument.system(&motion, heading)?;
-    let omega = frequencies([lowest, highest], &[poles(&system.fast)?, poles(&system.slow)?].concat());
+    let omega = frequencies(
+        [lowest, highest],
+        &[poles(&system.fast, "motion")?, poles(&system.slow, "compass")?].concat(),
+    );
     // each run of frequencies by itself: they share nothing
     let runs: Result<Vec<Vec<(f64, f64)>>> =
         omega.par_chunks(16).map(|run| instrument.error_spectrum(&motion, heading, run)).collect();

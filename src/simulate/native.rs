@@ -51,7 +51,7 @@ struct Kind {
 impl Natives {
     /// The machine code for a run of so many steps with these registers; none where the run is better interpreted.
     pub fn of<T: Scalar>(&self, program: &Program, parameters: &[T], steps: usize) -> Option<Arc<Steps>> {
-        if program.remembered.iter().any(|m| matches!(m, Remembered::Past { .. })) {
+        if !Steps::MADE || program.remembered.iter().any(|m| matches!(m, Remembered::Past { .. })) {
             return None;
         }
         let active = active(program, parameters)?;
@@ -108,7 +108,7 @@ fn compiled(program: &Program, active: &[bool], tangents: usize) -> Option<Steps
         states: &program.states,
         rates: &program.rates,
         active,
-        kept: &kept(program),
+        kept: &program.read_by(&[&program.output_code, &program.motion_code, &program.jacobian_code]),
     };
     Steps::compile(&step, tangents)
 }
@@ -117,32 +117,6 @@ fn compiled(program: &Program, active: &[bool], tangents: usize) -> Option<Steps
 fn translated(code: &[Op]) -> Option<Vec<gyrospec_native::Op>> {
     let held = |op: &&Op| !matches!(op.action, Action::Sign | Action::Relay);
     code.iter().filter(held).map(native).collect()
-}
-
-/// The registers that are read elsewhere than in the code of the states.
-fn kept(program: &Program) -> Vec<bool> {
-    let mut kept = vec![false; program.registers];
-    let code = [&program.output_code, &program.motion_code, &program.jacobian_code];
-    let read = code.into_iter().flatten().flat_map(|op| [op.a, op.b, op.c]);
-    let watched = program.watches.iter().flat_map(|w| [w.guard, w.sign, w.motion]);
-    let named =
-        [&program.states, &program.rates, &program.outputs, &program.definitions].into_iter().flatten();
-    let next = program.remembered.iter().flat_map(registers_of);
-    for r in read.chain(watched).chain(named.copied()).chain(next) {
-        if let Some(kept) = kept.get_mut(at(r)) {
-            *kept = true;
-        }
-    }
-    kept
-}
-
-/// The registers that are read of what remembers.
-pub(super) fn registers_of(m: &Remembered) -> [Register; 3] {
-    match *m {
-        Remembered::Hidden { start, .. } => [start; 3],
-        Remembered::Held { held, next, start } => [held, next, start],
-        Remembered::Past { signal, motion, delay, .. } => [signal, motion, delay],
-    }
 }
 
 /// An instruction in the words of the package that compiles.

@@ -99,8 +99,8 @@ impl<T: Scalar> Stepper<T> {
             }
         }
         match self.method {
-            Solver::Explicit => self.explicit(m, (t, to), (x, k1), out),
-            Solver::Heun => self.heun(m, (t, to), (x, k1), out),
+            Solver::Explicit => self.explicit(m, (t, to, piece), (x, k1), out),
+            Solver::Heun => self.heun(m, (t, to, piece), (x, k1), out),
             Solver::Stiff => self.stiff(m, (t, to - t), (x, k1), out),
         }
         m.rates(to, out, rates);
@@ -125,12 +125,19 @@ impl<T: Scalar> Stepper<T> {
         }
     }
 
-    fn heun(&mut self, m: &mut Machine<'_, T>, (t, to): (f64, f64), (x, k1): (&[T], &[T]), out: &mut [T]) {
+    fn heun(
+        &mut self,
+        m: &mut Machine<'_, T>,
+        (t, to, piece): (f64, f64, Option<usize>),
+        (x, k1): (&[T], &[T]),
+        out: &mut [T],
+    ) {
         let h = to - t;
         let k2 = &mut self.k[0];
         for i in 0..x.len() {
             out[i] = x[i] + k1[i].scale(h);
         }
+        m.load_stage(to, piece, 0);
         m.rates(to, out, k2);
         for i in 0..x.len() {
             // x + h·(k₁ + k₂)/2
@@ -141,25 +148,27 @@ impl<T: Scalar> Stepper<T> {
     fn explicit(
         &mut self,
         m: &mut Machine<'_, T>,
-        (t, to): (f64, f64),
+        (t, to, piece): (f64, f64, Option<usize>),
         (x, k1): (&[T], &[T]),
         out: &mut [T],
     ) {
-        let h = to - t;
+        let (h, middle) = (to - t, t + 0.5 * (to - t));
         let n = x.len();
         let [k2, k3, k4] = self.k.as_mut_slice() else { return };
         let stage = &mut self.stage;
         for i in 0..n {
             stage[i] = x[i] + k1[i].scale(0.5 * h);
         }
-        m.rates(t + 0.5 * h, stage, k2);
+        m.load_stage(middle, piece, 0);
+        m.rates(middle, stage, k2);
         for i in 0..n {
             stage[i] = x[i] + k2[i].scale(0.5 * h);
         }
-        m.rates(t + 0.5 * h, stage, k3);
+        m.rates(middle, stage, k3);
         for i in 0..n {
             stage[i] = x[i] + k3[i].scale(h);
         }
+        m.load_stage(to, piece, 1);
         m.rates(to, stage, k4);
         for i in 0..n {
             // x + h·(k₁ + 2k₂ + 2k₃ + k₄)/6

@@ -7,7 +7,6 @@
 
 use super::machine::Machine;
 use super::mesh::Mesh;
-use super::native::registers_of;
 use super::pieces::{piece, substeps};
 use super::steps::Solver;
 use super::table::Table;
@@ -63,17 +62,7 @@ fn filled(program: &Program, mesh: &Mesh, steps: usize, stages: usize) -> Option
 
 /// The registers of the code of what was measured that anything else reads.
 fn read_elsewhere(program: &Program) -> Vec<Register> {
-    let mut is_read = vec![false; program.registers];
     let p = program;
-    let code = [&p.per_time, &p.per_state, &p.output_code, &p.motion_code, &p.jacobian_code];
-    let operands = code.into_iter().flatten().flat_map(|op| [op.a, op.b, op.c]);
-    let named = [&p.rates, &p.outputs, &p.definitions, &p.jacobian, &p.explicit_time];
-    let watched = p.watches.iter().flat_map(|w| [w.guard, w.motion]);
-    let remembered = p.remembered.iter().flat_map(registers_of);
-    for r in operands.chain(named.into_iter().flatten().copied()).chain(watched).chain(remembered) {
-        if let Some(read) = is_read.get_mut(usize::from(r)) {
-            *read = true;
-        }
-    }
+    let is_read = p.read_by(&[&p.per_time, &p.per_state, &p.output_code, &p.motion_code, &p.jacobian_code]);
     program.per_data.iter().map(|op| op.to).filter(|r| is_read[usize::from(*r)]).collect()
 }

@@ -2,7 +2,6 @@
 
 mod answer;
 mod card;
-mod compass;
 mod examples;
 mod hints;
 mod options;
@@ -10,6 +9,7 @@ mod part;
 mod recording;
 mod spectrum;
 
+use super::compass;
 use super::input::Held;
 use super::progress::Meter;
 use super::{Outcome, output};
@@ -26,7 +26,7 @@ use crate::{Error, Result};
 use answer::Instead;
 use hints::worded;
 use options::RowOptions;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Mean and spread of a gyrocompass's heading error on a rolling ship.
 ///
@@ -119,7 +119,7 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
         return Ok(Outcome::Done);
     }
     let named = |e: Error| parameters.map_or(e.clone(), |held| held.place(e));
-    let compass = compass::read(parameters.map(Held::path), &a.instrument).map_err(named)?;
+    let compass = a.compass(parameters.map(Held::path)).map_err(named)?;
     if let Some(sizes) = &a.instead.card {
         return carded(a, sizes, (compass, file), places, read);
     }
@@ -176,6 +176,12 @@ pub enum Asked {
 }
 
 impl Arguments {
+    /// The compass of a file, a built-in model or the paper, with what the options say of it.
+    fn compass(&self, path: Option<&Path>) -> Result<Compass> {
+        let put = self.instrument.put(compass::named(path)?);
+        put.map_err(|e| path.map_or(e.clone(), |path| e.with_file(path)))
+    }
+
     /// What the options ask for of a compass.
     fn request(&self, compass: Compass, rows: &RowOptions) -> Result<Request> {
         let excitation = self.motion.excitation(compass.roll)?.under_way(compass.speed);
@@ -332,8 +338,8 @@ pub fn asked(options: &[String], given: &Given<'_>) -> Result<(Asked, u64)> {
         ));
     }
     let compass = match given.text {
-        Some(text) => compass::with(Compass::parse(text)?, &a.instrument)?,
-        None => compass::read(given.path, &a.instrument)?,
+        Some(text) => a.instrument.put(Compass::parse(text)?)?,
+        None => a.compass(given.path)?,
     };
     let asked = match given.recording {
         Some(recording) => Asked::Recorded(Box::new(recording::asked(&compass, recording, &a, &a.rows)?)),

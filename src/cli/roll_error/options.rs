@@ -33,7 +33,7 @@ impl InstrumentOptions {
     }
 
     /// Puts what is said into a compass; parts go together with each other and with that of a model.
-    pub fn put(&self, compass: &mut Compass) -> Result<()> {
+    pub fn put(&self, mut compass: Compass) -> Result<Compass> {
         let s = &mut compass.sphere;
         if let Some(text) = &self.latitude {
             s.latitude = latitude("latitude", text, &range::LATITUDE)?;
@@ -53,7 +53,7 @@ impl InstrumentOptions {
             let all: Vec<_> = own.into_iter().chain(asked).collect();
             compass.part = together(&all)?;
         }
-        Ok(())
+        Ok(compass)
     }
 }
 

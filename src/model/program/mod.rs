@@ -85,6 +85,42 @@ pub(crate) struct Program {
     pub has_memory: bool,
 }
 
+impl Program {
+    /// Which registers these pieces of code read, or are asked for by themselves.
+    pub fn read_by(&self, code: &[&[Op]]) -> Vec<bool> {
+        let mut is_read = vec![false; self.registers];
+        let operands = code.iter().copied().flatten().flat_map(|op| [op.a, op.b, op.c]);
+        let named = [
+            &self.states,
+            &self.rates,
+            &self.outputs,
+            &self.definitions,
+            &self.jacobian,
+            &self.explicit_time,
+        ];
+        let watched = self.watches.iter().flat_map(|w| [w.guard, w.sign, w.motion]);
+        let remembered = self.remembered.iter().flat_map(Remembered::registers);
+        for r in operands.chain(named.into_iter().flatten().copied()).chain(watched).chain(remembered) {
+            // an operand may be a whole power instead
+            if let Some(is_read) = is_read.get_mut(usize::from(r)) {
+                *is_read = true;
+            }
+        }
+        is_read
+    }
+}
+
+impl Remembered {
+    /// The registers that are read of it.
+    fn registers(&self) -> [Register; 3] {
+        match *self {
+            Self::Hidden { start, .. } => [start; 3],
+            Self::Held { held, next, start } => [held, next, start],
+            Self::Past { signal, motion, delay, .. } => [signal, motion, delay],
+        }
+    }
+}
+
 impl Model {
     /// Checks the model and compiles it.
     pub(crate) fn compile(&self) -> Result<Program> {

@@ -1,11 +1,12 @@
 //! The result of a fit as JSON; the schema is documented with the rest of the forms.
 
 use super::FitReport;
+use crate::Result;
 use crate::estimate::Side;
 use crate::estimate::fit::{Combination, Fit, ParameterEstimate, Status};
 use crate::estimate::independent_samples;
+use crate::report::json::object;
 use crate::units::Unit;
-use crate::{Error, Result};
 use serde_json::{Value, json};
 
 /// A number, or null where it is not finite.
@@ -41,9 +42,7 @@ pub fn render(told: &FitReport<'_>) -> Result<String> {
             })).collect::<Vec<_>>(),
         },
     });
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
-    text.push('\n');
-    Ok(text)
+    object(&value)
 }
 
 fn parameter(p: &ParameterEstimate, fit: &Fit) -> Value {

@@ -1,8 +1,9 @@
 //! The voyage as one JSON object.
 
+use crate::Result;
 use crate::gyro::SIGN;
 use crate::gyro::pendulous::{SettledVoyage, Voyage};
-use crate::{Error, Result};
+use crate::report::json::object;
 use serde_json::json;
 
 /// The findings as JSON, by `docs/schemas/pendulous.json`.
@@ -41,7 +42,5 @@ pub fn json(voyage: &Voyage, told: &SettledVoyage) -> Result<String> {
         "linear_theory_holds": told.is_linear(),
         "sign": SIGN,
     });
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
-    text.push('\n');
-    Ok(text)
+    object(&value)
 }

@@ -1,10 +1,11 @@
 //! The test on a Scorsby table, in words and as JSON.
 
 use super::words;
+use crate::Result;
 use crate::gyro::SIGN;
+use crate::report::json::object;
 use crate::rolling::{Approval, Compass, TableError, TableMotion};
 use crate::units::figure;
-use crate::{Error, Result};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -81,9 +82,7 @@ pub fn approval_json(compass: &Compass, a: &Approval) -> Result<String> {
         "passes": a.passes(),
         "worst": a.worst.iter().map(worst).collect::<Vec<_>>(),
     });
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
-    text.push('\n');
-    Ok(text)
+    object(&value)
 }
 
 fn worst(e: &TableError) -> Value {

@@ -1,10 +1,11 @@
 //! The table of errors as one JSON object.
 
 use super::{distribution, sea, words};
+use crate::Result;
 use crate::gyro::validity::Smallness;
 use crate::gyro::{SIGN, Tail};
+use crate::report::json::object;
 use crate::rolling::{Against, Row, Table};
-use crate::{Error, Result};
 use serde_json::{Value, json};
 
 /// The table as JSON, by `docs/schemas/roll-error.json`.
@@ -42,9 +43,7 @@ pub fn json(table: &Table) -> Result<String> {
     if let Some(sea) = sea::as_json(table) {
         value["sea"] = sea;
     }
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
-    text.push('\n');
-    Ok(text)
+    object(&value)
 }
 
 /// One figure that the linear theory takes for small, where the mean is largest.

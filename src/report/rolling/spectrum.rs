@@ -1,12 +1,13 @@
 //! The spectrum of the heading error, as text, as JSON and as a page.
 
 use super::words;
+use crate::Result;
 use crate::gyro::{SIGN, side};
+use crate::report::json::object;
 use crate::report::page::{Page, Section, table};
 use crate::report::svg::{Layer, Picture, escaped};
 use crate::rolling::{Compass, Density, ErrorSpectrum, Excitation};
 use crate::units::{figure, significant};
-use crate::{Error, Result};
 use serde_json::json;
 use std::f64::consts::TAU;
 use std::fmt::Write;
@@ -89,9 +90,7 @@ pub fn spectrum_json(compass: &Compass, excitation: &Excitation, told: &ErrorSpe
         "densities": told.densities.iter().map(row).collect::<Vec<_>>(),
         "sign": SIGN,
     });
-    let mut text = serde_json::to_string_pretty(&value).map_err(|e| Error::not_computed(e.to_string()))?;
-    text.push('\n');
-    Ok(text)
+    object(&value)
 }
 
 /// The same as one page.

@@ -7,6 +7,7 @@ use crate::gyro::Gyrosphere;
 use crate::gyro::elastic::part::positive;
 use crate::gyro::elastic::suspension::{Flow, Suspension, Swing};
 use crate::lti::StateSpace;
+use crate::lti::poles;
 use crate::{Error, Result};
 use faer::Mat;
 
@@ -68,8 +69,7 @@ impl Balance {
             .with_hint("take a positive share, or leave the friction away"));
         }
         let part = self.moving_part()?;
-        let poles = part.a.eigenvalues();
-        let poles = poles.map_err(|_| Error::not_computed("the poles of the suspension are not found"))?;
+        let poles = poles(&part.a, "suspension")?;
         // T₂ + κ T > 0: at high frequencies the suspension still holds
         if flow.time + flow.share * self.viscous / self.stiffness > 0.0 && poles.iter().all(|p| p.re < 0.0) {
             return Ok(());
