@@ -17,7 +17,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = HELP)]
 pub struct Call {
-    /// The model file; - is standard input.
+    /// The model file, or the name of a built-in model; - is standard input.
     model: PathBuf,
     /// The recording: a CSV file or a TOML file; - is standard input.
     recording: PathBuf,

@@ -11,7 +11,7 @@ use std::time::Duration;
 /// The arguments.
 #[derive(clap::Args)]
 pub struct Task {
-    /// The model file; `-` is standard input.
+    /// The model file, or the name of a built-in model; `-` is standard input.
     model: PathBuf,
     /// Recordings: CSV or TOML files, `-` is standard input; parameters are shared, initial states are each one's own.
     #[arg(required = true)]

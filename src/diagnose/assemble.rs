@@ -58,10 +58,14 @@ pub struct Assembly<'a> {
 impl Assembly<'_> {
     /// The diagnosis.
     pub fn finish(mut self) -> Result<Diagnosis> {
+        let budget = self.bench.budget.clone();
+        budget.begin("each finding left out");
         let smaller = self.smaller();
         self.ended_early = self.bench.budget.cut();
         self.bench.budget.lift_time();
+        budget.begin("what is left");
         let (first_rest, rest) = self.rests()?;
+        budget.begin("proof");
         let (before, after) = prove::both(&self.bench, &self.found, &self.separate);
         let blind = self.blind(&after);
         let evidence = Evidence { found: &self.found, rest: &rest, blind: blind.as_deref() };
@@ -143,6 +147,7 @@ impl Assembly<'_> {
             notes: self.notes(held_out),
             made: self.made(),
         };
+        budget.begin("pictures");
         let pictures = pictures::gather(&self);
         Ok(Diagnosis {
             answer,

@@ -43,7 +43,7 @@ use crate::estimate::Fit;
 use crate::estimate::fit::{Progress, setup};
 use crate::model::Model;
 use crate::record::{Recording, Source};
-use crate::simulate::{Budget, Early};
+use crate::simulate::{Budget, Early, Stage};
 use answer::{Answer, DataFault};
 use assemble::Assembly;
 use bench::Bench;
@@ -101,10 +101,33 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
         compared::cut(asked.model, &recordings, (&separate, !request.separate.is_empty()));
     let mut bench = Bench::new(asked.model, fitted, !request.separate.is_empty(), request.seed);
     bench.budget = Budget::new(bench.budget.most(), request.time_limit);
+    let budget = bench.budget.clone();
     let case = Case { request: &asked, bench, separate, told, spoiled, notes };
     let mut diagnosis = case.diagnosed(left.is_any)?;
+    trace(&budget);
     left.restore(request.model, &mut diagnosis);
     Ok(diagnosis)
+}
+
+/// Tells the developer what was spent for what, where GYROSPEC_TRACE is set.
+fn trace(budget: &Budget) {
+    if std::env::var_os("GYROSPEC_TRACE").is_none() {
+        return;
+    }
+    let line = |s: Stage| {
+        format!(
+            "{:<22} {:>7} runs {:>10.3e} steps {:>7.2} s\n",
+            s.name,
+            s.runs,
+            s.steps as f64,
+            s.time.as_secs_f64()
+        )
+    };
+    let text: String = budget.stages().into_iter().map(line).collect();
+    #[allow(clippy::print_stderr)]
+    {
+        eprintln!("{text}");
+    }
 }
 
 /// Times that strays are looked for: where many are taken out, others come to stand apart.
@@ -126,6 +149,7 @@ impl Case<'_> {
     fn diagnosed(mut self, is_left: bool) -> Result<Diagnosis> {
         let (model, progress) = (self.request.model, self.request.progress);
         progress.report("fitting the model as it stands", None);
+        self.bench.budget.begin("fit as given");
         let base = self.bench.full_fit(model)?;
         let base = if is_left { self.without_strays(base)? } else { base };
         self.bench.budget.tell(base.ended_early);
@@ -145,6 +169,7 @@ impl Case<'_> {
                 faults::coarse(model, &self.bench.recordings, &found.base.rmse).len() == model.outputs.len();
         }
         progress.report("running what was held out", None);
+        self.bench.budget.begin("intervals");
         for fit in [&mut found.base, &mut found.last] {
             if self.bench.budget.cut() != Some(Early::Time) {
                 self.bench.ascertain(fit)?;
@@ -192,12 +217,14 @@ impl Case<'_> {
     /// The search, in channels of the right sign and unit; with whether gaps of inputs leave too little to tell.
     fn searched(&mut self, mut base: Fit) -> Result<(Found, bool)> {
         let model = self.request.model;
+        self.bench.budget.begin("faults");
         if let Some(misread) = faults::misread(&self.bench, model, &base) {
             misread.mend(&mut self.bench.recordings);
             misread.mend(&mut self.separate);
             self.told.push(misread.fault);
             base = misread.fit;
         }
+        self.bench.budget.begin("gaps");
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;
         self.bench.budget.tell(base.ended_early);
         self.notes.extend(settled);

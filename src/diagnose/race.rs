@@ -72,6 +72,7 @@ pub fn run(
     chosen: &[&Screened],
     (now, scale): (f64, &Scale),
 ) -> Vec<Finished> {
+    bench.budget.begin("heats");
     let mut field = heats(bench, view, given, chosen, scale);
     let fall = |r: &Runner<'_>| (now / r.left).ln();
     let largest = field.first().map_or(0.0, fall);
@@ -79,6 +80,7 @@ pub fn run(
     let last = last.filter(|(i, r)| *i < LAST.0 || fall(r) >= FAIR * largest).count();
     let mut others = field.split_off(last);
     others.retain(|r| r.is_cut);
+    bench.budget.begin("last fits");
     let ended = field.into_par_iter().with_max_len(1).filter_map(|r| {
         let fit = to_the_end(bench, &r.screened.proposal, &r.fit, &bench.part())?;
         Some(Finished { proposal: r.screened.proposal.clone(), is_cut: fit.ended_early.is_some(), fit })

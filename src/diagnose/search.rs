@@ -150,6 +150,7 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
     if bench.budget.cut() == Some(Early::Time) {
         return Ok(Round::nothing());
     }
+    bench.budget.begin("screening");
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
     scene.shifts = super::innovations::shifts(bench, current);
@@ -181,6 +182,7 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
     let mut fitted = refit(&chosen);
     let others = twins(&screening, &fitted);
     fitted.extend(refit(&others));
+    bench.budget.begin("last fits");
     let notes = cut::retry(bench, &mut fitted, (squares, scale), &judged);
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
     Ok(Round { screening, fitted, notes, fallen: None })
@@ -214,6 +216,7 @@ pub fn search(
             round(bench, &current, &view, &state, &given)
         })?;
         trace(bench, &round, &now);
+        bench.budget.begin("choice");
         let Some((choice, next)) = standing(bench, separate, &mut round, &now) else {
             let rest = round.screening;
             let (first, rest) = match first {
@@ -301,6 +304,7 @@ pub fn without(bench: &Bench, last: &Fit, p: &Proposal, steps: usize) -> Option<
 
 /// Drops what the others made needless.
 fn drop_needless(bench: &Bench, separate: &[Recording], found: &mut Found) {
+    bench.budget.begin("needless ones");
     let scale = Scale::of(&found.last, bench.is_trials());
     let mut last = Measure::of(&found.last, &scale);
     let mut i = 0;

@@ -15,7 +15,12 @@ use std::ops::Range;
 use std::path::Path;
 
 impl Model {
-    /// Reads a model file; `-` is standard input.
+    /// Reads a model file; `-` is standard input, and a built-in model goes by its name where no file has it.
+    ///
+    /// ```
+    /// assert_eq!(gyrospec::Model::read("gyrosphere")?.inputs[0].name, "roll_acc");
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
     ///
     /// # Errors
     /// Everything wrong with the file, with its line and column and what to do.
@@ -28,7 +33,11 @@ impl Model {
     /// # Errors
     /// As [`Model::read`].
     pub fn read_with_source(path: &Path) -> Result<(Self, Source)> {
-        let (text, source) = read_text(path)?;
+        let builtin = path.to_str().filter(|_| !path.exists()).and_then(|name| builtin::text(name).ok());
+        let (text, source) = match builtin {
+            Some(text) => (text.to_owned(), Source::of(path, text.as_bytes())),
+            None => read_text(path)?,
+        };
         let model = Self::parse(&text).map_err(|e| e.with_file(path))?;
         Ok((model, source))
     }

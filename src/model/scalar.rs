@@ -19,7 +19,7 @@ pub trait Scalar:
     /// A constant.
     fn constant(value: f64) -> Self;
 
-    /// A number with tangent 1 in one direction, none if the direction is beyond [`Self::TANGENTS`].
+    /// A number with tangent 1 in one direction, none if the direction is beyond [`TANGENTS`](gyrospec_native::Number::TANGENTS).
     fn variable(value: f64, direction: usize) -> Self;
 
     /// The value without tangents.

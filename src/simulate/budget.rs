@@ -12,6 +12,7 @@
 //! simulation may spend a share of the whole, so that none goes on where a model is stiff beyond use. Time is
 //! asked at any moment, even inside a run.
 
+use super::stages::{Stage, Stages};
 use crate::{Error, Result};
 use serde::Serialize;
 use std::cell::Cell;
@@ -59,6 +60,7 @@ struct Whole {
     one_run: u64,
     /// 0 for nothing, 1 where a part was ended by its steps, 2 by the time.
     cut: AtomicU8,
+    stages: Stages,
 }
 
 #[derive(Debug)]
@@ -83,7 +85,10 @@ impl Budget {
         let until = time.and_then(|t| Instant::now().checked_add(t));
         let own = Own { most, spent: AtomicU64::new(0), is_lifted: AtomicBool::new(false), of: None };
         let one_run = if most == u64::MAX { UNLIMITED } else { most / RUNS };
-        Self { whole: Arc::new(Whole { until, one_run, cut: AtomicU8::new(0) }), own: Arc::new(own) }
+        Self {
+            whole: Arc::new(Whole { until, one_run, cut: AtomicU8::new(0), stages: Stages::default() }),
+            own: Arc::new(own),
+        }
     }
 
     fn with(&self, most: u64) -> Self {
@@ -106,7 +111,22 @@ impl Budget {
 
     /// What one simulation may spend of it.
     pub(super) fn one_run(&self) -> Allowance<'_> {
-        Allowance { budget: self, left: Cell::new(self.whole.one_run), owed: Cell::new(0) }
+        Allowance {
+            budget: self,
+            left: Cell::new(self.whole.one_run),
+            owed: Cell::new(0),
+            told: Cell::new(0),
+        }
+    }
+
+    /// Begins what the next runs are for, or goes on with it.
+    pub fn begin(&self, stage: &'static str) {
+        self.whole.stages.begin(stage);
+    }
+
+    /// What was spent for what.
+    pub fn stages(&self) -> Vec<Stage> {
+        self.whole.stages.all()
     }
 
     /// Counts steps.
@@ -175,6 +195,8 @@ pub(super) struct Allowance<'a> {
     left: Cell<u64>,
     /// Steps that the budget has not been told of yet.
     owed: Cell<u64>,
+    /// Those that it has.
+    told: Cell<u64>,
 }
 
 /// Steps of which the budget, which threads share, is told at once.
@@ -195,7 +217,9 @@ impl Allowance<'_> {
 
     /// Tells the budget what it has not been told of.
     fn settle(&self) {
-        self.budget.spend(self.owed.replace(0));
+        let owed = self.owed.replace(0);
+        self.told.set(self.told.get() + owed);
+        self.budget.spend(owed);
     }
 
     /// Refuses to go on once the time is up.
@@ -217,6 +241,7 @@ impl Allowance<'_> {
 impl Drop for Allowance<'_> {
     fn drop(&mut self) {
         self.settle();
+        self.budget.whole.stages.count(1, self.told.get());
     }
 }
 

@@ -23,6 +23,7 @@ mod run;
 mod signals;
 mod simulator;
 mod slowest;
+mod stages;
 mod start;
 mod static_run;
 mod steps;
@@ -37,6 +38,8 @@ pub use mesh::GAP_STEPS;
 pub use request::{Options, Trajectory, Unknown};
 pub use signals::{OutputSignal, coverage};
 pub use simulator::Simulator;
+#[doc(hidden)]
+pub use stages::Stage;
 pub use steps::Solver;
 pub use trace::Trace;
 pub use warnings::warnings;
