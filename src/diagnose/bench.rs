@@ -9,7 +9,7 @@ use crate::estimate::noise::robust_deviation;
 use crate::estimate::{Fit, FitOptions, Stopping, fit};
 use crate::model::Model;
 use crate::record::{Channel, Kind, Recording, Span};
-use crate::simulate::Budget;
+use crate::simulate::{Budget, Planned};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 
@@ -277,9 +277,9 @@ impl Bench {
 
     /// A model ready to run over the parts that the screening uses, to a tolerance.
     ///
-    /// The simulator chooses its steps at the values that the model holds.
-    pub fn ready(&self, model: &Model, tolerance: f64) -> Result<Vec<Record>> {
-        let options = FitOptions { tolerance, ..self.options(Effort::Near, 0) };
+    /// The simulator chooses its steps at the values that the model holds, where no plan for them is given.
+    pub fn ready(&self, model: &Model, tolerance: f64, planned: Vec<Option<Planned>>) -> Result<Vec<Record>> {
+        let options = FitOptions { tolerance, planned, ..self.options(Effort::Near, 0) };
         (0..self.recordings.len())
             .map(|k| setup::record(model, &self.recordings[k], k, &self.screened_spans(model, k), &options))
             .collect()

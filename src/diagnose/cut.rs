@@ -75,7 +75,7 @@ mod tests {
     use crate::diagnose::catalogue;
     use crate::diagnose::laboratory::Stepper;
     use crate::diagnose::measure::Measure;
-    use crate::diagnose::propose::View;
+    use crate::diagnose::view::View;
     use crate::estimate::fit;
     use crate::estimate::fit::Effort;
     use crate::model::Model;

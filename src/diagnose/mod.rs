@@ -35,6 +35,7 @@ mod search;
 mod stray;
 mod twins;
 mod verdict;
+mod view;
 mod watch;
 mod words;
 

@@ -19,17 +19,10 @@ use super::catalogue::{self, Proposal, Scene};
 use super::choose::CHANCE;
 use super::compared::same_tracks;
 use super::measure::Scale;
-use super::response::Response;
 use super::screen::{Score, Screen, log_chance};
 use super::search::Taken;
-
-use crate::estimate::Fit;
-use crate::estimate::noise::{Autoregression, NoiseModel};
-use crate::{Error, Result};
+use super::view::View;
 use rayon::prelude::*;
-
-/// Samples to which the free run is shortened for its own screening.
-const FREE: usize = 3000;
 
 /// Starts of one proposal, beside the best, from which it is tried.
 const FURTHER: usize = 2;
@@ -77,87 +70,6 @@ pub struct Screening {
     pub free: Vec<Screened>,
     /// Chance that the largest score is noise.
     pub p_value: f64,
-}
-
-/// The whitened residual of a fitted model on the screened parts, with its records' tracks.
-pub struct View {
-    /// Screening space.
-    pub screen: Screen,
-    /// The same for the free run as it stands, whatever its colour.
-    pub free: Screen,
-    /// Where the model stands.
-    pub stand: Stand,
-    /// The simulator's tolerance.
-    pub tolerance: f64,
-    /// Tracks of the model itself.
-    pub tracks: Vec<Track>,
-    /// Its response to small forces, where it can be found without simulations.
-    pub response: Option<Response>,
-}
-
-impl View {
-    /// Looks at a fitted model.
-    pub fn of(bench: &Bench, fit: &Fit) -> Result<Self> {
-        let stand = Stand::of(fit);
-        let tolerance = bench.rough(fit);
-        let records = bench.ready(&fit.model, tolerance)?;
-        let plain = bench::run(&records, &stand, &[])?;
-        let mut noise = fit.noise.clone();
-        if bench.is_trials() {
-            for n in &mut noise {
-                n.decimation = 1;
-                n.autoregression = n.autoregression.truncated(0);
-            }
-        }
-        let own = own_tracks(fit, &plain)?;
-        let samples: usize = own.iter().map(|t| t.residual.len()).sum();
-        let plain_noise: Vec<NoiseModel> = fit
-            .rmse
-            .iter()
-            .map(|r| NoiseModel {
-                decimation: (samples / FREE).max(1),
-                autoregression: Autoregression::white((r * r).max(f64::MIN_POSITIVE)),
-            })
-            .collect();
-        let free = Screen::new(&own, &plain_noise, bench.seed);
-        let response = Response::of(bench, &fit.model, &stand, tolerance, &records);
-        let screen = Screen::new(&own, &noise, bench.seed);
-        Ok(Self { screen, free, stand, tolerance, tracks: plain, response })
-    }
-
-    /// Tracks with sensitivities to a proposal's amplitudes at rest.
-    pub fn at_rest(&self, bench: &Bench, proposal: &Proposal, start: &[f64]) -> Option<Vec<Track>> {
-        let swift = self.response.as_ref().and_then(|r| r.tracks(bench, proposal, start));
-        swift.or_else(|| {
-            let records = bench.ready(&proposal.at_rest(), self.tolerance).ok()?;
-            let stand = self.stand.extended(&proposal.model, &proposal.quiet(start));
-            let tracks = bench::run(&records, &stand, &proposal.amplitude_numbers()).ok()?;
-            same_tracks(&tracks, &self.tracks).then_some(tracks)
-        })
-    }
-}
-
-/// The fit's residuals and sensitivities, cut to the screened parts, with which it begins.
-fn own_tracks(fit: &Fit, plain: &[Track]) -> Result<Vec<Track>> {
-    let series = fit.records.iter().flat_map(|r| &r.series);
-    series
-        .zip(plain)
-        .map(|(s, t)| {
-            let n = t.residual.len();
-            if s.time.get(..n) != Some(&t.time[..]) {
-                return Err(Error::not_computed(
-                    "the model was not screened on the samples that it was fitted to",
-                ));
-            }
-            Ok(Track {
-                output: s.output,
-                stretches: t.stretches.clone(),
-                time: t.time.clone(),
-                residual: s.residual[..n].to_vec(),
-                sensitivities: s.sensitivities.iter().map(|c| c[..n].to_vec()).collect(),
-            })
-        })
-        .collect()
 }
 
 /// Every proposal of the catalogue that was not taken before and that another recording could confirm.
@@ -224,8 +136,9 @@ fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened
         return score_moves(bench, proposal, view);
     }
     let count = proposal.amplitudes.len();
+    let at_rest = view.at_rest(bench, proposal);
     let one = |start: &Vec<f64>| {
-        let tracks = view.at_rest(bench, proposal, start)?;
+        let tracks = at_rest.tracks(start)?;
         scored(view, proposal, start, &|space| {
             (0..count).map(|j| space.whitened(&tracks, |t| &t.sensitivities[j])).collect()
         })
@@ -235,7 +148,7 @@ fn score_starts(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened
 
 /// The scored starts of a proposal that has no amplitude: how far it moves the predictions from there.
 fn score_moves(bench: &Bench, proposal: &Proposal, view: &View) -> Vec<Screened> {
-    let Ok(records) = bench.ready(&proposal.model, view.tolerance) else { return Vec::new() };
+    let Ok(records) = view.ready(bench, &proposal.model) else { return Vec::new() };
     let one = |start: &Vec<f64>| {
         let stand = view.stand.extended(&proposal.model, start);
         let tracks = bench::run(&records, &stand, &[]).ok()?;
@@ -253,11 +166,11 @@ fn scored(
     directions: &dyn Fn(&Screen) -> Vec<Vec<f64>>,
 ) -> Option<Screened> {
     let one_sided = proposal.is_one_sided();
-    let free = view.free.score(directions(&view.free), one_sided);
+    let free = view.free.score(&directions(&view.free), one_sided);
     let explained =
         free.as_ref().filter(|f| f.statistic > 0.0).map_or(0.0, |f| f.chi2 / view.free.residual.len() as f64);
     let weights = free.map(|f| f.weights).unwrap_or_default();
-    let mut score = view.screen.score(directions(&view.screen), one_sided)?;
+    let mut score = view.screen.score(&directions(&view.screen), one_sided)?;
     let visible = score.chi2 / view.screen.residual.len().max(1) as f64;
     let chosen = super::choose::chosen_from(proposal, view.screen.residual.len() as f64);
     score.statistic = (score.statistic - chosen.ln()).max(0.0);
@@ -328,7 +241,7 @@ pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened, scale: &S
     let (p, base) = (&s.proposal, &view.stand);
     let likely = sizes(s).into_iter().next().unwrap_or_else(|| s.start.clone());
     let model = base.extended(&p.model, &likely).placed(&p.model);
-    let Ok(records) = bench.ready(&model, view.tolerance) else { return Vec::new() };
+    let Ok(records) = view.ready(bench, &model) else { return Vec::new() };
     let squares = |stand: &Stand| {
         let tracks = bench::run(&records, stand, &[]).ok();
         let of = |t: &Track| scale.weights[t.output] * t.residual.iter().map(|e| e * e).sum::<f64>();

@@ -158,7 +158,7 @@ fn folds(model: &Model, recording: &Recording) -> Vec<Vec<bool>> {
 fn left_levels(bench: &Bench, fitted: &Fit) -> Result<Vec<Held>> {
     let model = &fitted.model;
     let mut all = vec![Held::default(); model.outputs.len()];
-    let whole = bench.ready(model, bench.tolerance)?;
+    let whole = bench.ready(model, bench.tolerance, Vec::new())?;
     for (k, recording) in bench.recordings.iter().enumerate() {
         for fold in folds(model, recording) {
             let mut rest = bench.recordings.clone();

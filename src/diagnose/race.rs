@@ -17,7 +17,8 @@
 use super::bench::Bench;
 use super::catalogue::Proposal;
 use super::measure::Scale;
-use super::propose::{Screened, View, starts};
+use super::propose::{Screened, starts};
+use super::view::View;
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
 use crate::model::Model;
@@ -101,7 +102,7 @@ fn heats<'s>(
 ) -> Vec<Runner<'s>> {
     let first = |s: &&'s Screened| {
         let walks = starts(bench, view, given, s, scale).into_iter().filter_map(|stand| {
-            walk(bench, &stand.placed(&s.proposal.model), stand.initials, HEATS[0], view.tolerance)
+            walk(bench, &stand.placed(&s.proposal.model), stand.initials, HEATS[0], view)
         });
         walks.map(|fit| Runner::new(s, fit, scale)).reduce(Runner::or)
     };
@@ -109,7 +110,7 @@ fn heats<'s>(
     sort(&mut field);
     let rest = field.split_off(SECOND.min(field.len()));
     let second = |r: Runner<'s>| {
-        let longer = walk(bench, &r.fit.model, r.fit.starts(), HEATS[1], view.tolerance);
+        let longer = walk(bench, &r.fit.model, r.fit.starts(), HEATS[1], view);
         match longer {
             Some(fit) => {
                 let longer = Runner::new(r.screened, fit, scale);
@@ -129,9 +130,10 @@ fn sort(field: &mut [Runner<'_>]) {
 }
 
 /// A few rough steps.
-fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize, tolerance: f64) -> Option<Fit> {
+fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize, view: &View) -> Option<Fit> {
     let mut options = bench.options(Effort::Near, steps);
-    options.tolerance = tolerance;
+    options.tolerance = view.tolerance;
+    options.planned.clone_from(&view.planned);
     options.is_rough = true;
     options.initials = initials;
     fit(model, &bench.recordings, &options).ok()

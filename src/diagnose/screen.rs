@@ -16,26 +16,41 @@
 //! Econometrica 68 (2000) 1097.
 //!
 //! # Numerical aspects
-//! Modified Gram-Schmidt, twice; a direction of which less than 10⁻⁴ is left is not seen.
+//! Directions are made orthogonal to the fitted ones twice, then to each other by the Cholesky factor of their
+//! products; a direction of which less than 10⁻⁴ is left is not seen. Drawn noise is projected on short images
+//! of long directions: sums over sample numbers that are equal modulo their length, with random signs, keep
+//! products to some 2 % (K. L. Clarkson, D. P. Woodruff, J. ACM 63 (2017) 54:1-45), and the images of one
+//! proposal are made orthonormal, so that each statistic alone has its exact distribution.
 
 use super::bench::Track;
 use crate::estimate::noise::NoiseModel;
-use rand::SeedableRng;
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::{Col, Mat, Par};
+use rand::{RngExt, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// Draws of white noise behind the chance of the largest score.
 const DRAWS: usize = 99;
+/// Length of the images on which drawn noise is projected.
+const IMAGE: usize = 2048;
 /// Share of a direction that must be left after projection.
 const LEFT: f64 = 1e-4;
+/// The same for directions that are solved together.
+const APART: f64 = 1e-3;
 
 /// The whitened residual and the space of the fitted unknowns.
 pub struct Screen {
     /// Whitened residual, orthogonal to the fitted sensitivities.
     pub residual: Vec<f64>,
-    basis: Vec<Vec<f64>>,
+    /// Orthonormal columns.
+    basis: Mat<f64>,
     noise: Vec<NoiseModel>,
-    draws: Vec<Vec<f64>>,
+    /// Signs of the samples in an image; none where directions are no longer than that.
+    signs: Vec<f64>,
+    /// Drawn noise, a column a draw.
+    draws: Mat<f64>,
 }
 
 /// What a direction, or a few together, explain.
@@ -55,9 +70,27 @@ pub struct Score {
     pub direction: Vec<f32>,
 }
 
+/// Directions orthogonal to the fitted ones, D = Q Lᵀ with orthonormal Q.
+struct Apart {
+    /// Those that the others before them do not contain.
+    kept: Vec<usize>,
+    d: Mat<f64>,
+    l: Mat<f64>,
+}
+
+impl Apart {
+    /// Qᵀ of vectors.
+    fn projected(&self, of: &Mat<f64>) -> Mat<f64> {
+        let mut z = self.d.transpose() * of;
+        solve_lower_triangular_in_place(self.l.as_ref(), z.as_mut(), Par::Seq);
+        z
+    }
+}
+
 impl Screen {
-    /// Whitens the tracks of the fitted model, whose sensitivities are to its unknowns.
-    pub fn new(tracks: &[Track], noise: &[NoiseModel], seed: u64) -> Self {
+    /// Whitens the tracks of the fitted model, whose sensitivities are to its unknowns; the chance of the largest
+    /// score asks for a seed.
+    pub fn new(tracks: &[Track], noise: &[NoiseModel], seed: Option<u64>) -> Self {
         let mut residual = whiten(tracks, noise, |t| &t.residual);
         let unknowns = tracks.first().map_or(0, |t| t.sensitivities.len());
         let mut basis: Vec<Vec<f64>> = Vec::new();
@@ -82,11 +115,11 @@ impl Screen {
                 *e /= scale;
             }
         }
-        let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
-        let n = residual.len();
-        let draw = |rng: &mut rand_chacha::ChaCha8Rng| (0..n).map(|_| StandardNormal.sample(rng)).collect();
-        let draws = (0..DRAWS).map(|_| draw(&mut rng)).collect();
-        Self { residual, basis, noise: noise.iter().map(|m| rescaled(m, scale)).collect(), draws }
+        let none = || (Vec::new(), Mat::zeros(residual.len(), 0));
+        let (signs, draws) = seed.map_or_else(none, |seed| drawn(residual.len(), seed));
+        let basis = columns(residual.len(), &basis);
+        let noise = noise.iter().map(|m| rescaled(m, scale)).collect();
+        Self { residual, basis, noise, signs, draws }
     }
 
     /// Whitens something that runs beside the tracks' residuals.
@@ -94,40 +127,59 @@ impl Screen {
         whiten(tracks, &self.noise, |t| of(t))
     }
 
+    /// Directions without what lies in the space of the fitted unknowns.
+    fn free(&self, directions: &[Vec<f64>]) -> Mat<f64> {
+        let mut d = columns(self.residual.len(), directions);
+        for _ in 0..2 {
+            d -= &self.basis * (self.basis.transpose() * &d);
+        }
+        d
+    }
+
+    /// Directions apart from the fitted ones and from each other, without those of which less than a share is left.
+    fn apart(&self, directions: &[Vec<f64>], share: f64) -> Option<Apart> {
+        let d = self.free(directions);
+        let products = d.transpose() * &d;
+        let least = |j: usize| (share * norm(&directions[j])).powi(2);
+        let (kept, l) = factor(&products, least);
+        let d = Mat::from_fn(d.nrows(), kept.len(), |i, k| d[(i, kept[k])]);
+        (!kept.is_empty()).then_some(Apart { kept, d, l })
+    }
+
+    /// The statistics of drawn noise on directions.
+    fn drawn(&self, of: &Apart, one_sided: bool) -> Vec<f64> {
+        let z = if self.signs.is_empty() {
+            of.projected(&self.draws)
+        } else {
+            let d = image(&of.d, &self.signs);
+            let (kept, l) = factor(&(d.transpose() * &d), |_| 0.0);
+            let d = Mat::from_fn(d.nrows(), kept.len(), |i, k| d[(i, kept[k])]);
+            Apart { kept, d, l }.projected(&self.draws)
+        };
+        (0..z.ncols()).map(|r| statistic(z.col_as_slice(r), one_sided)).collect()
+    }
+
     /// Scores directions, already whitened; `positive` asks for positive weights.
-    pub fn score(&self, mut directions: Vec<Vec<f64>>, positive: bool) -> Option<Score> {
-        let before: Vec<f64> = directions.iter().map(|d| norm(d)).collect();
-        if before.iter().any(|b| !b.is_finite() || *b <= 0.0) {
+    pub fn score(&self, directions: &[Vec<f64>], positive: bool) -> Option<Score> {
+        if directions.iter().map(|d| norm(d)).any(|b| !b.is_finite() || b <= 0.0) {
             return None;
         }
-        let mut own: Vec<Vec<f64>> = Vec::new();
-        for (d, b) in directions.iter_mut().zip(&before) {
-            remove(d, &self.basis);
-            remove(d, &own);
-            let left = norm(d);
-            if left > LEFT * b {
-                own.push(d.iter().map(|x| x / left).collect());
-            }
-        }
-        let degrees = own.len();
-        if degrees == 0 || degrees < before.len() {
+        let own = self.apart(directions, LEFT)?;
+        let degrees = own.kept.len();
+        if degrees < directions.len() {
             return None;
         }
-        let projections: Vec<f64> = own.iter().map(|u| dot(u, &self.residual)).collect();
-        let weights = projections.iter().zip(&directions).map(|(z, d)| z / norm(d)).collect();
+        let z = own.projected(&columns(self.residual.len(), std::slice::from_ref(&self.residual)));
+        let projections = z.col_as_slice(0);
         let one_sided = positive && degrees == 1;
-        let statistic = |z: &[f64]| statistic(z, one_sided);
-        let drawn = self.draws.iter().map(|e| {
-            let z: Vec<f64> = own.iter().map(|u| dot(u, e)).collect();
-            statistic(&z)
-        });
+        let first = own.l[(0, 0)];
         Some(Score {
-            chi2: projections.iter().map(|z| z * z).sum(),
+            chi2: dot(projections, projections),
             degrees,
-            statistic: statistic(&projections),
-            weights,
-            drawn: drawn.collect(),
-            direction: own[0].iter().map(|x| *x as f32).collect(),
+            statistic: statistic(projections, one_sided),
+            weights: projections.iter().enumerate().map(|(j, z)| z / own.l[(j, j)]).collect(),
+            drawn: self.drawn(&own, one_sided),
+            direction: own.d.col_as_slice(0).iter().map(|x| (*x / first) as f32).collect(),
         })
     }
 
@@ -189,11 +241,63 @@ fn remove(v: &mut [f64], basis: &[Vec<f64>]) {
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
+    let [a, b] = [a, b].map(faer::ColRef::from_slice);
+    a.transpose() * b
 }
 
 fn norm(a: &[f64]) -> f64 {
     dot(a, a).sqrt()
+}
+
+/// Vectors of a length as the columns of a matrix.
+fn columns(length: usize, vectors: &[Vec<f64>]) -> Mat<f64> {
+    Mat::from_fn(length, vectors.len(), |i, j| vectors[j][i])
+}
+
+/// The signs of samples in an image, and drawn noise that is as long.
+fn drawn(length: usize, seed: u64) -> (Vec<f64>, Mat<f64>) {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let rows = length.min(IMAGE);
+    let draws: Vec<Vec<f64>> =
+        (0..DRAWS).map(|_| (0..rows).map(|_| StandardNormal.sample(&mut rng)).collect()).collect();
+    let mut sign = || if rng.random_bool(0.5) { 1.0 } else { -1.0 };
+    let signs = if length > rows { (0..length).map(|_| sign()).collect() } else { Vec::new() };
+    (signs, columns(rows, &draws))
+}
+
+/// The images of columns: sums with signs over samples whose numbers are equal modulo [`IMAGE`].
+fn image(of: &Mat<f64>, signs: &[f64]) -> Mat<f64> {
+    let mut image = Mat::zeros(IMAGE, of.ncols());
+    for j in 0..of.ncols() {
+        let sums = image.col_as_slice_mut(j);
+        for (values, signs) in of.col_as_slice(j).chunks(IMAGE).zip(signs.chunks(IMAGE)) {
+            for (sum, (x, s)) in sums.iter_mut().zip(values.iter().zip(signs)) {
+                *sum += s * x;
+            }
+        }
+    }
+    image
+}
+
+/// G = L Lᵀ for those rows and columns whose squares are more than the least beyond what the others before them hold.
+fn factor(g: &Mat<f64>, least: impl Fn(usize) -> f64) -> (Vec<usize>, Mat<f64>) {
+    let mut kept: Vec<usize> = Vec::new();
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for j in 0..g.nrows() {
+        let mut row: Vec<f64> = Vec::with_capacity(kept.len() + 1);
+        for (k, above) in kept.iter().zip(&rows) {
+            let held: f64 = row.iter().zip(above).map(|(x, y)| x * y).sum();
+            row.push((g[(j, *k)] - held) / above[row.len()]);
+        }
+        let left = g[(j, j)] - row.iter().map(|x| x * x).sum::<f64>();
+        if left > least(j) && left.is_finite() {
+            row.push(left.sqrt());
+            rows.push(row);
+            kept.push(j);
+        }
+    }
+    let k = kept.len();
+    (kept, Mat::from_fn(k, k, |i, j| rows[i].get(j).copied().unwrap_or(0.0)))
 }
 
 /// Several directions solved together.
@@ -210,69 +314,34 @@ impl Screen {
     /// Share of the residual's square that given weights of the directions leave, the fitted unknowns
     /// free to follow.
     pub fn left(&self, directions: &[Vec<f64>], weights: &[f64]) -> f64 {
-        let mut rest = self.residual.clone();
-        for (d, w) in directions.iter().zip(weights) {
-            rest.iter_mut().zip(d).for_each(|(e, d)| *e -= w * d);
-        }
-        remove(&mut rest, &self.basis);
-        dot(&rest, &rest) / dot(&self.residual, &self.residual).max(f64::MIN_POSITIVE)
+        let moved = self.free(directions) * Col::from_fn(weights.len(), |j| weights[j]);
+        let left: f64 = self.residual.iter().zip(moved.iter()).map(|(e, m)| (e - m).powi(2)).sum();
+        left / dot(&self.residual, &self.residual).max(f64::MIN_POSITIVE)
     }
 
     /// Scores directions together; those that the others contain are left out.
     pub fn solve(&self, directions: &[Vec<f64>]) -> Option<Solved> {
-        let mut kept: Vec<usize> = Vec::new();
-        let mut free: Vec<Vec<f64>> = Vec::new();
-        let mut own: Vec<Vec<f64>> = Vec::new();
-        for (j, d) in directions.iter().enumerate() {
-            let before = norm(d);
-            let mut x = d.clone();
-            remove(&mut x, &self.basis);
-            let mut y = x.clone();
-            remove(&mut y, &own);
-            let left = norm(&y);
-            if before.is_finite() && left > 1e-3 * before && left > 0.0 {
-                own.push(y.iter().map(|v| v / left).collect());
-                free.push(x);
-                kept.push(j);
-            }
-        }
-        let k = own.len();
-        if k == 0 {
-            return None;
-        }
-        // Free = Own R, with R upper triangular; weights R⁻¹ z, covariance R⁻¹ R⁻ᵀ.
-        let r = faer::Mat::from_fn(k, k, |i, j| if i <= j { dot(&own[i], &free[j]) } else { 0.0 });
-        let z: Vec<f64> = own.iter().map(|u| dot(u, &self.residual)).collect();
-        let inverse = upper_inverse(&r);
+        let own = self.apart(directions, APART)?;
+        let k = own.kept.len();
+        let z = own.projected(&columns(self.residual.len(), std::slice::from_ref(&self.residual)));
+        let z = z.col_as_slice(0);
+        // D = Q Lᵀ: weights L⁻ᵀ z, covariance L⁻ᵀ L⁻¹
+        let mut inverse = Mat::<f64>::identity(k, k);
+        solve_lower_triangular_in_place(own.l.as_ref(), inverse.as_mut(), Par::Seq);
         let mut weights = vec![0.0; directions.len()];
         let mut deviations = vec![f64::NAN; directions.len()];
-        for (a, j) in kept.iter().enumerate() {
-            weights[*j] = (a..k).map(|b| inverse[(a, b)] * z[b]).sum();
-            deviations[*j] = (a..k).map(|b| inverse[(a, b)].powi(2)).sum::<f64>().sqrt();
+        for (a, j) in own.kept.iter().enumerate() {
+            weights[*j] = dot(inverse.col_as_slice(a), z);
+            deviations[*j] = norm(inverse.col_as_slice(a));
         }
-        let drawn =
-            self.draws.iter().map(|e| statistic(&own.iter().map(|u| dot(u, e)).collect::<Vec<_>>(), false));
         let score = Score {
-            chi2: z.iter().map(|z| z * z).sum(),
+            chi2: dot(z, z),
             degrees: k,
-            statistic: statistic(&z, false),
+            statistic: statistic(z, false),
             weights: weights.clone(),
-            drawn: drawn.collect(),
+            drawn: self.drawn(&own, false),
             direction: Vec::new(),
         };
         Some(Solved { score, weights, deviations })
     }
-}
-
-fn upper_inverse(r: &faer::Mat<f64>) -> faer::Mat<f64> {
-    let k = r.nrows();
-    let mut inverse = faer::Mat::<f64>::zeros(k, k);
-    for j in 0..k {
-        for i in (0..=j).rev() {
-            let sum: f64 = (i + 1..=j).map(|m| r[(i, m)] * inverse[(m, j)]).sum();
-            let unit = if i == j { 1.0 } else { 0.0 };
-            inverse[(i, j)] = (unit - sum) / r[(i, i)];
-        }
-    }
-    inverse
 }

@@ -35,6 +35,8 @@ mod warnings;
 
 pub use budget::{Budget, Early};
 pub use mesh::GAP_STEPS;
+#[doc(hidden)]
+pub use plan::Planned;
 pub use request::{Options, Trajectory, Unknown};
 pub use signals::{OutputSignal, coverage};
 pub use simulator::Simulator;

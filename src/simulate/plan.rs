@@ -32,6 +32,15 @@ pub(super) struct Plan {
     pub blew_up: bool,
 }
 
+/// A plan with the mesh that it was made on, for a model that is much like the one that it was made for.
+#[derive(Debug, Clone, Copy)]
+pub struct Planned {
+    pub(super) plan: Plan,
+    pub(super) careful: Option<Plan>,
+    /// Intervals, and the usual length of one, s.
+    pub(super) mesh: (usize, f64),
+}
+
 /// Steps in an interval at which the stiff method is tried, and at which each method gives up;
 /// a mesh of few intervals may be cut finer, up to so many steps in a run.
 const MANY: (usize, usize) = (8, 100_000);

@@ -1,6 +1,7 @@
 //! What is asked of a run, and what it gives.
 
 use super::budget::Budget;
+use super::plan::Planned;
 use super::probe::Clock;
 use super::steps::Solver;
 use crate::{Error, Result};
@@ -19,6 +20,10 @@ pub struct Options {
     pub waits: bool,
     /// What the runs may spend; unlimited.
     pub budget: Budget,
+    /// Steps that did for much the same model on the same mesh, instead of a search for them; each run sees whether
+    /// they do.
+    #[doc(hidden)]
+    pub planned: Option<Planned>,
 }
 
 impl Options {
@@ -44,7 +49,14 @@ impl Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { tolerance: 1e-5, window: None, fixed: None, waits: true, budget: Budget::default() }
+        Self {
+            tolerance: 1e-5,
+            window: None,
+            fixed: None,
+            waits: true,
+            budget: Budget::default(),
+            planned: None,
+        }
     }
 }
 

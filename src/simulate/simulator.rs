@@ -5,7 +5,7 @@ use super::gaps;
 use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
 use super::native::Natives;
-use super::plan::{self, Plan, Search};
+use super::plan::{self, Plan, Planned, Search};
 use super::probe::Clock;
 use super::request::{Case, Options, Trajectory, Unknown};
 use super::run::Course;
@@ -130,6 +130,10 @@ impl Simulator {
         }
         let mesh = self.mesh_at(&parameters);
         self.check_first_step(&mesh, &parameters)?;
+        if let Some(known) = options.planned.filter(|p| p.mesh == (mesh.intervals(), mesh.usual)) {
+            (self.plan, self.careful) = (known.plan, known.careful);
+            return Ok(());
+        }
         let (given, steady) = self.starts(&self.initials());
         let allowance = self.budget.one_run();
         let course = self.course(&mesh, self.plan, &steady, &allowance);
@@ -195,6 +199,17 @@ impl Simulator {
     /// The method, and the steps in a usual interval of the inputs.
     pub fn steps(&self) -> (Solver, usize) {
         (self.plan.method, self.plan.substeps)
+    }
+
+    /// How it runs, for a model much like this one; none where that depends on the parameters, or did not do.
+    pub(crate) fn planned(&self) -> Option<Planned> {
+        let mesh = self.mesh.as_ref()?;
+        let does = !self.plan.blew_up && self.plan.error <= self.tolerance;
+        does.then_some(Planned {
+            plan: self.plan,
+            careful: self.careful,
+            mesh: (mesh.intervals(), mesh.usual),
+        })
     }
 
     /// Parameters that the recording knows itself: (number, SI value).

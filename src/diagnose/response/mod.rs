@@ -26,7 +26,7 @@ use super::catalogue::Proposal;
 use crate::estimate::fit::harness::Record;
 use crate::expression::Expr;
 use crate::model::Model;
-use crate::record::Channel;
+use crate::record::{Channel, Recording};
 use along::{Along, Site};
 use faer::Mat;
 use probe::{frozen, look, mesh, nudged, output, remembers_states, rows};
@@ -44,6 +44,15 @@ pub struct Response {
     stand: Stand,
     tolerance: f64,
     runs: Vec<Along>,
+}
+
+/// A proposal's own rates and outputs along a run, of which the states are inputs.
+pub struct Terms<'p> {
+    proposal: &'p Proposal,
+    sites: Vec<Site>,
+    records: Vec<Record>,
+    /// States that it adds.
+    states: usize,
 }
 
 impl Response {
@@ -67,10 +76,23 @@ impl Response {
         Some(response)
     }
 
+    /// A proposal's own terms, ready to be looked at from any of its starts; `None` where they cannot be.
+    pub fn terms<'p>(&self, bench: &Bench, proposal: &'p Proposal) -> Option<Terms<'p>> {
+        let p = &proposal.model;
+        if !self.has_its_states(p) || proposal.amplitude_numbers().len() != proposal.amplitudes.len() {
+            return None;
+        }
+        let (terms, sites) = self.own_terms(proposal)?;
+        let ready = |along: &Along| {
+            probe::ready(bench, (&terms, &along.recording, along.number), &along.time, self.tolerance)
+        };
+        let records = self.runs.iter().map(ready).collect::<Option<_>>()?;
+        Some(Terms { proposal, sites, records, states: terms.states.len() })
+    }
+
     /// The tracks of the screened parts with sensitivities to a proposal's amplitudes at rest.
-    pub fn tracks(&self, bench: &Bench, proposal: &Proposal, start: &[f64]) -> Option<Vec<Track>> {
-        let (changes, sites) = self.looks(bench, proposal, start)?;
-        Some(self.moved(&changes, &sites))
+    pub fn tracks(&self, terms: &Terms<'_>, start: &[f64]) -> Option<Vec<Track>> {
+        Some(self.moved(&self.looks(terms, start)?, &terms.sites))
     }
 
     /// The same for a proposal with one amplitude times each of some shapes, functions of the values of
@@ -82,7 +104,8 @@ impl Response {
         signals: &[&str],
         shapes: &dyn Fn(&[f64]) -> Vec<f64>,
     ) -> Option<Vec<Track>> {
-        let (looks, sites) = self.looks(bench, push, push.starts.first()?)?;
+        let terms = self.terms(bench, push)?;
+        let looks = self.looks(&terms, push.starts.first()?)?;
         let shaped = |(along, seen): (&Along, &Changes)| {
             let values: Vec<Vec<f64>> = along.values(signals)?.iter().map(|x| shapes(x)).collect();
             let count = values.first()?.len();
@@ -90,7 +113,7 @@ impl Response {
             Some(seen.iter().map(|c| (0..count).map(|k| times(&c[0], k)).collect()).collect())
         };
         let changes: Option<Vec<Changes>> = self.runs.iter().zip(&looks).map(shaped).collect();
-        Some(self.moved(&changes?, &sites))
+        Some(self.moved(&changes?, &terms.sites))
     }
 
     /// The tracks that changes at sites move, a sensitivity for each change.
@@ -106,24 +129,16 @@ impl Response {
         self.runs.iter().zip(changes).flat_map(one).collect()
     }
 
-    /// What a proposal's amplitudes at rest change, site by site and amplitude by amplitude, along every
-    /// run; with the sites.
-    fn looks(&self, bench: &Bench, proposal: &Proposal, start: &[f64]) -> Option<(Vec<Changes>, Vec<Site>)> {
-        let p = &proposal.model;
-        let wanted = proposal.amplitude_numbers();
-        if !self.has_its_states(p) || wanted.len() != proposal.amplitudes.len() {
-            return None;
-        }
-        let (terms, sites) = self.terms(proposal)?;
-        let stand = self.stand.extended(p, &proposal.quiet(start));
-        let initials = vec![f64::NAN; terms.states.len()];
+    /// What a proposal's amplitudes at rest change, site by site and amplitude by amplitude, along every run.
+    fn looks(&self, terms: &Terms<'_>, start: &[f64]) -> Option<Vec<Changes>> {
+        let stand = self.stand.extended(&terms.proposal.model, &terms.proposal.quiet(start));
+        let initials = vec![f64::NAN; terms.states];
         let place = (&stand.parameters[..], &initials[..]);
-        let one = |along: &Along| {
-            let to = (&terms, &along.recording, along.number);
-            look(bench, to, &along.time, self.tolerance, place, &wanted).map(|run| run.sensitivities)
+        let wanted = terms.proposal.amplitude_numbers();
+        let one = |(along, record): (&Along, &Record)| {
+            look(record, along.time.len(), place, &wanted).map(|run| run.sensitivities)
         };
-        let looks: Option<Vec<Changes>> = self.runs.iter().map(one).collect();
-        Some((looks?, sites))
+        self.runs.iter().zip(&terms.records).map(one).collect()
     }
 
     /// Whether a model has the states of this one, and starts them alike.
@@ -135,7 +150,7 @@ impl Response {
     }
 
     /// The model of a proposal's own rates and outputs with the states as inputs: those that it changes.
-    fn terms(&self, proposal: &Proposal) -> Option<(Model, Vec<Site>)> {
+    fn own_terms(&self, proposal: &Proposal) -> Option<(Model, Vec<Site>)> {
         let (base, p) = (&self.model, &proposal.model);
         let everywhere = p.definitions != base.definitions;
         let mut terms = frozen(p, base.states.len());
@@ -170,16 +185,18 @@ impl Response {
             model.states.iter().enumerate().map(|(i, s)| output(model, i, &Expr::name(&s.name))).collect();
         let initials = self.stand.initials.get(number)?;
         let place = (&self.stand.parameters[..], &initials[..]);
-        let states =
-            look(bench, (&probes, &recording, number), &time, self.tolerance, place, &[])?.predictions;
+        let looked = |model: &Model, recording: &Recording, place, wanted: &[usize]| {
+            let record = probe::ready(bench, (model, recording, number), &time, self.tolerance)?;
+            look(&record, time.len(), place, wanted)
+        };
+        let states = looked(&probes, &recording, place, &[])?.predictions;
         for (s, values) in model.states.iter().zip(states) {
             recording.channels.push(Channel::new(s.name.clone(), s.unit.clone(), time.clone(), values));
         }
         let (nudged, wanted) = nudged(model);
         let mut parameters = self.stand.parameters.clone();
         parameters.resize(nudged.parameters.len(), 0.0);
-        let slopes =
-            look(bench, (&nudged, &recording, number), &time, self.tolerance, (&parameters, &[]), &wanted)?;
+        let slopes = looked(&nudged, &recording, (&parameters, &[]), &wanted)?;
         let a = |i: usize| Mat::from_fn(n, n, |row, column| slopes.sensitivities[row][column][i]);
         let mut along = Along {
             recording,
@@ -205,7 +222,6 @@ mod tests {
     use super::*;
     use crate::diagnose::bench;
     use crate::diagnose::catalogue;
-    use crate::record::Recording;
     use crate::units::Unit;
 
     const MODEL: &str = r#"
@@ -248,7 +264,7 @@ mod tests {
     fn agrees_with_simulated_sensitivities() {
         let model = Model::parse(MODEL).unwrap();
         let bench = Bench::new(&model, vec![recording()], false, 1);
-        let records = bench.ready(&model, 1e-5).unwrap();
+        let records = bench.ready(&model, 1e-5, Vec::new()).unwrap();
         let stand = Stand {
             parameters: model.parameters.iter().map(|p| p.value).collect(),
             initials: vec![records[0].initials.clone()],
@@ -259,8 +275,10 @@ mod tests {
         let mut compared = std::collections::BTreeSet::new();
         for p in proposals.filter(|p| !p.amplitudes.is_empty()) {
             let start = p.starts.last().unwrap();
-            let Some(swift) = response.tracks(&bench, &p, start) else { continue };
-            let records = bench.ready(&p.at_rest(), 1e-5).unwrap();
+            let Some(swift) = response.terms(&bench, &p).and_then(|t| response.tracks(&t, start)) else {
+                continue;
+            };
+            let records = bench.ready(&p.at_rest(), 1e-5, Vec::new()).unwrap();
             let quiet = stand.extended(&p.model, &p.quiet(start));
             let slow = bench::run(&records, &quiet, &p.amplitude_numbers()).unwrap();
             for (a, b) in swift.iter().zip(&slow) {

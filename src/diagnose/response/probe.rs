@@ -45,15 +45,13 @@ pub(super) fn mesh(record: &Record) -> Option<Vec<f64>> {
     (mesh.len() < 4 * POINTS.max(finest.time.len())).then_some(mesh)
 }
 
-/// Runs a model over a mesh; `None` where a point of it cannot be predicted.
-pub(super) fn look(
+/// A model ready to run over a mesh.
+pub(super) fn ready(
     bench: &Bench,
     (model, recording, number): (&Model, &Recording, usize),
     time: &Arc<[f64]>,
     tolerance: f64,
-    (parameters, initials): (&[f64], &[f64]),
-    wanted: &[usize],
-) -> Option<Run> {
+) -> Option<Record> {
     let mut wider = recording.clone();
     for o in &model.outputs {
         wider.channels.push(Channel::new(
@@ -65,11 +63,19 @@ pub(super) fn look(
     }
     let span = crate::record::Span::new(time[0], *time.last()?);
     let options = FitOptions { tolerance, ..bench.options(Effort::Near, 0) };
-    let record = setup::record(model, &wider, number, &[span], &options).ok()?;
+    setup::record(model, &wider, number, &[span], &options).ok()
+}
+
+/// Runs what is ready; `None` where a point of the mesh cannot be predicted.
+pub(super) fn look(
+    record: &Record,
+    points: usize,
+    (parameters, initials): (&[f64], &[f64]),
+    wanted: &[usize],
+) -> Option<Run> {
     let wanted: Vec<Unknown> = wanted.iter().map(|k| Unknown::Parameter(*k)).collect();
     let run = record.run(parameters, initials, &wanted).ok()?;
-    let whole = run.predictions.len() == model.outputs.len()
-        && run.predictions.iter().all(|p| p.len() == time.len())
+    let whole = run.predictions.iter().all(|p| p.len() == points)
         && run.sensitivities.iter().flatten().flatten().all(|x| x.is_finite());
     whole.then_some(run)
 }

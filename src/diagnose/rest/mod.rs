@@ -18,8 +18,8 @@ mod surface;
 use super::answer::Unexplained;
 use super::bench::{Bench, Track};
 use super::catalogue::{Scene, Site};
-use super::propose::View;
 use super::screen::{Score, Screen};
+use super::view::View;
 use rayon::prelude::*;
 
 /// Difference in worth, and share of it, up to which laws at two sites fit as well: what acts at one site
@@ -118,7 +118,7 @@ impl Rest {
 /// Looks for any law in what a model leaves.
 pub fn look(bench: &Bench, scene: &Scene, view: &View) -> Rest {
     let simple = laws::all(scene).into_par_iter().with_max_len(1).filter_map(|(p, places)| {
-        let tracks = view.at_rest(bench, &p, &p.starts[0])?;
+        let tracks = view.at_rest(bench, &p).tracks(&p.starts[0])?;
         law(view, &tracks, (p.site, p.depends), places)
     });
     let surfaces = surface::all(scene).into_par_iter().with_max_len(1).filter_map(|s| {

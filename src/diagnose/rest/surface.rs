@@ -15,7 +15,7 @@
 use super::laws::{motion_signals, pairs, places};
 use crate::diagnose::bench::{Bench, Track};
 use crate::diagnose::catalogue::{ANY, Draft, Motion, Proposal, Scene, Signal, SiteKind};
-use crate::diagnose::propose::View;
+use crate::diagnose::view::View;
 
 /// Hats along a signal.
 struct Hats {

@@ -3,6 +3,7 @@
 use crate::estimate::coordinates::Range;
 use crate::record::principal;
 use crate::simulate::OutputSignal;
+use crate::simulate::Planned;
 pub use crate::simulate::Unknown;
 use crate::{Error, Result};
 
@@ -24,6 +25,9 @@ pub trait Harness: Send + Sync {
     /// How far each state of the model moves in a run, from its lowest to its highest value; None where the
     /// run does not go to its end.
     fn swings(&self, parameters: &[f64], initials: &[f64]) -> Option<Vec<(f64, f64)>>;
+
+    /// How it runs, for a model that is much like this one.
+    fn planned(&self) -> Option<Planned>;
 
     /// The longest time constant of the model about its start, s; None where there is none.
     fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64>;

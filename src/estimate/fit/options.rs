@@ -2,7 +2,7 @@
 
 use crate::estimate::least_squares::Stopping;
 use crate::estimate::noise::NoiseModel;
-use crate::simulate::Budget;
+use crate::simulate::{Budget, Planned};
 
 /// Hears how far a long computation has come.
 pub trait Progress: Sync {
@@ -63,6 +63,8 @@ pub struct FitOptions<'a> {
     pub waits: bool,
     /// Initial states to start from: one list a recording, one value a state; empty for none.
     pub initials: Vec<Vec<f64>>,
+    /// Steps that did for much the same model, one a recording; empty for none.
+    pub planned: Vec<Option<Planned>>,
     /// What the fit may spend; one fit alone spends it.
     pub budget: Budget,
     /// Who hears the progress.
@@ -90,6 +92,7 @@ impl Default for FitOptions<'_> {
             is_rough: false,
             waits: true,
             initials: Vec::new(),
+            planned: Vec::new(),
             budget: Budget::default(),
             progress: &Silent,
         }

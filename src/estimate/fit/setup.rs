@@ -65,7 +65,7 @@ pub fn record_if_any(
     let window = Span::new(first.from, last.to);
     let used = |t: f64| spans.iter().any(|s| s.contains(t));
     let Ready { harness, tracks, start, constants, lost, radians } =
-        ready(model, recording, window, &used, options)?;
+        ready(model, (recording, number), window, &used, options)?;
     if tracks.iter().all(|t| t.time.is_empty()) {
         return Ok(None);
     }

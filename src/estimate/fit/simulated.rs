@@ -5,7 +5,7 @@ use super::options::FitOptions;
 use crate::Result;
 use crate::model::Model;
 use crate::record::{Recording, Span};
-use crate::simulate::{Options, OutputSignal, Simulator};
+use crate::simulate::{Options, OutputSignal, Planned, Simulator};
 use rayon::prelude::*;
 
 /// A simulator, and which rows of its outputs the tracks are.
@@ -35,7 +35,7 @@ pub struct Ready {
 /// As [`Simulator::new`].
 pub fn ready(
     model: &Model,
-    recording: &Recording,
+    (recording, number): (&Recording, usize),
     window: Span,
     used: &dyn Fn(f64) -> bool,
     options: &FitOptions<'_>,
@@ -45,6 +45,7 @@ pub fn ready(
         tolerance: options.tolerance,
         waits: options.waits,
         budget: options.budget.clone(),
+        planned: options.planned.get(number).copied().flatten(),
         ..Options::default()
     };
     let simulator = Simulator::new(model, recording, &how)?;
@@ -102,6 +103,10 @@ impl Harness for Simulated {
 
     fn swings(&self, parameters: &[f64], initials: &[f64]) -> Option<Vec<(f64, f64)>> {
         self.simulator.swings(parameters, initials).ok().flatten()
+    }
+
+    fn planned(&self) -> Option<Planned> {
+        self.simulator.planned()
     }
 
     fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {
