@@ -40,6 +40,9 @@ pub struct ErrorSpectrum {
 /// Frequencies a decade.
 const FINE: f64 = 20.0;
 
+/// A part of the spectrum that is a smaller share of the other one is lost in its rounding.
+const ROUNDING: f64 = 1e-15;
+
 /// A pole is narrow where its decay is less than this share of its frequency.
 const NARROW: f64 = 0.3;
 
@@ -108,7 +111,13 @@ pub fn error_spectrum(compass: &Compass, excitation: &Excitation, heading: f64) 
     let runs: Result<Vec<Vec<(f64, f64)>>> =
         omega.par_chunks(16).map(|run| instrument.error_spectrum(&motion, heading, run)).collect();
     let both = runs?.into_iter().flatten();
-    let densities =
-        omega.iter().zip(both).map(|(w, (swing, products))| Density { omega: *w, swing, products }).collect();
+    // what is less than rounding of the other part is not known, and may be below 0
+    let seen = |part: f64, other: f64| if part < ROUNDING * other { 0.0 } else { part };
+    let density = |(w, (swing, products)): (&f64, (f64, f64))| Density {
+        omega: *w,
+        swing: seen(swing, products),
+        products: seen(products, swing),
+    };
+    let densities = omega.iter().zip(both).map(density).collect();
     Ok(ErrorSpectrum { heading, error: instrument.error(&motion, heading)?, densities })
 }
