@@ -59,6 +59,7 @@ impl Recorded {
             excitation: None,
             sea: None,
             off_by: None,
+            by_rectangle: None,
             recorded: Some(MeasuredRoll { analysis: self.analysis.clone(), band: self.band, mean }),
             against: Against::Heading(self.headings.clone()),
             rows: Vec::new(),

@@ -131,6 +131,7 @@ impl Prepared<'_> {
             excitation: Some(r.excitation.clone()),
             sea: self.motion.sea.filter(|_| !matches!(r.against, Against::Height { .. })),
             off_by: None,
+            by_rectangle: None,
             recorded: None::<MeasuredRoll>,
             against: r.against.clone(),
             rows: Vec::new(),

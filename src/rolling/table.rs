@@ -21,6 +21,8 @@ pub struct Table {
     pub sea: Option<SeaMotion>,
     /// How far its rational spectrum is off, where the mean is largest.
     pub off_by: Option<OffBy>,
+    /// The mean by the motion there where the waves are averaged over a rectangle as long and as wide as the ship, rad.
+    pub by_rectangle: Option<f64>,
     /// The recorded roll.
     pub recorded: Option<MeasuredRoll>,
     /// What the rows run over.
@@ -136,6 +138,7 @@ impl Table {
         };
         if let Some(sea) = &case.motion.sea {
             self.off_by = instrument.off_by(motion, case.heading, &sea.noise)?;
+            self.by_rectangle = instrument.off_by(motion, case.heading, &sea.rectangle)?.map(|o| o.exact);
         }
         self.smallness.extend(case.sea.as_ref().map(steepness));
         self.rows = judged.into_iter().filter(|j| j.2.is_ok()).map(|j| j.1).collect();

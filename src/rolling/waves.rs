@@ -54,6 +54,8 @@ pub struct SeaMotion {
     pub roll: Option<TransferFunction>,
     /// The true spectral matrix of the noises behind the motion.
     pub noise: Arc<[NoiseDensity]>,
+    /// The same where the waves are averaged over a rectangle with its zeros.
+    pub rectangle: Arc<[NoiseDensity]>,
 }
 
 /// Sections and zeros of the filters that are tried.
@@ -152,10 +154,12 @@ impl Waves {
             ))
             .with_hint("in long crests from astern too many waves are met at one frequency: say --spread, or another speed or direction"));
         }
-        let noise = noise(&whole, &sources, (self.hull.frequency, damping));
+        let rectangle = met.slopes_of_rectangle(&self.hull, TRUE.0, TRUE.1)?;
+        let [noise, rectangle] =
+            [&whole, &rectangle].map(|met| noise(met, &sources, (self.hull.frequency, damping)));
         let one = |s: &Source| s.fit.shaping.scaled(s.axis[0]).then(&resonance);
         let roll = sources.first().filter(|_| sources.len() == 1 && axes[0] == Axis::Roll).map(one);
-        Ok((motion, SeaMotion { error, damping, roll_rate, roll, noise }))
+        Ok((motion, SeaMotion { error, damping, roll_rate, roll, noise, rectangle }))
     }
 
     /// What a slope in a direction brings to the acceleration of a compass some 10 m from the axis of roll, s⁻⁴: and a

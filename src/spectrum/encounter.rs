@@ -80,6 +80,23 @@ impl Encounter {
     /// # Errors
     /// `BadInput` for numbers that are no sea, ship or spread.
     pub fn slopes(&self, hull: &Hull, bins: usize, part: f64) -> Result<SlopeSpectrum> {
+        self.averaged(hull, (bins, part), |bearing| Box::new(hull.keeps(bearing)))
+    }
+
+    /// The same averaged over a rectangle with its zeros.
+    ///
+    /// # Errors
+    /// As [`Encounter::slopes`].
+    pub(crate) fn slopes_of_rectangle(&self, hull: &Hull, bins: usize, part: f64) -> Result<SlopeSpectrum> {
+        self.averaged(hull, (bins, part), |bearing| Box::new(hull.keeps_of_rectangle(bearing)))
+    }
+
+    fn averaged(
+        &self,
+        hull: &Hull,
+        (bins, part): (usize, f64),
+        keeps: impl Fn(f64) -> Box<dyn Fn(f64) -> f64>,
+    ) -> Result<SlopeSpectrum> {
         self.sea.check()?;
         hull.check()?;
         if !self.spread.is_none_or(|n| n.is_finite() && n >= 1.0) || !self.speed.is_finite() {
@@ -87,7 +104,7 @@ impl Encounter {
                 "the spread of a sea, n of cosⁿ, is 1 or more, and a speed is finite",
             ));
         }
-        let cells = self.cells(hull);
+        let cells = self.cells(keeps);
         let step = end(&cells, part) / bins as f64;
         Ok(SlopeSpectrum { step, bins: filled(&cells, step, bins) })
     }
@@ -102,7 +119,7 @@ impl Encounter {
         (0..DIRECTIONS).map(|i| (self.from + away(i), density(i) / all)).collect()
     }
 
-    fn cells(&self, hull: &Hull) -> Vec<Cell> {
+    fn cells(&self, keeps: impl Fn(f64) -> Box<dyn Fn(f64) -> f64>) -> Vec<Cell> {
         let ratio = (ENDS[1] / ENDS[0]).ln() / CELLS as f64;
         let edge = |k: usize| ENDS[0] * self.sea.peak() * (k as f64 * ratio).exp();
         // (1/π) S dω
@@ -111,7 +128,7 @@ impl Encounter {
         let variances: Vec<f64> = (0..CELLS).map(variance).collect();
         let mut all = Vec::new();
         for (bearing, share) in self.directions() {
-            let (keeps, (athwart, along)) = (hull.keeps(bearing), Hull::slopes(bearing));
+            let (keeps, (athwart, along)) = (keeps(bearing), Hull::slopes(bearing));
             // ω_e = ω + (ω²V/g) cos ν
             let met = |w: f64| w + w * w * self.speed * along / GRAVITY;
             for (k, variance) in variances.iter().enumerate() {

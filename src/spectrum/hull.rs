@@ -38,7 +38,8 @@ use crate::{Error, Result};
 ///
 /// is cut there, so that a filter of order four has the power S². It is within 1 % of S² up to ½k√(L²cos²ν + B²sin²ν)
 /// = 1, that is for waves longer than three times the ship's extent along their travel; of shorter ones, which hardly
-/// move her, it leaves more than the rectangle does and has not its zeros, as a pointed waterplane has none.
+/// move her, it leaves more than the rectangle does and has not its zeros, as a pointed waterplane has none. Where such
+/// waves count, the form of the ship decides: a table of errors tells the mean by the rectangle beside its own.
 ///
 /// References: M. St. Denis, W. J. Pierson, Trans. SNAME 61 (1953) 280–357; E. V. Lewis (ed.), Principles of Naval
 /// Architecture III (SNAME 1989), ch. VIII; the average of a plane wave over a rectangle is its Fourier transform
@@ -174,9 +175,20 @@ impl Hull {
     }
 
     /// S² over ω⁴ in waves from ν: what the waterplane leaves of a wave's power.
-    pub(super) fn keeps(&self, from: f64) -> impl Fn(f64) -> f64 {
+    pub(super) fn keeps(&self, from: f64) -> impl Fn(f64) -> f64 + use<> {
         let [p, q] = self.series(from);
         move |fourth| 1.0 / (1.0 + fourth * (p + q * fourth))
+    }
+
+    /// S² over ω⁴ in waves from ν, without the cut: that of the rectangle with its zeros.
+    pub(super) fn keeps_of_rectangle(&self, from: f64) -> impl Fn(f64) -> f64 + use<> {
+        let (athwart, along) = Self::slopes(from);
+        let (length, beam) = (self.length * along, self.beam * athwart);
+        // sinc(½kL cos ν) sinc(½kB sin ν), k = ω²/g
+        move |fourth| {
+            let half = 0.5 * fourth.sqrt() / GRAVITY;
+            (sinc(half * length) * sinc(half * beam)).powi(2)
+        }
     }
 
     pub(super) fn check(&self) -> Result<()> {
@@ -190,6 +202,11 @@ impl Hull {
             "frequency, damping, slope, beam and length of a ship must be positive, and what damps her more not negative",
         ))
     }
+}
+
+/// sin u/u
+fn sinc(u: f64) -> f64 {
+    if u.abs() < 1e-4 { 1.0 - u * u / 6.0 } else { u.sin() / u }
 }
 
 /// A part of the slope that is there.

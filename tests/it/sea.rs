@@ -34,10 +34,22 @@ fn surface(sea: &Sea, w: f64) -> f64 {
 /// What a wave of unit height and frequency w from the bearing `from` does: W₂ and x of a compass with the lag.
 fn answer(s: &Gyrosphere, waves: &Waves, from: f64, w: f64, heading: f64) -> [Complex64; 2] {
     let hull = &waves.hull;
-    let met = w + w * w * waves.speed * from.cos() / G;
     let [a, b] = [hull.length * from.cos(), hull.beam * from.sin()].map(|x| (0.5 * x / G).powi(2));
     let keeps = 1.0 / (1.0 + (a + b) / 3.0 * w.powi(4) + ((a * a + b * b) / 15.0 + a * b / 9.0) * w.powi(8));
-    let slope = w * w / G * keeps.sqrt();
+    answer_of(s, waves, (from, keeps.sqrt()), w, heading)
+}
+
+/// The same where the waterplane leaves a part of the slope.
+fn answer_of(
+    s: &Gyrosphere,
+    waves: &Waves,
+    (from, keeps): (f64, f64),
+    w: f64,
+    heading: f64,
+) -> [Complex64; 2] {
+    let hull = &waves.hull;
+    let met = w + w * w * waves.speed * from.cos() / G;
+    let slope = w * w / G * keeps;
     let w0 = hull.frequency;
     let roll = -from.sin() * slope * w0 * w0 * hull.slope
         / (w0 * w0 - met * met + J * 2.0 * hull.damping * w0 * met);
@@ -256,6 +268,49 @@ fn a_sea_from_many_directions_is_the_sum_of_them() {
         |spread| table(&waves(seas()[3].1, 60.0, 0.0, spread, Hull::default()), 0.6).rows[0].error.rectified;
     let (long, narrow) = (of(None), of(Some(100.0)));
     assert!((narrow / long - 1.0).abs() < 0.05, "{long} {narrow}");
+}
+
+#[test]
+fn the_mean_by_a_rectangle_is_told_where_short_waves_count() {
+    let hull = Hull { beam: 20.0, length: 120.0, frequency: TAU / 12.0, damping: 0.05, ..Hull::default() };
+    for (height, period, from) in [(4.0, 7.0, 60.0), (2.0, 6.0, 90.0), (4.0, 10.0, 30.0)] {
+        let sea = Sea::Bretschneider { height, peak: TAU / period };
+        let w = Waves { also: Vec::new(), ..waves(sea, from, 0.0, None, hull) };
+        let (table, heading) = (table(&w, 0.6), 0.6);
+        let s = &table.compass.sphere;
+        let product = |omega: f64| {
+            let side = |x: f64| {
+                if x.abs() < 1e-9 {
+                    1.0
+                } else {
+                    (0.5 * omega * omega / G * x).sin() / (0.5 * omega * omega / G * x)
+                }
+            };
+            let keeps = side(hull.length * w.from.cos()) * side(hull.beam * w.from.sin());
+            let [second, x] = answer_of(s, &w, (w.from, keeps), omega, heading);
+            surface(&sea, omega) * (second * x.conj()).re
+        };
+        let exact = gain(s, &w, heading) / PI * over(&sea, &[hull.frequency], product);
+        let told = table.by_rectangle.unwrap();
+        println!(
+            "{period} s from {from}°: by a rectangle {:.6}°, told {:.6}°",
+            exact.to_degrees(),
+            told.to_degrees()
+        );
+        assert!((told / exact - 1.0).abs() < 1e-3, "{told} {exact}");
+        assert!((table.off_by.unwrap().exact / exact - 1.0).abs() > 0.1, "short waves count");
+    }
+    let (code, text, _) = asked(&[
+        "--sea=bretschneider",
+        "--height=4m",
+        "--period=7s",
+        "--sea-from=60",
+        "--ship=12s,0.05,0.8,20m",
+        "--heading=45",
+    ]);
+    assert!(code == 0 && text.contains("her form decides"), "{text}");
+    let (_, text, _) = asked(&["--sea=jonswap", "--heading=45"]);
+    assert!(!text.contains("her form decides"), "{text}");
 }
 
 #[test]

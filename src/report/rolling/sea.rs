@@ -56,9 +56,29 @@ fn hull(hull: &Hull, motion: Option<&SeaMotion>) -> String {
     text
 }
 
-/// What the rational spectrum changes of the figures, in a line; empty where nothing is known of it.
-pub fn off_by(off: Option<&OffBy>) -> String {
-    let Some(off) = off else { return String::new() };
+/// What the rational spectrum changes of the figures, and what the form of the ship may; empty where nothing is known.
+pub fn off_by(table: &Table) -> String {
+    let Some(off) = table.off_by else { return String::new() };
+    fitted(&off) + &table.by_rectangle.map(|mean| formed(&off, mean)).unwrap_or_default()
+}
+
+/// A word on waves about as short as the ship, where they count.
+fn formed(off: &OffBy, by_rectangle: f64) -> String {
+    let change = by_rectangle / off.exact - 1.0;
+    if change.abs() < MUCH {
+        return String::new();
+    }
+    format!(
+        "Waves about as short as the ship count here, and her form decides what they do: averaged over a rectangle of\n\
+         her length and beam they make the mean {:.5}°, {:.0} % {}.\n",
+        by_rectangle.to_degrees(),
+        100.0 * change.abs(),
+        if change < 0.0 { "less" } else { "more" }
+    )
+}
+
+/// What the rational spectrum changes.
+fn fitted(off: &OffBy) -> String {
     let part = |x: f64| {
         let percent = 100.0 * x.abs();
         let size = if percent < 0.1 { "less than 0.1".to_owned() } else { format!("{percent:.1}") };
@@ -79,7 +99,10 @@ pub fn off_by(off: Option<&OffBy>) -> String {
 pub fn as_json(table: &Table) -> Option<Value> {
     let (sea, waves) = (table.sea.as_ref()?, table.excitation.as_ref()?.waves()?);
     let off = table.off_by.map(
-        |o| json!({ "mean": o.mean, "spread_quadratic": o.spread, "heading_deg": o.heading.to_degrees(), "exact_mean_deg": o.exact.to_degrees() }),
+        |o| json!({
+            "mean": o.mean, "spread_quadratic": o.spread, "heading_deg": o.heading.to_degrees(),
+            "exact_mean_deg": o.exact.to_degrees(), "mean_by_rectangle_deg": table.by_rectangle.map(f64::to_degrees),
+        }),
     );
     Some(json!({
         "met_at_m_per_s": waves.speed,
