@@ -48,12 +48,20 @@ pub fn run(call: &Call) -> Result<Outcome> {
     if call.latitude.is_some() && table.find("latitude").is_some() {
         return Err(Error::usage("--latitude is of no use here: the table has a column of it"));
     }
-    let length = Unit::parse("m")?.dimension();
-    let by_path = table.find("amplitude").is_some_and(|c| c.unit.dimension() == length);
-    if call.lever.is_some() && by_path {
+    let is_a = |unit: &str| -> Result<bool> {
+        let dimension = Unit::parse(unit)?.dimension();
+        Ok(table.find("amplitude").is_some_and(|c| c.unit.dimension() == dimension))
+    };
+    if call.lever.is_some() && is_a("m")? {
         return Err(Error::usage(
             "--lever is of no use here: the amplitudes are lengths, of the compass's own path",
         ));
+    }
+    if call.lever.is_none() && call.compass.is_none() && is_a("rad")? {
+        return Err(Error::usage(
+            "the amplitudes are angles, and nothing says how high above the roll axis the compass stood",
+        )
+        .with_hint("say --lever, or name the compass with --compass"));
     }
     let told = identification(&table, &compass)
         .map_err(|e| if e.file().is_some() { e } else { e.with_file(held.given()) })?;

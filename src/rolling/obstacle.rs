@@ -39,7 +39,7 @@ impl Obstacle {
             ))
             .with_hint(BAND),
             Self::RecordedTail(part) => Error::usage(format!(
-                "{part} is not linear, and the fit of a recorded roll has a white tail"
+                "{part} is not linear, and the mean by the spectrum of a recorded roll is known for linear parts alone"
             ))
             .with_hint("take the fitted roll as an excitation with a band"),
             Self::BeyondSimulation => {

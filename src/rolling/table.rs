@@ -5,7 +5,7 @@ use super::{Against, Analysis, Compass, Days, Excitation, Row, SeaMotion};
 use crate::Result;
 use crate::estimate::fit::Progress;
 use crate::gyro::validity::{Smallness, bounded, steepness};
-use crate::gyro::{BySpectrum, OffBy, Tail};
+use crate::gyro::{BySpectrum, HeadingError, OffBy, Tail};
 use crate::spectrum::Roll;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -132,9 +132,12 @@ impl Table {
             return Ok(self);
         };
         let (motion, instrument) = (&case.motion.motion, &case.instrument);
+        // judged is the mean to trust
+        let rectified = row.error.rectified + self.mean(row) - row.error.mean();
+        let error = HeadingError { rectified, ..row.error };
         self.smallness = match case.motion.regular {
-            Some(_) => instrument.regular_smallness(motion, case.heading, &row.error)?,
-            None => instrument.smallness(motion, case.heading, &row.error)?,
+            Some(_) => instrument.regular_smallness(motion, case.heading, &error)?,
+            None => instrument.smallness(motion, case.heading, &error)?,
         };
         if let Some(sea) = &case.motion.sea {
             self.off_by = instrument.off_by(motion, case.heading, &sea.noise)?;

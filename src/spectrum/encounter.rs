@@ -87,7 +87,7 @@ impl Encounter {
     ///
     /// # Errors
     /// As [`Encounter::slopes`].
-    pub(crate) fn slopes_of_rectangle(&self, hull: &Hull, bins: usize, part: f64) -> Result<SlopeSpectrum> {
+    pub fn slopes_of_rectangle(&self, hull: &Hull, bins: usize, part: f64) -> Result<SlopeSpectrum> {
         self.averaged(hull, (bins, part), |bearing| Box::new(hull.keeps_of_rectangle(bearing)))
     }
 

@@ -163,7 +163,7 @@ fn amplitudes_as_angles_frequencies_latitudes_and_gaps_are_read() {
     assert_relative_eq!(number(&told, "/C0_N_per_m/value"), 1e5, max_relative = 1e-6);
     assert_eq!((number(&told, "/rows_left_out"), told["rows"].as_array().unwrap().len()), (1.0, 23));
     let (_, text) = called(&[file.to_str().unwrap(), "--lever", "2.5m"]);
-    assert!(text.contains("1 rows with gaps are left out") && text.contains("C0 = { value = "), "{text}");
+    assert!(text.contains("1 row with gaps is left out") && text.contains("C0 = { value = "), "{text}");
 }
 
 #[test]
@@ -191,6 +191,7 @@ fn what_it_cannot_read_or_tell_is_refused_with_its_place() {
         ),
         (head.replace("period", "period [s],frequency") + "60,25,7,8,-0.1\n", &[], 2, "t.csv"),
         (format!("{head}60,25,7,-0.1\n"), &[], 2, "at least three trials"),
+        (head.replace("[cm]", "[deg]") + "60,25,7,-0.1\n30,25,6,-0.1\n", &[], 2, "say --lever"),
         (format!("{head}60,25,5,-0.4\n30,25,5,-0.42\n15,20,5,-0.2\n"), &[], 3, "more than one frequency"),
         (format!("{head}60,25,7,-0.1\n30,25,6,-0.2\n"), &["--lever", "2m"], 2, "--lever is of no use"),
         (head.replace("-0.5", "0.5") + "60,25,7,0.1\n30,25,6,0.2\n", &[], 3, "sign"),

@@ -251,8 +251,9 @@ fn each_pair_of_options_of_the_identification_is_used_or_refused() {
         ("lever", "--lever 2m"),
         ("json", "--json"),
     ];
-    // the table stands before each pair, so that naming it again is refused
-    each_pair("identify", &list, &["trials.csv"]);
+    // the table stands before each pair, and what its angles turn about, so that naming these again is refused
+    each_pair("identify", &list, &["trials.csv", "--lever", "3m"]);
+    each_pair("identify", &list, &["trials.csv", "--compass", "compass.toml"]);
 }
 
 const PENDULOUS: [(&str, &str); 12] = [

@@ -135,3 +135,36 @@ fn the_mean_by_a_measured_spectrum_is_that_of_the_same_samples_followed_in_time(
         assert_relative_eq!(measured, truth, max_relative = 0.015);
     }
 }
+
+#[test]
+fn a_sample_that_nothing_honest_makes_is_left_out_and_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let text =
+        std::fs::read_to_string(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/roll.csv"))
+            .unwrap();
+    let spiked: Vec<String> = text
+        .lines()
+        .enumerate()
+        .map(|(k, row)| match row.rsplit_once(',') {
+            Some((before, _)) if k == 701 => format!("{before},85"),
+            _ => row.to_owned(),
+        })
+        .collect();
+    let run = |name: &str, text: &str| {
+        let file = folder.path().join(name);
+        std::fs::write(&file, text).unwrap();
+        let out = std::process::Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+            .arg("roll-error")
+            .arg(&file)
+            .args(["--heading", "45", "--json"])
+            .output()
+            .unwrap();
+        let told: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
+        let mean = told["rows"][0]["measured_spectrum_mean_deg"].as_f64().unwrap();
+        (mean, String::from_utf8_lossy(&out.stderr).into_owned())
+    };
+    let ((plain, silent), (spiked, said)) = (run("a.csv", &text), run("b.csv", &spiked.join("\n")));
+    assert!(!silent.contains("left out"), "{silent}");
+    assert!(said.contains("1 sample is left out, at 175 s (outliers)"), "{said}");
+    assert!((spiked / plain - 1.0).abs() < 0.01, "{spiked} {plain}");
+}

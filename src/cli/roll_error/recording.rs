@@ -4,8 +4,10 @@ use super::Arguments;
 use super::hints::worded;
 use super::options::{Against, RowOptions};
 use crate::cli::input::Held;
+use crate::record::quality::{self, Fault, FaultKind};
 use crate::record::{Input, Recording};
 use crate::rolling::{Compass, Recorded, analyse};
+use crate::units::figure;
 use crate::{Error, Result};
 use std::path::Path;
 
@@ -16,6 +18,7 @@ pub fn asked(compass: &Compass, recording: &Recording, a: &Arguments, rows: &Row
             .with_hint("leave the options of the motion but --band, and --against, away"));
     }
     let name = roll_name(recording, a.roll.as_deref())?;
+    let recording = &without_faults(recording, &name)?;
     let mut compass = compass.clone();
     if let (Some(latitude), None) = (recording.constant("lat"), &a.instrument.latitude) {
         compass.sphere.latitude = latitude;
@@ -27,6 +30,28 @@ pub fn asked(compass: &Compass, recording: &Recording, a: &Arguments, rows: &Row
     let analysis = analyse(recording, &name)?;
     let (band, headings, days) = (a.motion.band()?, rows.headings()?, rows.days()?);
     Ok(Recorded { compass, analysis, band, headings, days })
+}
+
+/// The recording without samples of a channel that nothing honest makes; what was left out is told.
+fn without_faults(recording: &Recording, name: &str) -> Result<Recording> {
+    let faults = quality::channel_faults(recording.channel(name)?, recording.kind);
+    let spoils = |f: &&Fault| f.sure && matches!(f.kind, FaultKind::Frozen | FaultKind::Outliers);
+    for fault in faults.iter().filter(spoils) {
+        let ends = (fault.spans.first(), fault.spans.last());
+        let (first, last) = (ends.0.map_or(0.0, |s| s.from), ends.1.map_or(0.0, |s| s.to));
+        let place = if first == last {
+            format!("at {} s", figure(first))
+        } else {
+            format!("from {} to {} s", figure(first), figure(last))
+        };
+        let samples =
+            if fault.samples == 1 { "1 sample is" } else { &format!("{} samples are", fault.samples) };
+        let kind = fault.kind.code();
+        crate::cli::warn(&format!(
+            "{name}: {samples} left out, {place} ({kind}); `gyrospec record` shows what is there"
+        ));
+    }
+    Ok(quality::masked(recording, &faults))
 }
 
 /// Reads a recording. For a bare CSV whose header has no units, `roll` as NAME:UNIT says what

@@ -46,7 +46,10 @@ fn sentence(voyage: &Voyage, told: &SettledVoyage) -> String {
         _ => format!(" at heading {}°", figure(worst.heading.to_degrees())),
     };
     let spread = told.spread.map_or(String::new(), |s| {
-        format!(", and manoeuvres spread it by ±{}°", significant(s.to_degrees(), 3))
+        format!(
+            ", and manoeuvres spread it by ±{}° about the error of the speed at each moment",
+            significant(s.to_degrees(), 3)
+        )
     });
     format!(
         "At latitude {}° the compass settles {}° off ({}){on}{}{spread}.",

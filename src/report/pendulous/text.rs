@@ -35,7 +35,8 @@ pub fn text(voyage: &Voyage, told: &SettledVoyage) -> String {
     if let (Some(m), Some(spread)) = (&voyage.manoeuvres, told.spread) {
         let _ = writeln!(
             out,
-            "\nUnder manoeuvres (northward velocity ±{} m/s, forgotten in {} s) the heading spreads by ±{}° about it",
+            "\nUnder manoeuvres (northward velocity ±{} m/s, forgotten in {} s) the heading spreads by ±{}°\n\
+             about the error of its speed at each moment",
             figure(m.deviation),
             figure(m.time),
             significant(spread.to_degrees(), 4)

@@ -31,8 +31,13 @@ pub fn words(table: &Table) -> String {
         each.collect::<Vec<_>>().join(", ")
     };
     let form = if shape.skewness.abs() < HARDLY { "nearly Gaussian" } else { "not Gaussian" };
+    let by = if table.is_by_spectrum() {
+        "By the fit of the roll, whose mean is not the one to trust, the"
+    } else {
+        "Where the mean is largest the"
+    };
     format!(
-        "Where the mean is largest the error lies below {};\nits distribution is {form}: skewness {:+.2}, excess {:+.2}.\n{}",
+        "{by} error lies below {};\nits distribution is {form}: skewness {:+.2}, excess {:+.2}.\n{}",
         list(shape.percentiles(&row.error)),
         shape.skewness,
         shape.excess,

@@ -1,6 +1,6 @@
 //! What is said of a sea.
 
-use crate::gyro::OffBy;
+use crate::gyro::{Axis, OffBy};
 use crate::rolling::{SeaMotion, Table, Waves};
 use crate::spectrum::{Hull, Sea};
 use crate::units::{figure, significant};
@@ -59,7 +59,18 @@ fn hull(hull: &Hull, motion: Option<&SeaMotion>) -> String {
 /// What the rational spectrum changes of the figures, and what the form of the ship may; empty where nothing is known.
 pub fn off_by(table: &Table) -> String {
     let Some(off) = table.off_by else { return String::new() };
-    fitted(&off) + &table.by_rectangle.map(|mean| formed(&off, mean)).unwrap_or_default()
+    left_out(table) + &fitted(&off) + &table.by_rectangle.map(|mean| formed(&off, mean)).unwrap_or_default()
+}
+
+/// A word on the sway that the sea brings and nobody asked for.
+fn left_out(table: &Table) -> String {
+    let waves = table.excitation.as_ref().and_then(|e| e.waves());
+    match waves {
+        Some(w) if !w.also.contains(&Axis::Sway) && Hull::slopes(w.from).0 != 0.0 => {
+            "Sway is left out, and it may do more than rolling: --also sway counts it.\n".into()
+        }
+        _ => String::new(),
+    }
 }
 
 /// A word on waves about as short as the ship, where they count.

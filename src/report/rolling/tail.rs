@@ -25,7 +25,8 @@ pub fn text(tail: &Tail) -> String {
     let _ = writeln!(out, "\nand {:.3}° with all of them.", tail.whole.to_degrees());
     if tail.is_much() {
         out.push_str(
-            "Say --band with the frequency above which this ship does not move: the answer depends on it.\n",
+            "Say --band with the frequency above which this ship does not move: the answer depends on it. Its end is soft,\n\
+             two low-passes that leave a quarter of the power at that frequency.\n",
         );
     }
     out
