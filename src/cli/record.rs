@@ -94,7 +94,7 @@ fn words(recording: &Recording, summaries: &[Summary]) -> String {
         (n, m) => format!("{} (!), and {m} to look at (?).", counted(n, "fault")),
     };
     let _ = writeln!(text, "\n{verdict}");
-    if faults.iter().any(|f| matches!(f.kind, FaultKind::Frozen | FaultKind::Outliers)) {
+    if faults.iter().any(|f| f.kind.spoils()) {
         text.push_str(
             "An input may hold a value or leap: of a channel that drives a model these are no faults.\n",
         );

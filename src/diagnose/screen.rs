@@ -25,7 +25,7 @@
 use super::bench::Track;
 use crate::estimate::noise::NoiseModel;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
-use faer::{Col, Mat, Par};
+use faer::{Col, ColRef, Mat, MatRef, Par};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -79,8 +79,15 @@ struct Apart {
 }
 
 impl Apart {
+    /// Of directions, those whose squares are more than the least beyond what the others before them hold.
+    fn of(d: &Mat<f64>, least: impl Fn(usize) -> f64) -> Self {
+        let (kept, l) = factor(&(d.transpose() * d), least);
+        let d = Mat::from_fn(d.nrows(), kept.len(), |i, k| d[(i, kept[k])]);
+        Self { kept, d, l }
+    }
+
     /// Qᵀ of vectors.
-    fn projected(&self, of: &Mat<f64>) -> Mat<f64> {
+    fn projected(&self, of: MatRef<'_, f64>) -> Mat<f64> {
         let mut z = self.d.transpose() * of;
         solve_lower_triangular_in_place(self.l.as_ref(), z.as_mut(), Par::Seq);
         z
@@ -138,23 +145,16 @@ impl Screen {
 
     /// Directions apart from the fitted ones and from each other, without those of which less than a share is left.
     fn apart(&self, directions: &[Vec<f64>], share: f64) -> Option<Apart> {
-        let d = self.free(directions);
-        let products = d.transpose() * &d;
-        let least = |j: usize| (share * norm(&directions[j])).powi(2);
-        let (kept, l) = factor(&products, least);
-        let d = Mat::from_fn(d.nrows(), kept.len(), |i, k| d[(i, kept[k])]);
-        (!kept.is_empty()).then_some(Apart { kept, d, l })
+        let own = Apart::of(&self.free(directions), |j| (share * norm(&directions[j])).powi(2));
+        (!own.kept.is_empty()).then_some(own)
     }
 
     /// The statistics of drawn noise on directions.
     fn drawn(&self, of: &Apart, one_sided: bool) -> Vec<f64> {
         let z = if self.signs.is_empty() {
-            of.projected(&self.draws)
+            of.projected(self.draws.as_ref())
         } else {
-            let d = image(&of.d, &self.signs);
-            let (kept, l) = factor(&(d.transpose() * &d), |_| 0.0);
-            let d = Mat::from_fn(d.nrows(), kept.len(), |i, k| d[(i, kept[k])]);
-            Apart { kept, d, l }.projected(&self.draws)
+            Apart::of(&image(&of.d, &self.signs), |_| 0.0).projected(self.draws.as_ref())
         };
         (0..z.ncols()).map(|r| statistic(z.col_as_slice(r), one_sided)).collect()
     }
@@ -169,7 +169,7 @@ impl Screen {
         if degrees < directions.len() {
             return None;
         }
-        let z = own.projected(&columns(self.residual.len(), std::slice::from_ref(&self.residual)));
+        let z = own.projected(ColRef::from_slice(&self.residual).as_mat());
         let projections = z.col_as_slice(0);
         let one_sided = positive && degrees == 1;
         let first = own.l[(0, 0)];
@@ -241,7 +241,7 @@ fn remove(v: &mut [f64], basis: &[Vec<f64>]) {
 }
 
 fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let [a, b] = [a, b].map(faer::ColRef::from_slice);
+    let [a, b] = [a, b].map(ColRef::from_slice);
     a.transpose() * b
 }
 
@@ -323,7 +323,7 @@ impl Screen {
     pub fn solve(&self, directions: &[Vec<f64>]) -> Option<Solved> {
         let own = self.apart(directions, APART)?;
         let k = own.kept.len();
-        let z = own.projected(&columns(self.residual.len(), std::slice::from_ref(&self.residual)));
+        let z = own.projected(ColRef::from_slice(&self.residual).as_mat());
         let z = z.col_as_slice(0);
         // D = Q Lᵀ: weights L⁻ᵀ z, covariance L⁻ᵀ L⁻¹
         let mut inverse = Mat::<f64>::identity(k, k);

@@ -6,7 +6,7 @@ use crate::report::json::object;
 use crate::report::page::estimate;
 use crate::rolling::{Identification, TrialRow};
 use crate::spectrum::Interval;
-use crate::units::{figure, significant};
+use crate::units::{counted, figure, significant};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -14,12 +14,8 @@ use std::fmt::Write;
 pub fn text(told: &Identification) -> String {
     let mut out = format!("T and C₀ of the lag (2.3) from {} trials, by (2.4)", told.rows.len());
     if told.left_out > 0 {
-        let left_out = if told.left_out == 1 {
-            "1 row with gaps is"
-        } else {
-            &format!("{} rows with gaps are", told.left_out)
-        };
-        let _ = write!(out, "; {left_out} left out");
+        let (rows, are) = (counted(told.left_out, "row"), if told.left_out == 1 { "is" } else { "are" });
+        let _ = write!(out, "; {rows} with gaps {are} left out");
     }
     out.push_str("\n\n");
     for (name, unit, i) in [("T", "s", told.found.lag), ("C₀", "N/m", told.found.stiffness)] {

@@ -4,10 +4,10 @@ use super::Arguments;
 use super::hints::worded;
 use super::options::{Against, RowOptions};
 use crate::cli::input::Held;
-use crate::record::quality::{self, Fault, FaultKind};
+use crate::record::quality;
 use crate::record::{Input, Recording};
 use crate::rolling::{Compass, Recorded, analyse};
-use crate::units::figure;
+use crate::units::{counted, figure};
 use crate::{Error, Result};
 use std::path::Path;
 
@@ -35,8 +35,7 @@ pub fn asked(compass: &Compass, recording: &Recording, a: &Arguments, rows: &Row
 /// The recording without samples of a channel that nothing honest makes; what was left out is told.
 fn without_faults(recording: &Recording, name: &str) -> Result<Recording> {
     let faults = quality::channel_faults(recording.channel(name)?, recording.kind);
-    let spoils = |f: &&Fault| f.sure && matches!(f.kind, FaultKind::Frozen | FaultKind::Outliers);
-    for fault in faults.iter().filter(spoils) {
+    for fault in faults.iter().filter(|f| f.sure && f.kind.spoils()) {
         let ends = (fault.spans.first(), fault.spans.last());
         let (first, last) = (ends.0.map_or(0.0, |s| s.from), ends.1.map_or(0.0, |s| s.to));
         let place = if first == last {
@@ -44,11 +43,11 @@ fn without_faults(recording: &Recording, name: &str) -> Result<Recording> {
         } else {
             format!("from {} to {} s", figure(first), figure(last))
         };
-        let samples =
-            if fault.samples == 1 { "1 sample is" } else { &format!("{} samples are", fault.samples) };
+        let (samples, are) =
+            (counted(fault.samples, "sample"), if fault.samples == 1 { "is" } else { "are" });
         let kind = fault.kind.code();
         crate::cli::warn(&format!(
-            "{name}: {samples} left out, {place} ({kind}); `gyrospec record` shows what is there"
+            "{name}: {samples} {are} left out, {place} ({kind}); `gyrospec record` shows what is there"
         ));
     }
     Ok(quality::masked(recording, &faults))

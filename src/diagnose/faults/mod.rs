@@ -113,7 +113,7 @@ fn is_input(model: &Model, name: &str) -> Option<bool> {
 /// spikes are no outliers.
 fn of_input(channel: &Channel, kind: Kind) -> Vec<Fault> {
     let mut found = quality::channel_faults(channel, kind);
-    found.retain(|f| f.sure && !matches!(f.kind, FaultKind::Frozen | FaultKind::Outliers));
+    found.retain(|f| f.sure && !f.kind.spoils());
     found
 }
 

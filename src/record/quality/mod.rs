@@ -51,6 +51,11 @@ impl FaultKind {
             Self::ClockDrift => "clock-drift",
         }
     }
+
+    /// Whether its samples are no measurements.
+    pub(crate) const fn spoils(self) -> bool {
+        matches!(self, Self::Frozen | Self::Outliers)
+    }
 }
 
 /// One fault of one channel.
@@ -134,8 +139,7 @@ pub fn channel_faults(channel: &Channel, kind: Kind) -> Vec<Fault> {
 #[must_use]
 pub fn masked(recording: &Recording, faults: &[Fault]) -> Recording {
     let mut clean = recording.clone();
-    let spoils = |f: &&Fault| f.sure && matches!(f.kind, FaultKind::Frozen | FaultKind::Outliers);
-    for fault in faults.iter().filter(spoils) {
+    for fault in faults.iter().filter(|f| f.sure && f.kind.spoils()) {
         for channel in clean.channels.iter_mut().filter(|c| c.name == fault.channel) {
             let samples = channel.time.iter().zip(&mut channel.values);
             for (_, value) in samples.filter(|(t, _)| fault.spans.iter().any(|s| s.contains(**t))) {
