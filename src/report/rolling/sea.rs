@@ -59,11 +59,11 @@ fn hull(hull: &Hull, motion: Option<&SeaMotion>) -> String {
 /// What the rational spectrum changes of the figures, and what the form of the ship may; empty where nothing is known.
 pub fn off_by(table: &Table) -> String {
     let Some(off) = table.off_by else { return String::new() };
-    left_out(table) + &fitted(&off) + &table.by_rectangle.map(|mean| formed(&off, mean)).unwrap_or_default()
+    fitted(&off) + &table.by_rectangle.map(|mean| formed(&off, mean)).unwrap_or_default()
 }
 
 /// A word on the sway that the sea brings and nobody asked for.
-fn left_out(table: &Table) -> String {
+pub fn left_out(table: &Table) -> String {
     let waves = table.excitation.as_ref().and_then(|e| e.waves());
     match waves {
         Some(w) if !w.also.contains(&Axis::Sway) && Hull::slopes(w.from).0 != 0.0 => {

@@ -128,7 +128,7 @@ fn asides(table: &Table) -> String {
     if !(moved.is_empty() && part.is_empty()) {
         out.push_str(&idle(if part.is_empty() { moved } else { part }));
     }
-    out + &sea::off_by(table) + &distribution::words(table)
+    out + &sea::left_out(table) + &sea::off_by(table) + &distribution::words(table)
 }
 
 /// How the figures of a part that is not linear come about.
