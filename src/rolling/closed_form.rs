@@ -1,6 +1,7 @@
 //! The mean error on irregular roll with letters, by the symbols' own derivation, and its values.
 
 use super::{Compass, Excitation, SeaMotion, ShipMotion};
+use crate::expression::Expr;
 use crate::gyro::elastic::{Elastic, Letters};
 use crate::gyro::validity::{Smallness, bounded};
 use crate::symbolic::{Derived, Formula, FormulaRequest, formula, irregular_roll};
@@ -64,12 +65,30 @@ impl ClosedForm {
 /// `Usage` for a part that is not linear.
 pub fn closed_form(part: &dyn Elastic, band: Option<f64>) -> Result<ClosedForm> {
     let request = request(part, band.is_some())?;
-    let (derivation, simplifier) = (request.derivation()?, request.simplifier()?);
-    let order = derivation.order(&simplifier)?;
+    let order = order(&request)?;
     if order > LONGEST {
         return Ok(ClosedForm::Integral { order, text: integral(&request, order)? });
     }
+    let (derivation, simplifier) = (request.derivation()?, request.simplifier()?);
     formula(&derivation, &simplifier).map(ClosedForm::Written)
+}
+
+/// n of the I_n that a request describes, at numbers in the letters' place: with all of them a suspension of many parts
+/// would first be multiplied out.
+pub(super) fn order(r: &FormulaRequest) -> Result<usize> {
+    let number = |name: &str| {
+        // any numbers do at which nothing cancels that does not with letters
+        let sum = name.bytes().fold(7u32, |sum, b| (31 * sum + u32::from(b)) % 997);
+        (name != "s" && name != "K").then(|| Expr::number(f64::from(sum + 1) / 64.0))
+    };
+    let at = |text: &Option<String>| {
+        let at =
+            |text: &String| -> Result<String> { Ok(Expr::parse(text)?.substitute_each(&number).to_string()) };
+        text.as_ref().map(at).transpose()
+    };
+    let [first, second, shaping, density] = [at(&r.first)?, at(&r.second)?, at(&r.shaping)?, at(&r.density)?];
+    let numbers = FormulaRequest { first, second, shaping, density, ..FormulaRequest::default() };
+    numbers.derivation()?.order(&numbers.simplifier()?)
 }
 
 /// The paper's irregular roll with another centre of mass, behind two low-passes.

@@ -1,6 +1,6 @@
 //! The mean error with letters on any motion that has one: irregular roll, regular roll, roll in a sea.
 
-use super::closed_form::{ClosedForm, LONGEST, closed_form, integral, request};
+use super::closed_form::{ClosedForm, LONGEST, closed_form, integral, order, request};
 use super::{Excitation, ShipMotion, Source, Waves};
 use crate::expression::Expr;
 use crate::gyro::elastic::Elastic;
@@ -48,8 +48,7 @@ fn on_sine(part: &dyn Elastic, banded: bool) -> Result<ClosedForm> {
         frequency: "p".into(),
         times: read(&r.times, "")?,
     };
-    let order = r.derivation()?.order(&r.simplifier()?)?;
-    if order > LONGEST {
+    if order(&r)? > LONGEST {
         return Ok(ClosedForm::Integral { order: 0, text: unwritten(&mean) });
     }
     let relations = vec![Relation::parse("sin(K)*cos(K) = sin(2*K)/2")?];
@@ -82,7 +81,7 @@ fn in_sea(part: &dyn Elastic, waves: &Waves, excitation: &Excitation) -> Result<
     same(&roll, &motion)?;
     // X(s) has the order of the integral on irregular roll less the two of the roll
     let bare = request(part, false)?;
-    let order = bare.derivation()?.order(&bare.simplifier()?)? - 2 + roll.order();
+    let order = order(&bare)? - 2 + roll.order();
     let mut r = bare;
     let accelerated = [roll.numerator(), &[0.0, 0.0]].concat();
     r.shaping = Some(format!("({})/({})", polynomial(&accelerated), polynomial(roll.denominator())));

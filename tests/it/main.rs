@@ -58,6 +58,7 @@ mod simulate;
 mod skipped;
 mod strapdown;
 mod strapdown_command;
+mod swing_in_company;
 mod symbolic;
 mod terminal;
 mod trade;

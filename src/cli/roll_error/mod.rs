@@ -86,7 +86,7 @@ Examples:
   gyrospec roll-error --regular 5deg,10s --card 2deg,10deg,15deg
   gyrospec roll-error --inertia --irregular 10deg,0.1,0.8 --band 2.5rad/s --heading 45deg --simulate 4
   gyrospec roll-error --inertia --flow 4s,0.1 --friction 2N --band 2.5rad/s --heading 45deg
-Parts go together: each option of a part adds it to the suspension; --swing is a suspension of its own and goes alone.";
+Parts go together: each option of a part adds it to the suspension.";
 
 pub fn run(a: &Arguments) -> Result<Outcome> {
     let read = a.model_or_parameters.iter().chain(&a.recording);

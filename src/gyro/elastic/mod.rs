@@ -27,7 +27,7 @@ pub use part::{Boxed, Elastic, Letters};
 pub use pendulum::Pendulum;
 pub use relaxing::Relaxing;
 pub use slosh::Slosh;
-pub use suspension::{Flow, Suspension, Swing};
+pub use suspension::{Flow, Suspension, Swing, Tilt};
 
 /// The parts that can be asked for beside the lag: one a line, each described by its own file.
 pub const PARTS: [&Asked; 7] = [

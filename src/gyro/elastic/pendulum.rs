@@ -2,6 +2,7 @@
 
 use super::option::{Asked, PartOption, first};
 use super::part::{Elastic, Letters, along, positive};
+use super::suspension::{Suspension, Tilt};
 use crate::gyro::Gyrosphere;
 use crate::gyro::range::{Range, range};
 use crate::lti::{StateSpace, TransferFunction};
@@ -64,21 +65,14 @@ impl Elastic for Pendulum {
     }
 
     fn system(&self, s: &Gyrosphere, _: &StateSpace) -> Result<StateSpace> {
-        positive(&[("T", s.lag), ("C0", s.stiffness), ("period", self.period), ("zeta", self.damping)])?;
-        let follow = self.lag.is_finite() && self.lag >= 0.0;
-        if !follow || !(0.0..1.0).contains(&self.coupling) {
-            let (q, lag) = (self.coupling, self.lag);
-            return Err(Error::bad_input(format!(
-                "the rotors take a part of the inertia below 1 and no lag below 0, not {q} and {lag} s"
-            )));
-        }
+        positive(&[("T", s.lag), ("C0", s.stiffness)])?;
         let spring = TransferFunction::new(&[s.weight / (s.gravity * s.stiffness)], &[s.lag, 1.0])?;
-        let (w, z, q, t) = (TAU / self.period, self.damping, self.coupling, self.lag);
-        // (l/g) ω² (1 + τ s) over (1 − q) τ s³ + (1 + 2ζωτ) s² + (2ζω + ω²τ) s + ω²
-        let give = s.pendulous / s.weight / s.gravity * w * w;
-        let below = [(1.0 - q) * t, 1.0 + 2.0 * z * w * t, 2.0 * z * w + w * w * t, w * w];
-        let swing = TransferFunction::new(&[give * t, give], &below)?;
+        let swing = self.tilt().give(s)?;
         along(&[(0, StateSpace::from_transfer(&spring)), (0, StateSpace::from_transfer(&swing))])
+    }
+
+    fn enters(&self, suspension: &mut Suspension) -> Result<()> {
+        Suspension::once(&mut suspension.tilt, self.tilt(), "a swing")
     }
 
     fn letters(&self) -> Option<Letters> {
@@ -86,6 +80,32 @@ impl Elastic for Pendulum {
         let shift = "-h*cos(K)*(P/(g*C0*(T*s + 1)) + lP/(P*g)*omega^2*(tau*s + 1)\
                      /(((1 - q)*s^2 + 2*zeta*omega*s + omega^2)*(tau*s + 1) + q*s^2))";
         Some(Letters::of(shift, "P h A mu b H U C0 g T lP q tau zeta omega"))
+    }
+}
+
+impl Pendulum {
+    fn tilt(&self) -> Tilt {
+        Tilt { frequency: TAU / self.period, damping: self.damping, coupling: self.coupling, lag: self.lag }
+    }
+}
+
+impl Tilt {
+    /// l γ a unit of W₁, where the give of the suspension is left away against it.
+    ///
+    /// # Errors
+    /// `BadInput` for numbers that describe no swing.
+    pub(super) fn give(&self, s: &Gyrosphere) -> Result<TransferFunction> {
+        positive(&[("lP", s.pendulous), ("P", s.weight), ("omega", self.frequency), ("zeta", self.damping)])?;
+        let Self { frequency: w, damping: z, coupling: q, lag: t } = *self;
+        if !(t.is_finite() && t >= 0.0 && (0.0..1.0).contains(&q)) {
+            return Err(Error::bad_input(format!(
+                "the rotors take a part of the inertia below 1 and no lag below 0, not {q} and {t} s"
+            )));
+        }
+        // (l/g) ω² (1 + τ s) over (1 − q) τ s³ + (1 + 2ζωτ) s² + (2ζω + ω²τ) s + ω²
+        let give = s.pendulous / s.weight / s.gravity * w * w;
+        let below = [(1.0 - q) * t, 1.0 + 2.0 * z * w * t, 2.0 * z * w + w * w * t, w * w];
+        TransferFunction::new(&[give * t, give], &below)
     }
 }
 

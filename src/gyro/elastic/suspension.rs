@@ -22,6 +22,19 @@ pub struct Swing {
     pub share: f64,
 }
 
+/// The sphere's swing about its north-south axis with the rotors that it turns, as [`Pendulum`](super::Pendulum) has it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tilt {
+    /// ω with the rotors, rad/s.
+    pub frequency: f64,
+    /// ζ.
+    pub damping: f64,
+    /// q, the part of the rotors in its inertia.
+    pub coupling: f64,
+    /// τ of the rotors, s.
+    pub lag: f64,
+}
+
 /// What gives way beside the spring C₀ and the dashpot T C₀ of the gyrosphere; each part once.
 ///
 /// A part enters itself by [`Elastic::enters`](super::Elastic::enters); what the entries mean together stands with
@@ -34,6 +47,8 @@ pub struct Suspension {
     pub flow: Option<Flow>,
     /// Inside the mass.
     pub swing: Option<Swing>,
+    /// Of the mass about the point that the spring holds.
+    pub tilt: Option<Tilt>,
     /// F_c, N, beside the spring.
     pub friction: Option<f64>,
     /// δ, m, between the spring and what it holds.
@@ -68,6 +83,7 @@ impl Suspension {
         let more = [
             (self.flow.is_some(), "liquid flow"),
             (self.swing.is_some(), "sloshing liquid"),
+            (self.tilt.is_some(), "the sphere's own swing"),
             (self.meridian.is_some(), "compliance along the meridian"),
             (self.vertical.is_some(), "compliance along the vertical"),
             (self.friction.is_some(), "dry friction"),

@@ -1,11 +1,12 @@
 //! The force balance along the parallel with inertia, as a linear system between the events of friction and free play.
 //!
-//! States: v = ẋ_v; x₁; x₂ of a flow; ξ and ξ̇ of a swing. Behind them W₁, its rate, and a steady force K in the
+//! States: v = ẋ_v; x₁; x₂ of a flow; those of what swings [`inside`](super::inside). Behind them W₁, its rate, and a steady force K in the
 //! element of x₁, so that a row speaks of all that a quantity depends on.
 
+use super::inside::Inside;
 use crate::gyro::Gyrosphere;
 use crate::gyro::elastic::part::positive;
-use crate::gyro::elastic::suspension::{Flow, Suspension, Swing};
+use crate::gyro::elastic::suspension::{Flow, Suspension};
 use crate::lti::StateSpace;
 use crate::lti::poles;
 use crate::{Error, Result};
@@ -32,7 +33,7 @@ pub(super) struct Balance {
     /// C₀, N/m.
     pub stiffness: f64,
     pub flow: Option<Flow>,
-    pub swing: Option<Swing>,
+    pub inside: Inside,
 }
 
 /// The balance between two events: rates of all that a [`Row`] runs over, ẋ₁ and f.
@@ -52,8 +53,8 @@ impl Balance {
         sound(suspension)?;
         // what gives nothing is not there
         let flow = suspension.flow.filter(|f| f.share != 0.0);
-        let swing = suspension.swing.filter(|f| f.share != 0.0);
-        let balance = Self { mass: m, viscous: s.lag * c, spring: c, stiffness: c, flow, swing };
+        let inside = Inside::new(s, suspension)?;
+        let balance = Self { mass: m, viscous: s.lag * c, spring: c, stiffness: c, flow, inside };
         balance.check(suspension.friction.is_some_and(|f| f > 0.0))?;
         Ok(balance)
     }
@@ -83,7 +84,7 @@ impl Balance {
 
     /// Number of states.
     pub fn order(&self) -> usize {
-        2 + usize::from(self.flow.is_some()) + 2 * usize::from(self.swing.is_some())
+        self.inside_at() + self.inside.order()
     }
 
     /// Place of W₁ in a row; its rate and K follow.
@@ -96,13 +97,8 @@ impl Balance {
         self.flow.is_some()
     }
 
-    /// ω of a swing, rad/s; 0 without one.
-    pub fn ringing(&self) -> f64 {
-        self.swing.map_or(0.0, |s| s.frequency)
-    }
-
-    /// Place of ξ; ξ̇ follows.
-    fn swing_at(&self) -> usize {
+    /// Place of the first state of what swings inside.
+    fn inside_at(&self) -> usize {
         2 + usize::from(self.flow.is_some())
     }
 
@@ -114,25 +110,19 @@ impl Balance {
         row
     }
 
-    /// x = x₁ + x₂ + μ ξ.
+    /// x = x₁ + x₂ + what swings inside.
     pub fn give(&self) -> Row {
-        let mut row = self.row(&[(GIVE, 1.0)]);
+        let mut row = self.row(&self.inside.give(self.inside_at()));
+        row[GIVE] = 1.0;
         if self.flow.is_some() {
             row[FLOW] = 1.0;
-        }
-        if let Some(swing) = &self.swing {
-            row[self.swing_at()] = swing.share;
         }
         row
     }
 
-    /// 2ζω ξ̇ + ω² ξ, what the liquid's own spring and dashpot pull it with.
+    /// What springs and dashpots inside pull the vessel with, a unit of m.
     fn pull(&self) -> Row {
-        let at = self.swing_at();
-        self.swing.map_or_else(
-            || self.row(&[]),
-            |s| self.row(&[(at, s.frequency.powi(2)), (at + 1, 2.0 * s.damping * s.frequency)]),
-        )
+        self.row(&self.inside.pull(self.inside_at()))
     }
 
     /// ẋ₁ ≠ 0.
@@ -157,26 +147,22 @@ impl Balance {
             self.row(&[(SPEED, unit * flow.time), (FLOW, unit)])
         } else {
             // v̇ = 0
-            let mut row = self.row(&[(self.driven(), self.mass * (1.0 - self.share()))]);
-            add(&mut row, self.mass * self.share(), &self.pull());
+            let mut row = self.row(&[(self.driven(), self.mass * (1.0 - self.inside.share()))]);
+            add(&mut row, self.mass, &self.pull());
             row
         };
         self.mode(force, true)
     }
 
-    fn share(&self) -> f64 {
-        self.swing.map_or(0.0, |s| s.share)
-    }
-
     fn mode(&self, force: Row, sticks: bool) -> Mode {
-        let (w, mu) = (self.driven(), self.share());
+        let (w, share) = (self.driven(), self.inside.share());
         let mut rates = vec![self.row(&[]); self.order() + 3];
-        // (1 − μ) m v̇ = (1 − μ) m W₁ − f + μ m (2ζω ξ̇ + ω² ξ)
+        // (1 − σ) m v̇ = (1 − σ) m W₁ − f + m p
         let held = sticks && self.flow.is_none();
         if !held {
             rates[SPEED][w] = 1.0;
-            add(&mut rates[SPEED], -1.0 / ((1.0 - mu) * self.mass), &force);
-            add(&mut rates[SPEED], mu / (1.0 - mu), &self.pull());
+            add(&mut rates[SPEED], -1.0 / ((1.0 - share) * self.mass), &force);
+            add(&mut rates[SPEED], 1.0 / (1.0 - share), &self.pull());
         }
         let mut speed = self.row(&[(SPEED, 1.0)]);
         if let Some(flow) = self.flow {
@@ -189,22 +175,15 @@ impl Balance {
         if !sticks {
             rates[GIVE].clone_from(&speed);
         }
-        self.swinging(&mut rates);
+        // W₁ − v̇ drives what swings inside
+        let mut bare = self.row(&[(w, 1.0)]);
+        add(&mut bare, -1.0, &rates[SPEED]);
+        for (place, drive, own) in self.inside.rates(self.inside_at()) {
+            rates[place] = self.row(&own);
+            add(&mut rates[place], drive, &bare);
+        }
         rates[w][w + 1] = 1.0;
         Mode { rates, speed, force }
-    }
-
-    /// The rates of ξ and ξ̇, from those of the vessel.
-    fn swinging(&self, rates: &mut [Row]) {
-        if self.swing.is_some() {
-            let at = self.swing_at();
-            // ξ̈ = W₁ − v̇ − 2ζω ξ̇ − ω² ξ
-            let mut rate = self.row(&[(self.driven(), 1.0)]);
-            add(&mut rate, -1.0, &rates[SPEED]);
-            add(&mut rate, -1.0, &self.pull());
-            rates[at] = self.row(&[(at + 1, 1.0)]);
-            rates[at + 1] = rate;
-        }
     }
 
     /// From W₁ to rows, over the states kept.
@@ -244,19 +223,10 @@ impl Balance {
     }
 }
 
-/// Refuses numbers of no part, and a vessel without mass.
+/// Refuses numbers of no part.
 fn sound(suspension: &Suspension) -> Result<()> {
     if let Some(flow) = &suspension.flow {
         positive(&[("T2", flow.time)])?;
-    }
-    if let Some(swing) = &suspension.swing {
-        positive(&[("omega", swing.frequency), ("zeta", swing.damping)])?;
-        if !(0.0..1.0).contains(&swing.share) {
-            return Err(Error::bad_input(
-                "all of the mass swings: no vessel is left whose inertia could count",
-            )
-            .with_hint("with inertia, friction or free play the swinging part of the mass is below 1"));
-        }
     }
     for (value, what) in [(suspension.friction, "friction force"), (suspension.gap, "free play")] {
         if value.is_some_and(|v| !(v.is_finite() && v >= 0.0)) {

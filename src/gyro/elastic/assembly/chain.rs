@@ -6,7 +6,7 @@ use crate::gyro::elastic::part::positive;
 use crate::gyro::elastic::suspension::Suspension;
 use crate::lti::{StateSpace, TransferFunction};
 
-/// Lag, flow and slosh along the parallel.
+/// Lag, flow, slosh and swing along the parallel.
 pub(super) fn massless(s: &Gyrosphere, suspension: &Suspension) -> Result<Vec<(usize, StateSpace)>> {
     positive(&[("T", s.lag), ("C0", s.stiffness)])?;
     let give = s.weight / (s.gravity * s.stiffness);
@@ -22,6 +22,9 @@ pub(super) fn massless(s: &Gyrosphere, suspension: &Suspension) -> Result<Vec<(u
         // μ ξ with ξ̈ + 2ζω ξ̇ + ω² ξ = W₁
         let (w, z) = (swing.frequency, swing.damping);
         gives.push(TransferFunction::new(&[swing.share], &[1.0, 2.0 * z * w, w * w])?);
+    }
+    if let Some(tilt) = suspension.tilt {
+        gives.push(tilt.give(s)?);
     }
     Ok(gives.iter().map(|w| (0, StateSpace::from_transfer(w))).collect())
 }

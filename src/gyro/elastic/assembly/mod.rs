@@ -3,11 +3,15 @@
 //!
 //! # Method
 //! Along the parallel the gyrosphere of mass m = P/g hangs on a suspension that hands the force f on to the ship. Of
-//! its mass the part μ is liquid that swings at ξ beside the vessel; the vessel's own give is x_v, so that the centre
-//! of mass lies at x = x_v + μ ξ. Newton's law of the whole, and of the liquid beside the vessel, is
+//! its mass the part μ is liquid that swings at ξ beside the vessel, at the height of the suspension; and about the
+//! suspension the sphere swings by γ with its rotors ([`Pendulum`](super::Pendulum)). The vessel's own give is x_v, so
+//! that the centre of mass lies at x = x_v + μ ξ + l γ. Newton's law of the whole, that of the liquid beside the vessel,
+//! and that of the moments of the sphere, by the Lagrangian, are
 //!
 //! ```text
-//! m ẍ + f = m W₁,    ξ̈ + 2ζω ξ̇ + ω² ξ = W₁ − ẍ_v        sloshing liquid
+//! m ẍ + f = m W₁
+//! ξ̈ + 2ζω ξ̇ + ω² ξ = W₁ − ẍ_v                                              sloshing liquid
+//! J γ̈ + d γ̇ + lP γ + Γ δ̇ = (lP/g)(W₁ − ẍ_v),   c δ̇ + k δ = Γ γ̇            the sphere's own swing
 //! ```
 //!
 //! The suspension is a chain: what stands in series carries the same f and the gives add, x_v = x₁ + x₂; what stands
@@ -20,15 +24,16 @@
 //! f = (C₀/κ)(T₂ ẋ₂ + x₂)               liquid flow, in series with all of them
 //! ```
 //!
-//! (2.3) leaves ẍ away against W₁. Without inertia, friction or free play so does a combination, in both of Newton's
-//! laws: then f = m W₁, and the gives of lag, flow and slosh stand side by side. Inertia brings ẍ back, friction and
-//! free play hold it in their law. Eliminated, with J = 1/(r s + C₀) + κ/(C₀(T₂ s + 1)), L = 1/(s² + 2ζω s + ω²) and
-//! M = m(1 − μ s² L), that is x_v = M J/(1 + M J s²) W₁ and x = x_v + μ L (W₁ − s² x_v).
+//! (2.3) leaves ẍ away against W₁. Without inertia, friction or free play so does a combination, in all of these
+//! laws: then f = m W₁, and the gives of lag, flow, slosh and swing stand side by side. Inertia brings ẍ back, friction and
+//! free play hold it in their law. Eliminated, with J = 1/(r s + C₀) + κ/(C₀(T₂ s + 1)), L = 1/(s² + 2ζω s + ω²), N the
+//! swing's l γ a unit of W₁, A = μ L + N and M = m(1 − s² A), that is x_v = M J/(1 + M J s²) W₁ and
+//! x = x_v + A (W₁ − s² x_v).
 //!
 //! Along the meridian and the vertical stand spring and dashpot alone, C₁ T₁ ẏ + C₁ y = m W₂ and the like; a mass is
-//! heavy in all directions, so that with inertia m ÿ stands there too. Flow, slosh, friction and free play act along
-//! the parallel, as they do alone. Each part once; what makes no sense together is refused: inertia of a vessel
-//! without mass (μ = 1), friction in series with a liquid that runs against the force (κ < 0), and a liquid that runs
+//! heavy in all directions, so that with inertia m ÿ stands there too. Flow, slosh, swing, friction and free play act
+//! along the parallel, as they do alone. Each part once; what makes no sense together is refused: inertia of a vessel
+//! without mass (μ = 1, or a swing of less inertia than m l²), friction in series with a liquid that runs against the force (κ < 0), and a liquid that runs
 //! against it so much that the suspension drives itself.
 //!
 //! Parts that are not linear have their linear stand-in by the Gaussian closure of each, r + F_c √(2/π)/σ(ẋ₁) and
@@ -45,6 +50,7 @@
 mod balance;
 mod chain;
 mod closure;
+mod inside;
 mod letters;
 mod switched;
 
@@ -165,7 +171,7 @@ impl Elastic for Assembly {
             return Ok(None);
         }
         let balance = Balance::new(s, &self.suspension)?;
-        let Suspension { flow: None, swing: None, friction, gap, .. } = self.suspension else {
+        let Suspension { flow: None, swing: None, tilt: None, friction, gap, .. } = self.suspension else {
             return self.switched(&balance, step).map(Some);
         };
         // one law on one mass is solved in closed form
@@ -188,6 +194,10 @@ impl Elastic for Assembly {
 impl Assembly {
     fn switched(&self, balance: &Balance, step: f64) -> Result<Box<dyn InTime>> {
         let laws = (self.suspension.friction.unwrap_or(0.0), self.suspension.gap.unwrap_or(0.0));
-        Ok(Box::new(Switched::new(balance, laws, step)?))
+        // with W₁, Ẇ₁ and K; most balances need no more than eight
+        if balance.order() + 3 <= 8 {
+            return Ok(Box::new(Switched::<8>::new(balance, laws, step)?));
+        }
+        Ok(Box::new(Switched::<12>::new(balance, laws, step)?))
     }
 }

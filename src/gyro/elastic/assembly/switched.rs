@@ -26,33 +26,30 @@ const WHOLE: u64 = 1 << HALVES;
 /// Most events that a part of a step may hold: more come only of rounding.
 const EVENTS: usize = 64;
 
-/// Most states of a balance, five, with W₁, its rate and K.
-const MOST: usize = 8;
-
-/// States, W₁, Ẇ₁ and K, or a quantity over them; what a balance lacks is zero.
-type Fixed = [f64; MOST];
+/// States, W₁, Ẇ₁ and K, or a quantity over them; what a balance lacks is zero. N is a multiple of four.
+type Fixed<const N: usize> = [f64; N];
 
 /// A matrix by its columns.
-type Columns = [Fixed; MOST];
+type Columns<const N: usize> = [Fixed<N>; N];
 
 /// A mode with its steps.
 #[derive(Debug, Clone)]
-struct Stepper {
+struct Stepper<const N: usize> {
     /// e^{A h/2ᵏ} − I, from k = 0 on.
-    steps: Vec<Columns>,
+    steps: Vec<Columns<N>>,
     /// x₁, ẋ₁ and f over y, and the rates of the last two.
-    place: Fixed,
-    speed: Fixed,
-    force: Fixed,
-    turning: Fixed,
-    loading: Fixed,
+    place: Fixed<N>,
+    speed: Fixed<N>,
+    force: Fixed<N>,
+    turning: Fixed<N>,
+    loading: Fixed<N>,
 }
 
-impl Stepper {
+impl<const N: usize> Stepper<N> {
     fn new(mode: &Mode, part: f64) -> Result<Self> {
         let n = mode.rates.len();
         let rates = |i: usize, j: usize| if i < n && j < n { mode.rates[i][j] } else { 0.0 };
-        let tick: Columns = from_fn(|j| from_fn(|i| rates(i, j) * part / WHOLE as f64));
+        let tick: Columns<N> = from_fn(|j| from_fn(|i| rates(i, j) * part / WHOLE as f64));
         let size = tick.iter().map(|column| column.iter().map(|x| x.abs()).sum()).fold(0.0, f64::max);
         if size.is_nan() || size >= 0.5 {
             return Err(Error::not_computed("the suspension is too stiff to be followed in time")
@@ -72,13 +69,13 @@ impl Stepper {
         }
         steps.reverse();
         let (speed, force) = (fixed(&mode.speed), fixed(&mode.force));
-        let rate = |row: &Fixed| from_fn(|j| (0..MOST).map(|i| row[i] * rates(i, j)).sum());
+        let rate = |row: &Fixed<N>| from_fn(|j| (0..N).map(|i| row[i] * rates(i, j)).sum());
         let place = from_fn(|i| f64::from(u8::from(i == GIVE)));
         Ok(Self { steps, place, speed, force, turning: rate(&speed), loading: rate(&force) })
     }
 
     /// y after one of the steps.
-    fn stepped(&self, y: &Fixed, k: usize) -> Fixed {
+    fn stepped(&self, y: &Fixed<N>, k: usize) -> Fixed<N> {
         let mut out = *y;
         for (column, factor) in self.steps[k].iter().zip(y) {
             out.iter_mut().zip(column).for_each(|(o, x)| *o += x * factor);
@@ -86,7 +83,7 @@ impl Stepper {
         out
     }
 
-    fn after(&self, y: &Fixed, ticks: u64) -> Fixed {
+    fn after(&self, y: &Fixed<N>, ticks: u64) -> Fixed<N> {
         let mut y = *y;
         for k in (0..=HALVES).filter(|k| ticks & (WHOLE >> k) != 0) {
             y = self.stepped(&y, k);
@@ -95,7 +92,7 @@ impl Stepper {
     }
 
     /// The last tick up to `end` at which a quantity that falls below zero by then has not done so.
-    fn last(&self, y: &Fixed, end: u64, quantity: impl Fn(&Fixed) -> f64) -> u64 {
+    fn last(&self, y: &Fixed<N>, end: u64, quantity: impl Fn(&Fixed<N>) -> f64) -> u64 {
         let (mut at, mut here) = (0, *y);
         for k in 0..=HALVES {
             let step = WHOLE >> k;
@@ -110,9 +107,9 @@ impl Stepper {
     }
 
     /// The first tick at which a guard is broken within those to the end, where the state is `after`.
-    fn breaks(&self, guard: &Guard<'_>, y: &Fixed, (after, end): (&Fixed, u64)) -> Option<u64> {
-        let value = |y: &Fixed| guard.offset + guard.factor * dot(guard.row, y);
-        let rate = |y: &Fixed| guard.factor * dot(guard.rate, y);
+    fn breaks(&self, guard: &Guard<'_, N>, y: &Fixed<N>, (after, end): (&Fixed<N>, u64)) -> Option<u64> {
+        let value = |y: &Fixed<N>| guard.offset + guard.factor * dot(guard.row, y);
+        let rate = |y: &Fixed<N>| guard.factor * dot(guard.rate, y);
         if matches!(guard.event, Event::Slip(_)) && value(y) < 0.0 {
             return Some(0);
         }
@@ -130,9 +127,9 @@ impl Stepper {
 
 /// What must not become negative, offset + factor·row·y, with its rate and what happens when it does. A slip may begin
 /// at once.
-struct Guard<'a> {
-    row: &'a Fixed,
-    rate: &'a Fixed,
+struct Guard<'a, const N: usize> {
+    row: &'a Fixed<N>,
+    rate: &'a Fixed<N>,
     factor: f64,
     offset: f64,
     event: Event,
@@ -152,13 +149,13 @@ enum Event {
 
 /// The suspension in time.
 #[derive(Debug, Clone)]
-pub(super) struct Switched {
-    held: Stepper,
-    free: Option<Stepper>,
-    stuck: Option<Stepper>,
+pub(super) struct Switched<const N: usize> {
+    held: Stepper<N>,
+    free: Option<Stepper<N>>,
+    stuck: Option<Stepper<N>>,
     /// x over y.
-    give: Fixed,
-    y: Fixed,
+    give: Fixed<N>,
+    y: Fixed<N>,
     /// Place of W₁.
     driven: usize,
     mass: f64,
@@ -176,14 +173,14 @@ pub(super) struct Switched {
     part: f64,
 }
 
-impl Switched {
+impl<const N: usize> Switched<N> {
     /// From rest in the middle, in steps of `step` seconds.
     ///
     /// # Errors
     /// `NotComputed` for a suspension too stiff.
     pub fn new(balance: &Balance, (friction, gap): (f64, f64), step: f64) -> Result<Self> {
         let own = parts((balance.mass, balance.viscous, balance.spring), step);
-        let parts = own.max((step * balance.ringing() / 0.3).ceil() as usize);
+        let parts = own.max((step * balance.inside.ringing() / 0.3).ceil() as usize);
         let part = step / parts as f64;
         let free = Balance { spring: 0.0, ..*balance };
         let of = |wanted: bool, mode: &Mode| wanted.then(|| Stepper::new(mode, part)).transpose();
@@ -192,7 +189,7 @@ impl Switched {
             free: of(gap > 0.0, &free.moving())?,
             stuck: of(friction > 0.0, &balance.stuck())?,
             give: fixed(&balance.give()),
-            y: [0.0; MOST],
+            y: [0.0; N],
             driven: balance.driven(),
             mass: balance.mass,
             stiffness: balance.stiffness,
@@ -210,7 +207,7 @@ impl Switched {
         self.friction > 0.0 && self.slip == 0.0
     }
 
-    fn stepper(&self) -> &Stepper {
+    fn stepper(&self) -> &Stepper<N> {
         let moving = if self.side == 0.0 { self.free.as_ref() } else { Some(&self.held) };
         let now = if self.is_stuck() { self.stuck.as_ref() } else { moving };
         now.unwrap_or(&self.held)
@@ -222,8 +219,8 @@ impl Switched {
     }
 
     /// What ends the present mode.
-    fn guards<'a>(&self, now: &'a Stepper) -> [Option<Guard<'a>>; 3] {
-        let guard = |factor: f64, (row, rate): (&'a Fixed, &'a Fixed), offset: f64, event: Event| {
+    fn guards<'a>(&self, now: &'a Stepper<N>) -> [Option<Guard<'a, N>>; 3] {
+        let guard = |factor: f64, (row, rate): (&'a Fixed<N>, &'a Fixed<N>), offset: f64, event: Event| {
             Some(Guard { row, rate, factor, offset, event })
         };
         if self.is_stuck() {
@@ -295,7 +292,7 @@ impl Switched {
     }
 }
 
-impl InTime for Switched {
+impl<const N: usize> InTime for Switched<N> {
     fn advance(&mut self, from: f64, to: f64) {
         let slope = (to - from) / (self.parts as f64 * self.part);
         for k in 0..self.parts {
@@ -318,16 +315,16 @@ impl InTime for Switched {
     }
 }
 
-fn dot(a: &Fixed, b: &Fixed) -> f64 {
-    let four: [f64; 4] = from_fn(|i| a[i] * b[i] + a[i + 4] * b[i + 4]);
+fn dot<const N: usize>(a: &Fixed<N>, b: &Fixed<N>) -> f64 {
+    let four: [f64; 4] = from_fn(|i| (i..N).step_by(4).map(|j| a[j] * b[j]).sum());
     (four[0] + four[1]) + (four[2] + four[3])
 }
 
-fn fixed(row: &Row) -> Fixed {
+fn fixed<const N: usize>(row: &Row) -> Fixed<N> {
     from_fn(|i| row.get(i).copied().unwrap_or(0.0))
 }
 
 /// A product of matrices.
-fn times(a: &Columns, b: &Columns) -> Columns {
-    from_fn(|j| from_fn(|i| (0..MOST).map(|k| a[k][i] * b[j][k]).sum()))
+fn times<const N: usize>(a: &Columns<N>, b: &Columns<N>) -> Columns<N> {
+    from_fn(|j| from_fn(|i| (0..N).map(|k| a[k][i] * b[j][k]).sum()))
 }
