@@ -4,6 +4,7 @@
 //! W₂ along the meridian (east and north positive), with W₁ = −hθ̈ cos K and W₂ = +hθ̈ sin K for roll θ of a ship on
 //! heading K; x is the shift of the centre of mass along the parallel, west positive.
 
+mod answer;
 mod by_noise;
 mod by_spectrum;
 mod effort;

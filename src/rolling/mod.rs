@@ -38,6 +38,7 @@ mod recorded;
 mod request;
 mod scorsby;
 mod table;
+mod table_answer;
 mod trials;
 mod waves;
 

@@ -37,6 +37,12 @@ pub fn approval_text(compass: &Compass, a: &Approval) -> String {
         a.margin().abs().to_degrees(),
         motion(a.largest().motion),
     );
+    if a.followed {
+        out.push_str(
+            "What gives way is not linear: it is followed in time until it repeats, in sines of many periods and\n\
+             amplitudes, and the worst of each motion once more by itself; one between them may be some percent worse.\n",
+        );
+    }
     out.push_str(
         "The theory is linear in the angles: at 20° it is off by some percent. Motions of different periods add no\n\
          more than each alone.\n",
