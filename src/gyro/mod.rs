@@ -26,6 +26,7 @@ mod quantile;
 #[doc(hidden)]
 pub mod range;
 pub(crate) mod rectified;
+mod replay;
 pub mod seed;
 pub mod strapdown;
 mod sweep;
@@ -47,6 +48,7 @@ pub use path::Drive;
 pub use pendulous::{Corrector, PendulousCompass};
 pub use percentile::Shape;
 pub use quantile::Quantile;
+pub use replay::Replay;
 pub use sweep::sweep;
 pub use tail::Tail;
 

@@ -54,7 +54,7 @@ pub struct Moment {
     /// Half its 99 % interval.
     pub density_margin: f64,
     /// The heading, rad, that it is of.
-    heading: f64,
+    pub(super) heading: f64,
 }
 
 /// One replicate: the mean of W₂ x − W₁ y, with the double step too and of the linear part, the squares of W₁
@@ -71,9 +71,14 @@ struct Batch {
 /// The heading, rad, from 0 to 180° or, where all motion is along one line of the ship, to 90°, on which
 /// W₂ x has the moment of `heading` up to its sign, and that sign.
 pub fn folded(motion: &Motion, heading: f64) -> (f64, f64) {
-    let k = heading.rem_euclid(PI);
     let moves = |axes: [Axis; 2]| motion.axes().iter().any(|a| axes.contains(a));
     let both = moves([Axis::Roll, Axis::Sway]) && moves([Axis::Pitch, Axis::Surge]);
+    folded_by(both, heading)
+}
+
+/// The same, of motions along both lines of the ship or along one.
+pub(super) fn folded_by(both: bool, heading: f64) -> (f64, f64) {
+    let k = heading.rem_euclid(PI);
     if both || k <= 0.5 * PI { (k, 1.0) } else { (PI - k, -1.0) }
 }
 
@@ -224,17 +229,23 @@ impl Instrument {
         let by_step = (batches.iter().map(|b| b.fine - b.coarse).sum::<f64>() / n).abs();
         margin += by_step;
         if batches.iter().all(|b| b.rests) {
-            // it never slipped: at 99 % it does so less than 4.6 times in as long, each time by less than
-            // σ(mW₁)/C₀ over the largest swing of V₂
             let [w, v] = [0, 1].map(|i| (batches.iter().map(|b| b.squares[i]).sum::<f64>() / n).sqrt());
-            let s = &self.sphere;
-            margin += 4.6 / (n * length) * (s.weight / s.gravity * w / s.stiffness) * 8.0 * v;
+            margin += self.seldom(n * length, w, v);
         }
         // S(0) = lim L·var(mean over L)
         let own = means.iter().sum::<f64>() / n;
         let squares: Vec<f64> = means.iter().map(|m| (m - own).powi(2) * length * n / (n - 1.0)).collect();
         let (density, density_margin, _) = interval(&squares);
         (Moment { mean, margin, density, density_margin, heading: 0.0 }, by_step)
+    }
+}
+
+impl Instrument {
+    /// What slips that did not happen within a time (s) may add to ⟨W₂ x⟩, with σ of W₁ and of V₂: at 99 % there are less
+    /// than 4.6 in as long, each by less than σ(mW₁)/C₀ over the largest swing of V₂.
+    pub(super) fn seldom(&self, time: f64, w: f64, v: f64) -> f64 {
+        let s = &self.sphere;
+        4.6 / time * (s.weight / s.gravity * w / s.stiffness) * 8.0 * v
     }
 }
 

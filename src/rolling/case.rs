@@ -3,9 +3,12 @@
 use super::ShipMotion;
 use crate::Result;
 use crate::estimate::fit::Progress;
-use crate::gyro::{Drive, HeadingError, Instrument, Moment, MonteCarlo, Shape, SimulatedError, folded};
+use crate::gyro::{
+    Drive, HeadingError, Instrument, Moment, MonteCarlo, Replay, Shape, SimulatedError, folded,
+};
 use crate::spectrum::Sea;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Days of simulation beside the formula; each is a replicate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,6 +57,8 @@ pub(super) struct Case {
     pub height: Option<f64>,
     /// As in [`Row`].
     pub measured: Option<f64>,
+    /// The recorded roll that drives a part that is not linear.
+    pub replay: Option<Arc<Replay>>,
 }
 
 impl Case {
@@ -62,14 +67,19 @@ impl Case {
         let motion = &self.motion.motion;
         let error = match (&self.motion.regular, moments.get(self)) {
             (Some(roll), _) => self.instrument.regular_error(roll, self.heading)?,
-            (None, Some(moment)) => self.instrument.error_by(moment, motion, self.heading)?,
+            (None, Some(moment)) => {
+                let error = self.instrument.error_by(moment, motion, self.heading)?;
+                // the linear stand-in is that of a random motion
+                let linearised = error.linearised.filter(|_| self.replay.is_none());
+                HeadingError { linearised, ..error }
+            }
             (None, None) => self.instrument.error(motion, self.heading)?,
         };
         let simulated = days.map(|days| self.simulated(days)).transpose()?;
         let Self { heading, value, measured, .. } = *self;
-        let shape = match self.motion.regular {
-            Some(_) => None,
-            None => self.instrument.shape(motion, heading, &error)?,
+        let shape = match (self.motion.regular, &self.replay) {
+            (Some(_), _) | (_, Some(_)) => None,
+            _ => self.instrument.shape(motion, heading, &error)?,
         };
         Ok(Row { heading, value, error, shape, measured, simulated })
     }
@@ -100,7 +110,11 @@ impl Moments {
             let told =
                 |share: f64| progress.report("following the part in time", Some((i as f64 + share) / count));
             told(0.0);
-            Ok((case.key(), case.instrument.moment_with(&case.motion.motion, case.heading, &told)?))
+            let moment = match &case.replay {
+                Some(replay) => case.instrument.replayed(replay, case.heading),
+                None => case.instrument.moment_with(&case.motion.motion, case.heading, &told),
+            };
+            Ok((case.key(), moment?))
         };
         distinct.iter().enumerate().map(moment).collect::<Result<_>>().map(Self)
     }

@@ -10,8 +10,6 @@ use crate::{Error, Result};
 pub enum Obstacle {
     /// The part, whose name this is, is not linear, and the motion's acceleration has a white tail.
     WhiteTail(String),
-    /// The same, where the motion is the fit of a recorded roll.
-    RecordedTail(String),
     /// The mean comes from frequencies that no simulation follows.
     BeyondSimulation,
     /// The part would take too many steps to be followed.
@@ -38,10 +36,6 @@ impl Obstacle {
                 "with {part} the answer depends on the white tail of this motion's acceleration, which no ship has"
             ))
             .with_hint(BAND),
-            Self::RecordedTail(part) => Error::usage(format!(
-                "{part} is not linear, and the mean by the spectrum of a recorded roll is known for linear parts alone"
-            ))
-            .with_hint("take the fitted roll as an excitation with a band"),
             Self::BeyondSimulation => {
                 Error::usage("the mean comes from frequencies that no simulation follows").with_hint(BAND)
             }

@@ -1,11 +1,13 @@
 //! The rolling error on a recorded roll: by I_n on the fit of (3.3), with the mean by quadrature over the measured
-//! spectrum beside it.
+//! spectrum beside it; a part that is not linear is followed through the recording itself.
 
 use super::case::Case;
 use super::table::{Beyond, MeasuredRoll, Table};
-use super::{Against, Analysis, Compass, Days, Excitation, Obstacle, Source};
+use super::{Against, Analysis, Compass, Days, Excitation, SLOW, Source};
 use crate::Result;
 use crate::estimate::fit::Progress;
+use crate::gyro::{BySpectrum, Replay};
+use std::sync::Arc;
 
 /// A compass on a ship whose roll was recorded.
 #[derive(Debug, Clone)]
@@ -23,35 +25,30 @@ pub struct Recorded {
 }
 
 impl Recorded {
-    /// What stands against any recorded roll with this compass: a part that is not linear, since the fit of (3.3) has
-    /// no finite acceleration to drive it.
-    ///
-    /// # Errors
-    /// `BadInput` for numbers that describe no elastic part.
-    pub fn obstacle(compass: &Compass) -> Result<Option<Obstacle>> {
-        let instrument = compass.instrument();
-        let name = instrument.elastic.name().to_owned();
-        Ok((!instrument.is_linear()?).then_some(Obstacle::RecordedTail(name)))
-    }
-
     /// Computes the rows.
     ///
     /// # Errors
-    /// That of its [`Obstacle`]; as [`Request::table`](super::Request::table).
+    /// `BadInput` for a recording too short for a part that is not linear; as
+    /// [`Request::table`](super::Request::table).
     pub fn table(&self, progress: &dyn Progress) -> Result<Table> {
-        if let Some(obstacle) = Self::obstacle(&self.compass)? {
-            return Err(obstacle.error());
-        }
-        let (roll, spectrum) = (self.analysis.fit.roll, &self.analysis.spectrum);
-        let mean = self.compass.instrument().mean_by_spectrum(&roll, self.band, spectrum)?;
+        let (roll, analysis) = (self.analysis.fit.roll, &self.analysis);
+        let (mean, replay) = if self.compass.instrument().is_linear()? {
+            (Some(self.compass.instrument().mean_by_spectrum(&roll, self.band, &analysis.spectrum)?), None)
+        } else {
+            let replay = Replay::of(&analysis.samples, SLOW, self.band, analysis.peak)?;
+            (None, Some(Arc::new(replay)))
+        };
         let excitation = Excitation { source: Source::Irregular(roll), band: self.band };
         let case = |heading: &f64| -> Result<Case> {
             let (instrument, heading) = (self.compass.instrument(), *heading);
             let motion = excitation.motion()?;
-            let rectified = instrument.rectified_error(&motion.motion, heading)?;
-            let measured = Some(instrument.sailing_error(heading) + mean.ratio() * rectified);
-            let value = heading.to_degrees();
-            Ok(Case { instrument, motion, sea: None, heading, value, height: None, measured })
+            let by_spectrum = |m: &BySpectrum| -> Result<f64> {
+                let rectified = instrument.rectified_error(&motion.motion, heading)?;
+                Ok(instrument.sailing_error(heading) + m.ratio() * rectified)
+            };
+            let measured = mean.as_ref().map(by_spectrum).transpose()?;
+            let (value, replay) = (heading.to_degrees(), replay.clone());
+            Ok(Case { instrument, motion, sea: None, heading, value, height: None, measured, replay })
         };
         let cases = self.headings.iter().map(case).collect::<Result<Vec<_>>>()?;
         let empty = Table {

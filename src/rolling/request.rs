@@ -58,7 +58,7 @@ impl Request {
             let motion = if height.is_some() { excitation.motion()? } else { own.clone() };
             let instrument = self.compass.instrument();
             let sea = excitation.waves().map(|w| w.sea);
-            Ok(Case { instrument, motion, sea, heading, value, height, measured: None })
+            Ok(Case { instrument, motion, sea, heading, value, height, measured: None, replay: None })
         };
         match &self.against {
             Against::Heading(headings) if headings.is_empty() => {

@@ -55,8 +55,9 @@ pub struct MeasuredRoll {
     pub analysis: Analysis,
     /// Two first-order low-passes on it at this frequency, rad/s.
     pub band: Option<f64>,
-    /// The mean by its fit and by its spectrum.
-    pub mean: BySpectrum,
+    /// The mean by its fit and by its spectrum; `None` for a part that is not linear, which is followed through the
+    /// recording itself.
+    pub mean: Option<BySpectrum>,
 }
 
 impl MeasuredRoll {
@@ -67,7 +68,7 @@ impl MeasuredRoll {
 
     /// Whether the mean by the measured spectrum is the one to trust.
     pub fn is_surer(&self) -> bool {
-        let (m, fit) = (&self.mean, &self.analysis.fit);
+        let (Some(m), fit) = (&self.mean, &self.analysis.fit) else { return false };
         m.above().abs() >= Self::MUCH || m.form().abs() >= Self::MUCH || fit.misfit >= Self::FAIR
     }
 }

@@ -3,6 +3,7 @@
 //! One convention everywhere: two-sided densities S(ω) over angular frequency with
 //! K(τ) = (1/2π)∫ S(ω) e^{jωτ} dω, so that the variance is K(0) = (1/2π)∫ S dω.
 
+mod bend;
 mod correlation;
 mod encounter;
 mod even;
@@ -16,6 +17,7 @@ mod roll_damping;
 mod sea;
 mod welch;
 
+pub use bend::bent;
 pub use correlation::{CorrelationFit, autocovariance, fit_correlation};
 pub use encounter::{Encounter, SlopeSpectrum};
 pub use even::{EvenSamples, even_samples, without_slow};

@@ -168,3 +168,72 @@ fn a_sample_that_nothing_honest_makes_is_left_out_and_told() {
     assert!(said.contains("1 sample is left out, at 175 s (outliers)"), "{said}");
     assert!((spiked / plain - 1.0).abs() < 0.01, "{spiked} {plain}");
 }
+
+/// θ̈ of a roll of sixteen sines, rad/s², or θ itself, rad.
+fn sines(t: f64, bent: bool) -> f64 {
+    let one = |k: i32| {
+        let w = 0.5 + 0.025 * f64::from(k);
+        let amplitude = 0.02 * (-((w - 0.65) / 0.1).powi(2)).exp();
+        amplitude * if bent { -w * w } else { 1.0 } * (w * t + 2.3 * f64::from(k * k)).sin()
+    };
+    (0..16).map(one).sum()
+}
+
+/// The mean of P/(g H U cos φ) W₂ x on heading 45° from `ends[0]` to `ends[1]`, degrees, of m ẍ + r ẋ + C₀ d(x) + F sgn ẋ
+/// = m W₁ by Euler's implicit rule, d(x) without the play ±δ.
+fn rubbed(friction: f64, play: f64, ends: [f64; 2]) -> f64 {
+    let s = Gyrosphere::seed();
+    let (m, c, dt) = (s.weight / s.gravity, s.stiffness, 1e-3);
+    let r = s.lag * c;
+    let (mut x, mut v, mut sum, mut count) = (0.0f64, 0.0f64, 0.0, 0);
+    for k in 0..(ends[1] / dt) as usize {
+        let t = dt * (k + 1) as f64;
+        let w2 = s.lever * 0.5f64.sqrt() * sines(t, true);
+        // (m/dt + r + c dt) v' + F Sgn v' = m v/dt − m W₂ − c (x − stop), where a stop holds
+        let stop = x.clamp(-play, play);
+        let held = if x.abs() >= play { c } else { 0.0 };
+        let push = m * v / dt - m * w2 - held * (x - stop);
+        v = (push.abs() - friction).max(0.0).copysign(push) / (m / dt + r + held * dt);
+        x += dt * v;
+        if t > ends[0] {
+            (sum, count) = (sum + w2 * x, count + 1);
+        }
+    }
+    (s.weight / (s.gravity * s.momentum * s.earth_rate * s.latitude.cos()) * sum / f64::from(count))
+        .to_degrees()
+}
+
+#[test]
+fn friction_and_play_on_a_recorded_roll_are_as_simulated() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("roll.csv");
+    let mut text = "time [s],roll [rad]\n".to_owned();
+    (0..14_400).for_each(|k| {
+        writeln!(text, "{:.2},{:.9}", 0.25 * f64::from(k), sines(0.25 * f64::from(k), false)).unwrap();
+    });
+    std::fs::write(&file, text).unwrap();
+    let told = |words: &[&str]| -> [f64; 2] {
+        let out = Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+            .arg("roll-error")
+            .arg(&file)
+            .args(["--json", "--heading", "45"])
+            .args(words)
+            .output()
+            .unwrap();
+        assert!(out.status.success(), "{words:?}: {}", String::from_utf8_lossy(&out.stderr));
+        let told: serde_json::Value = serde_json::from_slice(&out.stdout).unwrap();
+        ["mean_deg", "mean_margin_deg"].map(|name| told["rows"][0][name].as_f64().unwrap())
+    };
+    let linear = rubbed(0.0, 0.0, [80.0, 3560.0]);
+    for (words, truth) in [
+        (&["--friction", "0N"][..], linear),
+        (&["--friction", "0.4N"], rubbed(0.4, 0.0, [80.0, 3560.0])),
+        (&["--free-play", "3um"], rubbed(0.0, 3e-6, [80.0, 3560.0])),
+        (&["--friction", "0.2N", "--free-play", "2um"], rubbed(0.2, 2e-6, [80.0, 3560.0])),
+    ] {
+        let [mean, margin] = told(words);
+        println!("{words:?}: {mean:.5}° ± {margin:.5}°, in time {truth:.5}°, linear {linear:.5}°");
+        // the same recording, but for its ends
+        assert!((mean - truth).abs() < margin.min(0.02 * truth.abs()), "{mean} ± {margin}, {truth}");
+    }
+}

@@ -11,11 +11,6 @@ pub fn worded(obstacle: &Obstacle) -> Error {
         Obstacle::WhiteTail(_) => {
             "say --band with the frequency above which this ship does not move, such as --band 2.5rad/s".into()
         }
-        Obstacle::RecordedTail(_) => {
-            "run roll-error on the recording alone, then put the sigma, mu and eps that it tells into \
-             --irregular SIGMA,MU,EPS with --band"
-                .into()
-        }
         Obstacle::BeyondSimulation => {
             "limit the motion: say --band with the frequency above which this ship does not move".into()
         }

@@ -1,7 +1,6 @@
 //! A recording of a ship's motion, with or without units in its header.
 
 use super::Arguments;
-use super::hints::worded;
 use super::options::{Against, RowOptions};
 use crate::cli::input::Held;
 use crate::record::quality;
@@ -23,9 +22,6 @@ pub fn asked(compass: &Compass, recording: &Recording, a: &Arguments, rows: &Row
     if let (Some(latitude), None) = (recording.constant("lat"), &a.instrument.latitude) {
         compass.sphere.latitude = latitude;
         compass.sphere.check()?;
-    }
-    if let Some(obstacle) = Recorded::obstacle(&compass)? {
-        return Err(worded(&obstacle));
     }
     let analysis = analyse(recording, &name)?;
     let (band, headings, days) = (a.motion.band()?, rows.headings()?, rows.days()?);

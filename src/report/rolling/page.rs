@@ -87,7 +87,7 @@ struct Recorded<'a> {
 
 pub fn page(sheet: &Sheet<'_>) -> String {
     let (t, recorded) = (sheet.table, sheet.table.recorded.as_ref().map(|r| &r.analysis));
-    let says = recorded.map(told::words).unwrap_or_default();
+    let says = sheet.table.recorded.as_ref().map(told::words).unwrap_or_default();
     let sources = recorded.iter().flat_map(|r| &r.sources);
     let round = t.rows.len() > 8;
     drawn(&Rolling {
@@ -179,7 +179,7 @@ fn sentence(r: &Rolling<'_>) -> String {
         side(mean(w)),
         match (r.by_spectrum, r.recorded.is_some()) {
             (true, _) => " (by its measured spectrum)",
-            (false, true) => " (by its fit)",
+            (false, true) if w.measured.is_some() => " (by its fit)",
             _ => "",
         },
         figure(w.value),

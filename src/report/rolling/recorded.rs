@@ -1,19 +1,20 @@
 //! What is said of a recorded roll and its fit.
 
 use crate::report::terminal::{Trace, picture};
-use crate::rolling::{Analysis, MeasuredRoll};
+use crate::rolling::MeasuredRoll;
 use crate::spectrum::{Interval, RollIntervals};
 use std::f64::consts::TAU;
 
 /// The recorded roll and its fit in words, with a picture of the correlation.
-pub fn told(a: &Analysis) -> String {
+pub fn told(r: &MeasuredRoll) -> String {
+    let a = &r.analysis;
     let degrees2 = |k: &f64| k.to_degrees().to_degrees();
     let measured: Vec<f64> = a.fit.measured.iter().map(degrees2).collect();
     let fitted: Vec<f64> = a.fit.fitted.iter().map(degrees2).collect();
     let last = format!("{:.0} s", (measured.len() - 1) as f64 * a.samples.step);
     format!(
         "{}\nK(τ), deg²: o measured, · fitted\n{}\n",
-        words(a),
+        words(r),
         picture(
             &[Trace { mark: 'o', values: &measured }, Trace { mark: '·', values: &fitted }],
             (64, 13),
@@ -23,7 +24,8 @@ pub fn told(a: &Analysis) -> String {
 }
 
 /// The recorded roll and its fit in words.
-pub fn words(a: &Analysis) -> String {
+pub fn words(r: &MeasuredRoll) -> String {
+    let a = &r.analysis;
     let (n, step) = (a.samples.values.len(), a.samples.step);
     let roll = a.fit.roll;
     let sigma = a.deviation.to_degrees();
@@ -35,6 +37,7 @@ pub fn words(a: &Analysis) -> String {
     };
     let verdict = match a.fit.misfit {
         m if m < MeasuredRoll::FAIR => "a good fit",
+        _ if r.mean.is_none() => "this roll is hardly of the form (3.3), and the quick spread a guide alone",
         m if m < 0.15 => "a fair fit: trust the column of the measured spectrum more",
         _ => "a poor fit: this roll is not of the form (3.3); use the column of the measured spectrum",
     };
@@ -103,9 +106,14 @@ fn unmeasured(above: f64, banded: bool) -> String {
     )
 }
 
+/// How the figures of a part that is not linear come about.
+const FOLLOWED: &str = "What gives way is not linear: it is followed in time through the recording itself, up to the end of \
+its band, and the mean is\nthat of such a roll within the margin told (99 %, from blocks of the recording, with the error of the \
+step). The quick\nspread is that of the fit. Rounding and noise of the samples shake the part too: --band takes them away.\n";
+
 /// Why the two means differ, and what follows where the measured spectrum's is the one to trust.
 pub fn differs(measured: &MeasuredRoll, follows: &str) -> String {
-    let m = &measured.mean;
+    let Some(m) = &measured.mean else { return FOLLOWED.into() };
     let mut text = unmeasured(m.above(), measured.band.is_some());
     text.push_str(&format!(
         "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\

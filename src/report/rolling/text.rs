@@ -22,7 +22,7 @@ use std::fmt::Write;
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 pub fn text(table: &Table) -> String {
-    let mut out = table.recorded.as_ref().map_or_else(String::new, |r| recorded::told(&r.analysis));
+    let mut out = table.recorded.as_ref().map_or_else(String::new, recorded::told);
     let s = &table.compass.sphere;
     let latitude = format!("latitude {:.1}°", s.latitude.to_degrees());
     let place = match table.against {

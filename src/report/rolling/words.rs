@@ -39,6 +39,11 @@ the squares of both add up to its square";
 pub fn motion(table: &Table) -> String {
     match (&table.excitation, &table.recorded) {
         (Some(e), _) => excitation(e, table.sea.as_ref(), matches!(table.against, Against::Height { .. })),
+        (None, Some(r)) if r.mean.is_none() => format!(
+            "the recorded roll itself, to {:.2} rad/s{}",
+            PI / r.analysis.samples.step,
+            r.band.map_or_else(String::new, |b| format!("; behind two low-passes at {b} rad/s"))
+        ),
         (None, Some(r)) => format!(
             "the recorded roll by its fit, and the last column by its measured spectrum to {:.2} rad/s{}",
             PI / r.analysis.samples.step,

@@ -98,7 +98,12 @@ fn motion(card: &Card) -> String {
 
 fn recorded(table: &Table) -> String {
     let name = table.recorded.as_ref().map_or("", |r| &r.analysis.name);
-    let by = if table.is_by_spectrum() { "its measured spectrum" } else { "the fit of its correlation" };
+    let followed = table.recorded.as_ref().is_some_and(|r| r.mean.is_none());
+    let by = match (followed, table.is_by_spectrum()) {
+        (true, _) => "following it in time",
+        (_, true) => "its measured spectrum",
+        _ => "the fit of its correlation",
+    };
     format!("the recorded roll “{name}”, means by {by}")
 }
 
