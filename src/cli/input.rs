@@ -2,6 +2,7 @@
 
 use crate::record::{Input, Recording, is_stream, read_text};
 use crate::{Error, Result};
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
 /// The whole text of a file; `-` is standard input.
@@ -60,14 +61,59 @@ impl Held {
     }
 }
 
+/// Bytes without the end of a line from which on what comes is no text.
+const LONGEST_LINE: usize = 16 << 20;
+/// Most bytes that a pipe may bring.
+const MOST: usize = 8 << 30;
+
 fn kept(given: &Path) -> std::io::Result<(tempfile::TempDir, PathBuf)> {
     let folder = tempfile::tempdir()?;
     let path = folder.path().join("standard input");
-    let mut file = std::fs::File::create(&path)?;
+    let file = std::fs::File::create(&path)?;
     if given == Path::new("-") {
-        std::io::copy(&mut std::io::stdin().lock(), &mut file)?;
+        copied(std::io::stdin().lock(), file)?;
     } else {
-        std::io::copy(&mut std::fs::File::open(given)?, &mut file)?;
+        copied(std::fs::File::open(given)?, file)?;
     }
     Ok((folder, path))
+}
+
+/// Copies to the end; what has none, as a device that brings zeros for ever, is refused.
+fn copied(mut from: impl Read, mut to: impl Write) -> std::io::Result<()> {
+    let (mut block, mut all, mut ended, mut packed) = (vec![0; 1 << 20], 0, false, false);
+    loop {
+        let count = match from.read(&mut block) {
+            Err(e) if e.kind() == std::io::ErrorKind::Interrupted => continue,
+            other => other?,
+        };
+        let got = &block[..count];
+        if got.is_empty() {
+            return Ok(());
+        }
+        packed |= all == 0 && got.starts_with(&[0x1f, 0x8b]);
+        ended |= packed || got.iter().any(|b| matches!(b, b'\n' | b'\r'));
+        all += got.len();
+        if !ended && all >= LONGEST_LINE {
+            return Err(std::io::Error::other("16 MiB without the end of a line: this is no text"));
+        }
+        if all > MOST {
+            return Err(std::io::Error::other("more than 8 GiB, and no end: give a file"));
+        }
+        to.write_all(got)?;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_never_ends_is_refused_and_all_else_copied() {
+        let e = copied(std::io::repeat(0), std::io::sink()).unwrap_err();
+        assert!(e.to_string().contains("without the end of a line"), "{e}");
+        let text = "t,roll\n".repeat(1 << 20);
+        let mut to = Vec::new();
+        copied(text.as_bytes(), &mut to).unwrap();
+        assert!(to == text.as_bytes());
+    }
 }

@@ -40,6 +40,16 @@ pub struct OffBy {
     pub exact: f64,
 }
 
+impl OffBy {
+    /// Part of the mean by which the rational spectrum is off from which on the sums are the figures to trust.
+    pub const MUCH: f64 = 0.05;
+
+    /// Whether the sums are the figures to trust.
+    pub fn is_much(&self) -> bool {
+        self.mean.abs() > Self::MUCH
+    }
+}
+
 impl Instrument {
     /// What the noises' true spectral matrix changes of the error of a linear part; `None` for any other, and where
     /// there is no mean.

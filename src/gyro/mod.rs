@@ -64,7 +64,13 @@ pub const IDLE: &str = "the mean error follows from the row of β alone, U cos �
 part that gives way along the vertical push only the rows of α and λ: they move the mean tilt and the spread, \
 not the mean heading";
 
-/// The side of an error, rad or degrees: `west, reads high`.
+/// An error that rounding makes of none, rad or degrees.
+const NONE: f64 = 1e-9;
+
+/// The side of an error, rad or degrees: `west, reads high`; none has no side.
 pub fn side(error: f64) -> &'static str {
+    if error.abs() < NONE {
+        return "neither way";
+    }
     if error < 0.0 { "east, reads low" } else { "west, reads high" }
 }

@@ -247,7 +247,14 @@ impl Range {
         if unit.dimension() != meant.dimension() {
             return Err(Error::new(ErrorKind::Units, format!("{text} where {} is meant", self.unit)));
         }
-        meant.turns_or_radians(&unit).map_err(|e| e.about(self.what))?;
+        meant.turns_or_radians(&unit).map_err(|e| {
+            let e = e.about(self.what);
+            if self.unit != "rad/s" {
+                return e;
+            }
+            // what is meant here is no unit of the user's
+            e.with_hint("for radians a second write rad/s; for turns a second write 60 times as many rpm")
+        })?;
         if self.unit == "1/s" && unit.counts_events() {
             let message = format!("{unit} is given where {meant} is meant: are these turns or radians?");
             let e = Error::new(ErrorKind::Units, message).about(self.what);

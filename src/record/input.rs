@@ -15,6 +15,8 @@ use std::sync::mpsc::{Receiver, Sender, channel, sync_channel};
 const BLOCK: u64 = 1 << 18;
 const LONGEST_LINE: usize = 16 << 20;
 const BLOCKS_WAITING: usize = 4;
+/// Longest text that is read whole: a model, parameters, the description of a recording.
+const LONGEST_TEXT: u64 = 256 << 20;
 /// Bytes that are looked at to tell what an input is.
 const START: u64 = 1 << 16;
 const MARK: &[u8] = b"\xef\xbb\xbf";
@@ -73,7 +75,12 @@ impl Input {
     pub(crate) fn text(mut self) -> Result<(String, Source)> {
         let mut bytes = Vec::new();
         let path = self.path.clone();
-        self.read_to_end(&mut bytes).map_err(|e| Error::io(&path, &e))?;
+        self.by_ref().take(LONGEST_TEXT + 1).read_to_end(&mut bytes).map_err(|e| Error::io(&path, &e))?;
+        if bytes.len() as u64 > LONGEST_TEXT {
+            return Err(Error::bad_input("more than 256 MiB, and no end: no text is so long")
+                .with_file(&path)
+                .with_hint("a model, parameters or the description of a recording is a short file"));
+        }
         let (sha256, _) = self.bytes.finish().map_err(|e| Error::io(&path, &e))?;
         let text = String::from_utf8(bytes).map_err(|e| {
             let at = e.utf8_error().valid_up_to();

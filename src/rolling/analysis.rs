@@ -7,7 +7,7 @@ use crate::spectrum::{
 };
 use crate::units::Unit;
 use crate::{Error, ErrorKind, Result};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Heel slower than this is no roll and accelerates nothing, rad/s: periods over 31 s.
 pub const SLOW: f64 = 0.2;
@@ -35,7 +35,13 @@ pub struct Analysis {
     pub deviation: f64,
     /// Part of the variance that is slower than [`SLOW`].
     pub slow_share: f64,
+    /// Part of the variance in the upper half of the band: where it is more than a little, the samples are too far apart,
+    /// and what moves faster than they follow was folded down into the band.
+    pub fast_share: f64,
 }
+
+/// Part of the variance in the upper half of the band from which on the samples are too far apart.
+pub const FAST_SHARE: f64 = 0.01;
 
 /// Analyses a channel of a recording as roll.
 ///
@@ -70,6 +76,9 @@ pub fn analyse(recording: &Recording, channel: &str) -> Result<Analysis> {
     let measured = autocovariance(&rolling.values, lags);
     let fit = fit_correlation(&measured, samples.step, peak, SLOW)?;
     let intervals = roll_intervals(&rolling.values, &fit);
+    let half = 0.5 * PI / samples.step;
+    let above = spectrum.integral(|w| f64::from(u8::from(w > half)));
+    let fast_share = above / spectrum.integral(|_| 1.0);
     Ok(Analysis {
         name: recording.name.clone(),
         sources: recording.sources.clone(),
@@ -81,6 +90,7 @@ pub fn analyse(recording: &Recording, channel: &str) -> Result<Analysis> {
         peak,
         deviation: all.sqrt(),
         slow_share: (1.0 - measured[0] / all).max(0.0),
+        fast_share,
     })
 }
 

@@ -32,6 +32,8 @@ pub struct Row {
     pub shape: Option<Shape>,
     /// The mean by quadrature over a measured spectrum, rad.
     pub measured: Option<f64>,
+    /// The mean by sums over a sea's own spectrum, rad, where the rational one is off by so much that it is the one to trust.
+    pub summed: Option<f64>,
     /// The simulation beside it.
     pub simulated: Option<SimulatedError>,
 }
@@ -81,7 +83,7 @@ impl Case {
             (Some(_), _) | (_, Some(_)) => None,
             _ => self.instrument.shape(motion, heading, &error)?,
         };
-        Ok(Row { heading, value, error, shape, measured, simulated })
+        Ok(Row { heading, value, error, shape, measured, summed: None, simulated })
     }
 
     fn simulated(&self, days: Days) -> Result<SimulatedError> {

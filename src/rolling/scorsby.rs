@@ -25,9 +25,9 @@
 
 use super::Compass;
 use super::table_answer::{Gives, TableAnswer, along, mean_error};
+use crate::Result;
 use crate::gyro::Gyrosphere;
 use crate::gyro::validity::bounded;
-use crate::Result;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 

@@ -79,9 +79,14 @@ impl Table {
         self.recorded.as_ref().is_some_and(MeasuredRoll::is_surer)
     }
 
+    /// Whether the mean to trust is that by sums over the sea's own spectrum.
+    pub fn is_by_sums(&self) -> bool {
+        self.rows.iter().any(|r| r.summed.is_some())
+    }
+
     /// The mean of a row to trust, rad.
     pub fn mean(&self, row: &Row) -> f64 {
-        row.measured.filter(|_| self.is_by_spectrum()).unwrap_or_else(|| row.error.mean())
+        row.measured.filter(|_| self.is_by_spectrum()).or(row.summed).unwrap_or_else(|| row.error.mean())
     }
 
     /// Irregular roll of the form (3.3), where the motion is one or was fitted by one.
@@ -145,10 +150,22 @@ impl Table {
             self.by_rectangle = instrument.off_by(motion, case.heading, &sea.rectangle)?.map(|o| o.exact);
         }
         self.smallness.extend(case.sea.as_ref().map(steepness));
-        self.rows = judged.into_iter().filter(|j| j.2.is_ok()).map(|j| j.1).collect();
+        let summed = self.off_by.is_some_and(|off| off.is_much());
+        let told = judged.into_par_iter().filter(|j| j.2.is_ok());
+        self.rows = told
+            .map(|(case, row, _)| if summed { by_sums(case, &row) } else { Ok(row) })
+            .collect::<Result<_>>()?;
         self.left_out = left_out;
         Ok(self)
     }
+}
+
+/// The row with its mean by sums over the sea's own spectrum.
+fn by_sums(case: &Case, row: &Row) -> Result<Row> {
+    let Some(sea) = &case.motion.sea else { return Ok(*row) };
+    let off = case.instrument.off_by(&case.motion.motion, case.heading, &sea.noise)?;
+    let summed = off.map(|off| row.error.mean() - row.error.rectified + off.exact);
+    Ok(Row { summed, ..*row })
 }
 
 /// The rows, whatever the theory reaches.

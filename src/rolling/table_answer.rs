@@ -1,8 +1,8 @@
 //! What a compass's part makes of the accelerations on a Scorsby table.
 
+use crate::Result;
 use crate::gyro::{Gyrosphere, Instrument};
 use crate::lti::StateSpace;
-use crate::Result;
 use faer::Mat;
 use num_complex::Complex64;
 use rayon::prelude::*;
@@ -70,7 +70,11 @@ impl TableAnswer {
         match self {
             Self::Linear(_) => self.at(period),
             Self::Followed { instrument, across, most } => {
-                let gain = if w1.norm() > 0.0 { instrument.answer(w1.norm(), p, POINTS[1])? } else { Complex64::ZERO };
+                let gain = if w1.norm() > 0.0 {
+                    instrument.answer(w1.norm(), p, POINTS[1])?
+                } else {
+                    Complex64::ZERO
+                };
                 Ok(Gives::Followed(vec![gain], *most, meridian(across.as_ref(), p)))
             }
         }
@@ -90,7 +94,9 @@ impl Gives {
     pub fn shift(&self, w: [Complex64; 2]) -> [Complex64; 2] {
         match self {
             Self::Linear(m) => [0, 1].map(|row| m[(row, 0)] * w[0] + m[(row, 1)] * w[1]),
-            Self::Followed(gains, most, across) => [by_amplitude(gains, w[0].norm() / most) * w[0], across * w[1]],
+            Self::Followed(gains, most, across) => {
+                [by_amplitude(gains, w[0].norm() / most) * w[0], across * w[1]]
+            }
         }
     }
 }

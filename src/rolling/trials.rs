@@ -167,6 +167,10 @@ impl<'a> Columns<'a> {
         let frequency = if self.swing.unit.dimension() == Dimension::TIME {
             let swing = range::ROLL_FREQUENCY.check(TAU / self.swing.values[row]);
             swing.map_err(|e| at(&e, self.swing, row))?
+        } else if ["Hz", "rev/s"].contains(&self.swing.unit.text()) {
+            // swings to and fro a second
+            let swing = range::ROLL_FREQUENCY.check(TAU * self.swing.unit.from_si(self.swing.values[row]));
+            swing.map_err(|e| at(&e, self.swing, row))?
         } else {
             read(self.swing, &range::ROLL_FREQUENCY)?
         };

@@ -187,7 +187,7 @@ fn what_it_cannot_read_or_tell_is_refused_with_its_place() {
             head.replace("period [s]", "frequency [Hz]") + "60,25,7,-0.1\n30,25,6,-0.1\n",
             &[],
             2,
-            "turns or radians",
+            "column `frequency`, row 1",
         ),
         (head.replace("period", "period [s],frequency") + "60,25,7,8,-0.1\n", &[], 2, "t.csv"),
         (format!("{head}60,25,7,-0.1\n"), &[], 2, "at least three trials"),

@@ -45,6 +45,7 @@ mod record;
 mod recorded_parts;
 mod report;
 mod results;
+mod roll_advice;
 mod roll_band;
 mod roll_error;
 mod roll_formula;

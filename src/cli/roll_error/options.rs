@@ -227,7 +227,7 @@ impl SeaOptions {
             return Err(Error::usage(
                 "a sea from ahead or astern has no slope athwart: nothing excites roll",
             )
-            .with_hint("say --also pitch, or another --sea-from"));
+            .with_hint("without roll the mean error by it is 0 on every heading; say --also pitch, or another --sea-from"));
         }
         let also = self.also.iter().map(|a| a.axis()).collect();
         Ok(Waves { sea, from, speed: 0.0, spread: self.spread, hull, also })

@@ -3,6 +3,7 @@
 use super::Arguments;
 use super::options::{Against, RowOptions};
 use crate::cli::input::Held;
+use crate::model::Model;
 use crate::record::quality;
 use crate::record::{Input, Recording};
 use crate::rolling::{Compass, Recorded, analyse};
@@ -76,9 +77,12 @@ fn no_tables(path: &Path, e: Error) -> Error {
 
 fn hinted(path: &Path, e: Error) -> Error {
     if !path.exists() {
-        return e.with_hint(
+        // what is no file may be a built-in model's name with a slip in it
+        let unknown = Model::builtin(&path.to_string_lossy()).err();
+        let near = unknown.as_ref().and_then(|e| e.hint()).filter(|hint| hint.contains("nearest"));
+        return e.with_hint(near.unwrap_or(
             "give a recording, a file with [parameters], or the name of a built-in model (gyrospec models)",
-        );
+        ));
     }
     match e.hint() {
         Some(hint) => {

@@ -22,7 +22,8 @@ pub struct Call {
 const HELP: &str = "\
 A vibration is a mount's resonance that broadband shaking excites, all of one cause: AXIS=DEVIATION, then PHASE at its
 frequency against the cause (0 if absent; positive leads), then FREQUENCY and DAMPING where they are not those of
---resonance. Body axes: x forward, y to starboard, z down. Units stand behind the numbers.
+--resonance. A phase is that of an all-pass, which leaves every amplitude: (c - s)/(c + s) for a lag, (s - c)/(s + c)
+for a lead, with c so that it is PHASE at FREQUENCY; beside the resonance it is another. Body axes: x forward, y to starboard, z down. Units stand behind the numbers.
 Examples:
   gyrospec strapdown --resonance 30Hz,0.05 --angular y=0.01mrad --angular z=0.01mrad,-90deg --latitude 60 --heading 45
   gyrospec strapdown --resonance 40Hz,0.1 --angular x=0.2mrad --linear y=2m/s^2,20deg --square 1e-6s^2/m --json

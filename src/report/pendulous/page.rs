@@ -114,7 +114,8 @@ fn numbers(voyage: &Voyage, told: &SettledVoyage) -> String {
     let heads = ["#heading, °", "#by speed", "#by damping", "#settled", "#behind the corrector"];
     let all = told.rows.iter().map(cells).collect::<Vec<_>>();
     format!(
-        "{}<p class=\"note\">{SIGN}</p><pre class=\"scroll\">{}</pre>",
+        "{}<p class=\"note\">{SIGN}</p><p class=\"note\">Where H, ε or the lag of the flow were not given they are round numbers \
+         of the size of such compasses, and of no maker’s.</p><pre class=\"scroll\">{}</pre>",
         table(&heads, &all),
         escaped(&text::text(voyage, told))
     )

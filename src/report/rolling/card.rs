@@ -14,7 +14,11 @@ pub fn card(table: &Table) -> Option<Polar> {
         mean: table.mean(r).to_degrees(),
         spread: r.error.deviation.to_degrees(),
     });
-    let by = if table.is_by_spectrum() { "; the mean is that by the measured spectrum" } else { "" };
+    let by = match (table.is_by_spectrum(), table.is_by_sums()) {
+        (true, _) => "; the mean is that by the measured spectrum",
+        (_, true) => "; the mean is that by sums over the sea's own spectrum",
+        _ => "",
+    };
     Some(Polar {
         title: format!("Heading error, {}", words::part(table.compass.part.name())),
         subtitle: format!("{}{by}", words::motion(table)),

@@ -1,6 +1,7 @@
 //! Which gyrocompasses are known by name, and what to ask for of any other.
 
 use crate::gyro::Gyrosphere;
+use crate::model::Model;
 use crate::units::figure;
 use std::fmt::Write;
 
@@ -43,6 +44,13 @@ pub fn instruments_text() -> String {
         "Gyrocompasses known by name\n\n\
          gyrosphere   the two-rotor gyrocompass of the rolling-error paper of 1978; taken where none is named\n",
     );
+    let _ = writeln!(
+        out,
+        "             (by its name it is the model `gyrosphere`, which turns with the Earth as measured, U = {:e} rad/s;\n             \
+         without a name it is the paper's, U = {:e} rad/s)",
+        turns_with(),
+        s.earth_rate
+    );
     for [name, what, _, _] in WANTED {
         let value = s.named(name).map_or(f64::NAN, |v| *v);
         let source = match name {
@@ -72,6 +80,12 @@ pub fn instruments_text() -> String {
     }
     out.push_str("\nand then  gyrospec roll-error compass.toml --sea jonswap --period 9s --card\n");
     out
+}
+
+/// U of the built-in model of that name.
+fn turns_with() -> f64 {
+    let parameters = Model::builtin("gyrosphere").map(|m| m.parameters).unwrap_or_default();
+    parameters.iter().find(|p| p.name == "U").map_or(f64::NAN, |p| p.value)
 }
 
 fn unit(name: &str) -> &'static str {

@@ -19,7 +19,11 @@ pub fn json(table: &Table) -> Result<String> {
         Against::Latitude { .. } => "latitude_deg",
         Against::Height { .. } => "significant_height_m",
     };
-    let trusted = if table.is_by_spectrum() { "measured_spectrum_mean_deg" } else { "mean_deg" };
+    let trusted = match (table.is_by_spectrum(), table.is_by_sums()) {
+        (true, _) => "measured_spectrum_mean_deg",
+        (_, true) => "summed_mean_deg",
+        _ => "mean_deg",
+    };
     let mut value = json!({
         "schema": "gyrospec.roll-error/1",
         "instrument": table.compass.part.name(),
@@ -98,6 +102,9 @@ fn row(r: &Row, against: &str) -> Value {
     }
     if let Some(measured) = r.measured {
         out["measured_spectrum_mean_deg"] = json!(measured.to_degrees());
+    }
+    if let Some(summed) = r.summed {
+        out["summed_mean_deg"] = json!(summed.to_degrees());
     }
     if let Some(m) = &r.simulated {
         let to2 = 1f64.to_degrees().powi(2);

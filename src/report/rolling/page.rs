@@ -104,7 +104,7 @@ pub fn page(sheet: &Sheet<'_>) -> String {
         recorded: recorded.map(|r| pictured(r, &says)),
         beyond: &words::beyond(&t.smallness),
         trust: &words::note(t),
-        by_spectrum: t.is_by_spectrum(),
+        by_spectrum: t.is_by_spectrum() || t.is_by_sums(),
         formula: sheet.formula,
         inputs: sources.map(|s| (Path::new(&s.file), s.sha256.as_str())).collect(),
         seed: sheet.seed,
@@ -119,7 +119,7 @@ fn row(r: &rolling::Row) -> Row {
         quick: r.error.deviation_linear.to_degrees(),
         slow: r.error.deviation_quadratic.to_degrees(),
         margin: (!r.is_exact()).then(|| r.error.rectified_margin.to_degrees()),
-        measured: r.measured.map(|m| words::plain(m.to_degrees())),
+        measured: r.measured.or(r.summed).map(|m| words::plain(m.to_degrees())),
     }
 }
 
@@ -178,7 +178,8 @@ fn sentence(r: &Rolling<'_>) -> String {
         significant(mean(w).abs(), 3),
         side(mean(w)),
         match (r.by_spectrum, r.recorded.is_some()) {
-            (true, _) => " (by its measured spectrum)",
+            (true, true) => " (by its measured spectrum)",
+            (true, false) => " (by sums over the sea's own spectrum)",
             (false, true) if w.measured.is_some() => " (by its fit)",
             _ => "",
         },
@@ -247,7 +248,7 @@ fn rows(r: &Rolling<'_>) -> String {
         heads.push("#mean within (99 %)");
     }
     if measured {
-        heads.push("#mean by measured spectrum");
+        heads.push(if r.recorded.is_some() { "#mean by measured spectrum" } else { "#mean by sums" });
     }
     table(&heads, &r.rows.iter().map(cells).collect::<Vec<_>>())
         + &format!("<p class=\"note\">{SIGN}<br>{}</p>", words::PARTS_OF_SPREAD)

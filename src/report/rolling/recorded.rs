@@ -1,9 +1,9 @@
 //! What is said of a recorded roll and its fit.
 
 use crate::report::terminal::{Trace, picture};
-use crate::rolling::MeasuredRoll;
+use crate::rolling::{FAST_SHARE, MeasuredRoll};
 use crate::spectrum::{Interval, RollIntervals};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// The recorded roll and its fit in words, with a picture of the correlation.
 pub fn told(r: &MeasuredRoll) -> String {
@@ -35,6 +35,15 @@ pub fn words(r: &MeasuredRoll) -> String {
             "{s:.0} % of the variance is heel slower than 31 s, left out of the fit: it hardly accelerates\n"
         ),
     };
+    let fast = match a.fast_share {
+        s if s < FAST_SHARE => String::new(),
+        s => format!(
+            "{:.0} % of the variance is in the upper half of the band, over {:.2} rad/s: the samples are too far apart, and what \
+             moves faster than they follow was folded down into the band; no figure here is sure\n",
+            100.0 * s,
+            0.5 * PI / step
+        ),
+    };
     let verdict = match a.fit.misfit {
         m if m < MeasuredRoll::FAIR => "a good fit",
         _ if r.mean.is_none() => "this roll is hardly of the form (3.3), and the quick spread a guide alone",
@@ -43,7 +52,7 @@ pub fn words(r: &MeasuredRoll) -> String {
     };
     format!(
         "Roll of `{}`: {n} samples {step:.4} s apart, {:.1} min; standard deviation {sigma:.3}°\n\
-         {slow}highest spectral point of the roll at {:.3} rad/s (period {:.1} s), from {} segments\n\n\
+         {fast}{slow}highest spectral point of the roll at {:.3} rad/s (period {:.1} s), from {} segments\n\n\
          Fit of K(τ) = A e^(−μ|τ|) (cos ετ + (μ/ε) sin ε|τ|) to the correlation function, lags 0 … {:.0} s\n\
          \x20 A = {:.4e} rad² ({:.3}°)²,  μ = {:.4} 1/s,  ε = {:.4} rad/s (period {:.1} s)\n\
          {}\x20 explains {:.1} % of it; misfit {:.1} % of K(0): {verdict}\n",

@@ -7,9 +7,6 @@ use crate::units::{figure, significant};
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
 
-/// Part of a mean from which on what a rational spectrum misses counts.
-const MUCH: f64 = 0.05;
-
 /// A sea and the ship in it, and how far its rational spectrum is off; of each height in turn, or of its own.
 pub fn words(waves: &Waves, motion: Option<&SeaMotion>, in_turn: bool) -> String {
     let sea = &waves.sea;
@@ -76,7 +73,7 @@ pub fn left_out(table: &Table) -> String {
 /// A word on waves about as short as the ship, where they count.
 fn formed(off: &OffBy, by_rectangle: f64) -> String {
     let change = by_rectangle / off.exact - 1.0;
-    if change.abs() < MUCH {
+    if change.abs() < OffBy::MUCH {
         return String::new();
     }
     format!(
@@ -95,7 +92,7 @@ fn fitted(off: &OffBy) -> String {
         let size = if percent < 0.1 { "less than 0.1".to_owned() } else { format!("{percent:.1}") };
         format!("{size} % too {}", if x < 0.0 { "small" } else { "large" })
     };
-    let trust = if off.mean.abs() > MUCH { "; trust the sums more" } else { "" };
+    let trust = if off.is_much() { "; trust the sums more: they stand in the last column" } else { "" };
     format!(
         "By sums over the sea's own spectrum the mean by the motion is {:.5}° on heading {:.0}°: the rational spectrum\n\
          makes it {} and the spread by products {}{trust}.\n",

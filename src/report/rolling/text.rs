@@ -67,6 +67,9 @@ fn line(out: &mut String, row: &Row) {
     if !row.is_exact() {
         out.push_str(&within(e));
     }
+    if let Some(summed) = row.summed {
+        let _ = write!(out, "   {:>10.5}°", words::plain(summed.to_degrees()));
+    }
     if let Some(measured) = row.measured {
         let _ = write!(out, "   {:>10.5}°", words::plain(measured.to_degrees()));
     }
@@ -89,6 +92,9 @@ fn heads(table: &Table) -> String {
     }
     if any(|r| r.error.linearised.is_some()) {
         out.push_str("   linearised");
+    }
+    if any(|r| r.summed.is_some()) {
+        out.push_str("   mean by sums");
     }
     if any(|r| r.measured.is_some()) {
         out.push_str("   mean, measured spectrum");

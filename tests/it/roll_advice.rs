@@ -1,0 +1,96 @@
+//! What the rolling error says where an input is odd: turns a second, a name with a slip, an input without an end, samples
+//! too far apart, an error of zero, a sea whose rational spectrum is off.
+
+use crate::roll_error::{asked, asked_json, command};
+use std::f64::consts::TAU;
+use std::fmt::Write;
+use std::process::Command;
+
+#[test]
+fn a_frequency_of_trials_is_read_in_turns_as_in_radians() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = |unit: &str, by: f64| -> serde_json::Value {
+        let mut text = format!("heading [deg],amplitude [cm],frequency [{unit}],error [deg]\n");
+        for k in 0..40 {
+            let (heading, p) = (9.0 * f64::from(k), 0.5 + 0.05 * f64::from(k % 8));
+            let error = -(2.0 * heading.to_radians()).sin() * p.powi(4) / (1.0 + 0.2 * p * p);
+            writeln!(text, "{heading},25,{},{}", p * by, error + 1e-3 * f64::from(k * k % 7)).unwrap();
+        }
+        let file = folder.path().join("trials.csv");
+        std::fs::write(&file, text).unwrap();
+        let mut run = Command::new(env!("CARGO_BIN_EXE_gyrospec"));
+        let out = run.args(["identify", "--json", "--latitude", "60"]).arg(&file).output().unwrap();
+        assert!(out.status.success(), "{unit}: {}", String::from_utf8_lossy(&out.stderr));
+        serde_json::from_slice(&out.stdout).unwrap()
+    };
+    let radians = told("rad/s", 1.0);
+    let turn = TAU;
+    for (unit, by) in [("Hz", 1.0 / turn), ("rev/s", 1.0 / turn), ("rpm", 60.0 / turn)] {
+        let turns = told(unit, by);
+        for number in ["T_s", "C0_N_per_m"] {
+            let [a, b] = [&turns, &radians].map(|t| t[number]["value"].as_f64().unwrap());
+            assert!((a / b - 1.0).abs() < 1e-9, "{unit}: {turns} and {radians}");
+        }
+    }
+}
+
+#[test]
+fn a_slip_in_a_name_and_an_input_without_an_end_are_told() {
+    let (code, _, message) = asked(&["gyrosfere"]);
+    assert!(code == 2 && message.contains("the nearest is gyrosphere;"), "{message}");
+    if std::path::Path::new("/dev/zero").exists() {
+        let (code, _, message) = asked(&["/dev/zero"]);
+        assert!(code != 0 && message.contains("without the end of a line"), "{message}");
+    }
+    let (_, text, _) = asked(&["--list"]);
+    assert!(text.contains("U = 7.2921e-5 rad/s") && text.contains("U = 7.3e-5 rad/s"), "{text}");
+}
+
+#[test]
+fn an_error_of_zero_has_no_side() {
+    let (_, text, _) = asked(&["--formula", "--heading", "0"]);
+    let line = text.lines().find(|l| l.contains("heading    0.0°")).unwrap();
+    assert!(line.ends_with("(neither way)"), "{line}");
+}
+
+#[test]
+fn samples_too_far_apart_are_told() {
+    // waves of 4 s that are seen every 3 s, beside some of 12 s
+    let roll = |step: f64| -> String {
+        (0..1200).fold("time [s],roll [deg]\n".into(), |text, k| {
+            let t = step * f64::from(k);
+            let envelope = (0.013 * t).cos() + 0.4 * (0.031 * t).sin();
+            format!("{text}{t},{}\n", envelope * (3.0 * (t / 12.0 * TAU).sin() + (t / 4.0 * TAU).sin()))
+        })
+    };
+    let (_, text, message) = command("roll.csv", &roll(3.0), &["--heading", "45"]);
+    assert!(text.contains("the samples are too far apart"), "{text}{message}");
+    let (_, text, _) = command("roll.csv", &roll(0.25), &["--heading", "45"]);
+    assert!(text.contains("good fit") || text.contains("fit") && !text.contains("too far apart"), "{text}");
+}
+
+#[test]
+fn where_the_rational_spectrum_of_a_sea_is_off_each_row_has_the_sums() {
+    // from astern nearly at the speed of its waves, and abeam
+    let astern = ["--period", "14s", "--sea-from", "160deg", "--also", "pitch", "--speed", "12kn"];
+    let (sea, mut seen) = (["--sea", "jonswap"], 0);
+    for more in [&astern[..], &["--period", "8s"]] {
+        let told = asked_json(&[&sea[..], more].concat());
+        let off = told["sea"]["off_by"]["mean"].as_f64().unwrap();
+        let much = off.abs() > 0.05;
+        assert_eq!(told["trusted_mean"] == "summed_mean_deg", much, "{told}");
+        let rows = told["rows"].as_array().unwrap();
+        assert_eq!(rows.iter().any(|r| r["summed_mean_deg"].is_f64()), much);
+        if much {
+            seen += 1;
+            let heading = told["sea"]["off_by"]["heading_deg"].as_f64().unwrap();
+            let worst = rows.iter().find(|r| r["heading_deg"].as_f64() == Some(heading)).unwrap();
+            let sailing = worst["sailing_deg"].as_f64().unwrap();
+            let summed = worst["summed_mean_deg"].as_f64().unwrap() - sailing;
+            // 1 + off is the mean by the motion over that by the sums
+            let by_motion = worst["rectified_deg"].as_f64().unwrap();
+            assert!((by_motion / summed - 1.0 - off).abs() < 1e-9, "{worst} {off}");
+        }
+    }
+    assert_eq!(seen, 1);
+}
