@@ -185,6 +185,11 @@ fn a_mechanism_is_added_as_the_page_says() {
 }
 
 #[test]
+fn instruments_and_parts_are_as_their_page_says() {
+    play("docs/instruments.md");
+}
+
+#[test]
 fn the_errata_are_as_many_as_the_page_says() {
     play("docs/symbols.md");
 }
