@@ -1,6 +1,13 @@
-//! The sweep of roll errors by the batch path, the exact spread, and identification.
+//! Instrument by motion: mean and spread by formula beside a simulation with its 99 % interval, and the spectrum at ω = 0;
+//! coning and sculling beside closed forms and simulation; then the speed of each: the sweep of roll errors by the batch
+//! path, the exact spread, and identification.
 
-use criterion::{Criterion, criterion_group, criterion_main};
+#![allow(clippy::print_stdout, clippy::print_stderr)] // a bench tells its figures
+
+#[path = "instruments/table.rs"]
+mod table;
+
+use criterion::{Criterion, criterion_group};
 use gyrospec::gyro::{
     Drive, Gyrosphere, Instrument, MonteCarlo, Motion, Trial, elastic, identify, seed, sweep,
 };
@@ -52,4 +59,11 @@ criterion_group! {
     config = Criterion::default().sample_size(10);
     targets = instruments
 }
-criterion_main!(benches);
+
+fn main() {
+    match table::printed() {
+        Ok(()) => benches(),
+        Err(e) => eprintln!("{e}"),
+    }
+    Criterion::default().configure_from_args().final_summary();
+}
