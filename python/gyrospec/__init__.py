@@ -13,6 +13,7 @@ thousands of files on Dask.
 from ._api import (
     diagnose,
     fit,
+    identify,
     integral_batch,
     pendulous,
     roll_error,
@@ -62,6 +63,7 @@ __all__ = [
     "__version__",
     "diagnose",
     "fit",
+    "identify",
     "integral",
     "integral_batch",
     "pendulous",

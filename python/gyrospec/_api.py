@@ -260,6 +260,29 @@ def strapdown(
     return answer
 
 
+def identify(
+    trials: str | os.PathLike[str],
+    *,
+    compass: str | os.PathLike[str] | None = None,
+    latitude: Quantity | None = None,
+    lever: Quantity | None = None,
+) -> dict[str, Any]:
+    """T and C0 of a compass from a file of errors measured on regular roll, with 95 % intervals.
+
+    The arguments are those of `gyrospec identify`: a CSV file with units in its header or a TOML recording of kind
+    "trials", the compass's parameters, the latitude (degrees) of trials without a column of it, and the height of the
+    compass above the roll axis (m) for amplitudes that are angles. The result has the fields of its JSON.
+
+    >>> found = gyrospec.identify("examples/trials.csv", latitude=46.5)
+    >>> 0.40 < found["T_s"]["value"] < 0.48
+    True
+    """
+    texts = {"compass": compass and os.fspath(compass), "latitude": latitude, "lever": lever}
+    words = [f"--{name}={_words(value)}" for name, value in texts.items() if value is not None]
+    answer: dict[str, Any] = json.loads(native.identify([*words, "--", os.fspath(trials)]))
+    return answer
+
+
 def pendulous(
     latitude: Quantity,
     *,

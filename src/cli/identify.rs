@@ -6,10 +6,11 @@ use super::quantity::{latitude as latitude_of, quantity};
 use super::{Outcome, note, output};
 use crate::gyro::range;
 use crate::record::{Input, Recording};
-use crate::report::identified::{json, text};
-use crate::rolling::{Compass, identification};
+use crate::report::identified::{json, page, text};
+use crate::rolling::{Compass, Identification, identification};
 use crate::units::Unit;
 use crate::{Error, Result};
+use clap::Parser;
 use std::path::PathBuf;
 
 /// T and C0 of a compass from a table of errors measured on regular roll.
@@ -27,6 +28,9 @@ pub struct Call {
     /// Height of the compass above the roll axis, for amplitudes that are angles.
     #[arg(long, allow_hyphen_values = true)]
     lever: Option<String>,
+    /// A report with pictures, one page that opens offline; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
     /// One JSON object instead of text.
     #[arg(long)]
     json: bool,
@@ -41,6 +45,42 @@ Examples:
 
 /// Runs the subcommand.
 pub fn run(call: &Call) -> Result<Outcome> {
+    let read: Vec<PathBuf> = [&call.trials].into_iter().chain(&call.compass).cloned().collect();
+    let [html] = output::open([call.html.as_deref()])?;
+    output::spare(html.iter(), &read)?;
+    let to_stdout = html.as_ref().is_some_and(output::Place::is_standard_output);
+    if to_stdout && call.json {
+        return Err(Error::usage("standard output takes one result: a page or JSON")
+            .with_hint("name a file for the page"));
+    }
+    let told = found(call)?;
+    let page = html.map(|place| place.data(page(&told)));
+    output::put(&page.into_iter().collect::<Vec<_>>(), &read)?;
+    if to_stdout {
+        return Ok(Outcome::Done);
+    }
+    if call.json { output::quoted(&json(&told)?) } else { output::words(&text(&told)) }?;
+    Ok(Outcome::Done)
+}
+
+/// The JSON for words said elsewhere: the file of the trials, and options such as `--latitude=60`.
+///
+/// # Errors
+/// `Usage` for options that are none, and what the command refuses.
+pub fn answer(words: &[String]) -> Result<String> {
+    let said = Said::try_parse_from(words).map_err(|e| Error::usage(e.to_string()))?;
+    json(&found(&said.call)?)
+}
+
+#[derive(Parser)]
+#[command(name = "identify", no_binary_name = true)]
+struct Said {
+    #[command(flatten)]
+    call: Call,
+}
+
+/// T and C₀, as it is asked for.
+fn found(call: &Call) -> Result<Identification> {
     crate::record::read_once([&call.trials].into_iter().chain(&call.compass).map(PathBuf::as_path))?;
     let held = Held::of(&call.trials)?;
     let table = table(&held).map_err(|e| held.place(e))?;
@@ -68,8 +108,7 @@ pub fn run(call: &Call) -> Result<Outcome> {
     if !told.unused.is_empty() {
         note(&format!("of no use here: {}", told.unused.join(", ")));
     }
-    if call.json { output::quoted(&json(&told)?) } else { output::words(&text(&told)) }?;
-    Ok(Outcome::Done)
+    Ok(told)
 }
 
 fn compass(call: &Call) -> Result<Compass> {

@@ -10,7 +10,7 @@ mod explain;
 mod fit;
 mod formula;
 mod gimbal;
-mod identify;
+pub mod identify;
 mod input;
 mod integral;
 mod laboratory;

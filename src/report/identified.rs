@@ -3,7 +3,8 @@
 use crate::Result;
 use crate::gyro::SIGN;
 use crate::report::json::object;
-use crate::report::page::estimate;
+use crate::report::page::{Page, Section, estimate, table};
+use crate::report::svg::{Layer, Picture, escaped};
 use crate::rolling::{Identification, TrialRow};
 use crate::spectrum::Interval;
 use crate::units::{counted, figure, significant};
@@ -54,6 +55,66 @@ pub fn text(told: &Identification) -> String {
 fn worst(told: &Identification) -> Option<&TrialRow> {
     let size = |r: &TrialRow| (r.trial.error - r.fitted).abs();
     told.rows.iter().max_by(|a, b| size(a).total_cmp(&size(b)))
+}
+
+/// The same as one page, with what was measured beside (2.4).
+pub fn page(told: &Identification) -> String {
+    let (t, c) = (told.found.lag, told.found.stiffness);
+    let [t, c] = [t, c].map(|i| estimate(i.value, i.low, i.high));
+    let of = |f: fn(&TrialRow) -> [f64; 2]| told.rows.iter().map(f).collect::<Vec<_>>();
+    let beside = Picture::new("error by (2.4) and as measured", "by (2.4), °", "measured, °")
+        .with(Layer::line("after", "(2.4)", ends(told)))
+        .with(Layer::dots("measured", "trials", of(|r| [r.fitted, r.trial.error].map(f64::to_degrees))));
+    let left = Picture::new("what (2.4) leaves", "frequency, rad/s", "left, °").with(Layer::dots(
+        "measured",
+        "",
+        of(|r| [r.trial.frequency, (r.trial.error - r.fitted).to_degrees()]),
+    ));
+    let cells = |r: &TrialRow| {
+        let degrees = |x: f64| significant(x.to_degrees(), 4);
+        vec![
+            r.number.to_string(),
+            figure(r.trial.heading.to_degrees()),
+            figure(r.trial.amplitude),
+            figure(r.trial.frequency),
+            degrees(r.trial.error),
+            degrees(r.fitted),
+            degrees(r.trial.error - r.fitted),
+        ]
+    };
+    let heads = [
+        "#row",
+        "#heading, °",
+        "#amplitude, m",
+        "#frequency, rad/s",
+        "#measured, °",
+        "#by (2.4), °",
+        "#left, °",
+    ];
+    let rows: Vec<Vec<String>> = told.rows.iter().map(cells).collect();
+    let page = Page {
+        kind: "T and C₀ from trials".into(),
+        title: "T and C₀ from trials".into(),
+        verdict: format!("T is {} s ({}) and C₀ {} N/m ({}).", t.0, t.1, c.0, c.1),
+        lead: format!("By (2.4) from {} trials; intervals of 95 %.", told.rows.len()),
+        sections: vec![
+            Section::new("trials", "The trials", beside.draw() + &left.draw()),
+            Section::new("rows", "Row by row", table(&heads, &rows)),
+            Section::new(
+                "numbers",
+                "The numbers",
+                format!("<pre class=\"scroll\">{}</pre>", escaped(&text(told))),
+            ),
+        ],
+    };
+    page.html()
+}
+
+/// The straight line on which the errors by (2.4) are those measured, from the lowest to the highest, degrees.
+fn ends(told: &Identification) -> Vec<[f64; 2]> {
+    let all = || told.rows.iter().flat_map(|r| [r.fitted, r.trial.error]);
+    let ends = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
+    ends.map(|e| [e.to_degrees(), e.to_degrees()]).to_vec()
 }
 
 /// The same as one JSON object, by `docs/schemas/identified.json`.

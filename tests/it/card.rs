@@ -137,7 +137,6 @@ fn what_no_card_is_made_of_is_refused_with_what_to_say() {
         ("--sea pm --card 300m", "lies outside"),
         ("--card --against latitude", "cannot be used with"),
         ("--card --simulate 2", "cannot be used with"),
-        ("--card --json", "cannot be used with"),
         ("--card --scorsby", "cannot be used with"),
         ("--card --svg x.svg", "cannot be used with"),
         ("--csv x.csv", "--card"),

@@ -205,3 +205,23 @@ fn what_it_cannot_read_or_tell_is_refused_with_its_place() {
     let (code, said) = called(&["no-such.csv"]);
     assert!(code == 2 && said.contains("no-such.csv"), "{said}");
 }
+
+#[test]
+fn its_page_tells_the_numbers_and_draws_each_trial() {
+    let page = || {
+        std::process::Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .args(["identify", "examples/trials.csv", "--latitude", "46.5", "--html", "-"])
+            .output()
+            .unwrap()
+    };
+    let out = page();
+    let html = String::from_utf8(out.stdout).unwrap();
+    assert!(
+        out.status.success() && html.starts_with("<!doctype html>") && html.contains("T is 0."),
+        "{html}"
+    );
+    // a dot is a path without length
+    assert_eq!(html.matches("h0").count(), 2 * 48, "each trial in each picture");
+    assert!(html.contains("what (2.4) leaves") && !html.contains("<script"));
+}

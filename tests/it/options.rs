@@ -249,6 +249,7 @@ fn each_pair_of_options_of_the_identification_is_used_or_refused() {
         ("compass", "--compass compass.toml"),
         ("latitude", "--latitude 50"),
         ("lever", "--lever 2m"),
+        ("html", "--html %"),
         ("json", "--json"),
     ];
     // the table stands before each pair, and what its angles turn about, so that naming these again is refused

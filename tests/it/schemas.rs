@@ -223,4 +223,6 @@ fn rolling_errors_fit_their_schemas() {
     fits("roll-error-spectrum", &said(&["roll-error", "--spectrum", "--json"]));
     fits("identified", &said(&["identify", "examples/trials.csv", "--json"]));
     fits("scorsby", &said(&["roll-error", "--scorsby", "--json"]));
+    fits("deviation-card", &said(&["roll-error", "--sea=pm", "--card=2m,4m", "--json"]));
+    fits("deviation-card", &said(&["roll-error", "--regular=5deg,9s", "--card=2deg", "--json"]));
 }

@@ -10,6 +10,7 @@ mod batch;
 mod diagnose;
 mod fault;
 mod fit;
+mod identify;
 mod integral;
 mod model;
 mod pendulous;
@@ -33,6 +34,8 @@ mod _gyrospec {
     use super::diagnose::diagnose;
     #[pymodule_export]
     use super::fit::fit;
+    #[pymodule_export]
+    use super::identify::identify;
     #[pymodule_export]
     use super::integral::{Integral, integral};
     #[pymodule_export]

@@ -53,8 +53,8 @@ const TAKEN_BY: [(&str, &[&str]); 18] = [
     ("simulate", &[]),
     ("seed", &[]),
     ("svg", &[]),
-    ("html", &["card", "spectrum"]),
-    ("json", &["scorsby", "formula", "spectrum"]),
+    ("html", &["card", "spectrum", "scorsby"]),
+    ("json", &["scorsby", "formula", "spectrum", "card"]),
     ("csv", &["card"]),
 ];
 

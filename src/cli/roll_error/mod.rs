@@ -19,7 +19,8 @@ use crate::record::read_once;
 use crate::report::rolling::{
     Sheet, formula_json, formula_text, free_text, instruments_text, json, page, text,
 };
-use crate::report::rolling::{approval_json, approval_text, deviation_csv, deviation_sheet, deviation_text};
+use crate::report::rolling::{approval_json, approval_page, approval_text};
+use crate::report::rolling::{deviation_csv, deviation_json, deviation_sheet, deviation_text};
 use crate::report::{polar, rolling};
 use crate::rolling::{Compass, Recorded, Request, Scorsby, Table, closed_form_on, closed_values, left_alone};
 use crate::{Error, Result};
@@ -132,11 +133,10 @@ pub fn run(a: &Arguments) -> Result<Outcome> {
         if a.instead.spectrum {
             return spectrum::told(&compass, a, places.html, &read).map(|()| Outcome::Done);
         }
-        let text = match (a.instead.free, a.instead.scorsby) {
-            (true, _) => free(&compass)?,
-            (_, true) => scorsby(&compass, a.json)?,
-            _ => formula(&compass, a)?,
-        };
+        if a.instead.scorsby {
+            return scorsby(&compass, a.json, places.html, &read);
+        }
+        let text = if a.instead.free { free(&compass)? } else { formula(&compass, a)? };
         told(&text, a.json)?;
         return Ok(Outcome::Done);
     }
@@ -149,9 +149,22 @@ fn free(compass: &Compass) -> Result<String> {
 }
 
 /// The largest errors on a Scorsby table.
-fn scorsby(compass: &Compass, as_json: bool) -> Result<String> {
+fn scorsby(
+    compass: &Compass,
+    as_json: bool,
+    html: Option<output::Place>,
+    read: &[PathBuf],
+) -> Result<Outcome> {
     let approval = Scorsby::default().test(compass)?;
-    if as_json { approval_json(compass, &approval) } else { Ok(approval_text(compass, &approval)) }
+    let to_stdout = html.as_ref().is_some_and(output::Place::is_standard_output);
+    let page = html.map(|place| place.data(approval_page(compass, &approval)));
+    output::put(&page.into_iter().collect::<Vec<_>>(), read)?;
+    if !to_stdout {
+        let text =
+            if as_json { approval_json(compass, &approval)? } else { approval_text(compass, &approval) };
+        told(&text, as_json)?;
+    }
+    Ok(Outcome::Done)
 }
 
 /// The closed form, with its value on each heading.
@@ -263,7 +276,7 @@ fn carded(
     let csv = places.csv.map(|place| place.data(deviation_csv(&card)));
     output::put(&html.into_iter().chain(csv).collect::<Vec<_>>(), &read)?;
     if !to_stdout {
-        told(&deviation_text(&card), false)?;
+        told(&if a.json { deviation_json(&card)? } else { deviation_text(&card) }, a.json)?;
     }
     Ok(Outcome::Done)
 }

@@ -4,6 +4,8 @@ use super::words;
 use crate::Result;
 use crate::gyro::SIGN;
 use crate::report::json::object;
+use crate::report::page::{Page, Section, table};
+use crate::report::svg::escaped;
 use crate::rolling::{Approval, Compass, TableError, TableMotion};
 use crate::units::figure;
 use serde_json::{Value, json};
@@ -48,6 +50,43 @@ pub fn approval_text(compass: &Compass, a: &Approval) -> String {
          more than each alone.\n",
     );
     out
+}
+
+/// The test as one page.
+pub fn approval_page(compass: &Compass, a: &Approval) -> String {
+    let cells = |e: &TableError| {
+        let degrees = |x: f64| format!("{:+.2}", x.to_degrees());
+        vec![
+            motion(e.motion).to_owned(),
+            figure(e.period),
+            format!("{:.1}", e.heading.to_degrees()),
+            degrees(e.error),
+            degrees(a.limit - e.error.abs()),
+        ]
+    };
+    let heads = ["motion", "#period, s", "#heading, °", "#largest mean error, °", "#limit less it, °"];
+    let rows: Vec<Vec<String>> = a.worst.iter().map(cells).collect();
+    let word = if a.passes() { "passes" } else { "fails" };
+    let page = Page {
+        kind: "A Scorsby table".into(),
+        title: "A compass on a Scorsby table".into(),
+        verdict: format!(
+            "The compass {word}: its largest mean error is {:.2}°, by {}, where {:.2}° are allowed.",
+            a.largest().error.abs().to_degrees(),
+            motion(a.largest().motion),
+            a.limit.to_degrees()
+        ),
+        lead: String::new(),
+        sections: vec![
+            Section::new("worst", "The worst of each motion", table(&heads, &rows)),
+            Section::new(
+                "numbers",
+                "The numbers",
+                format!("<pre class=\"scroll\">{}</pre>", escaped(&approval_text(compass, a))),
+            ),
+        ],
+    };
+    page.html()
 }
 
 fn line(out: &mut String, e: &TableError) {

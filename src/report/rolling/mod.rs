@@ -17,9 +17,9 @@ mod tail;
 mod text;
 mod words;
 
-pub use approval::{approval_json, approval_text};
+pub use approval::{approval_json, approval_page, approval_text};
 pub use card::card;
-pub use deviation::{deviation_csv, deviation_sheet, deviation_text};
+pub use deviation::{deviation_csv, deviation_json, deviation_sheet, deviation_text};
 #[cfg(feature = "symbolic")]
 pub use formula::{formula_json, formula_text};
 pub use free::free_text;

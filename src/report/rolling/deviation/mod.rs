@@ -1,10 +1,12 @@
 //! A deviation card as text, as CSV and as a sheet of paper.
 
 mod csv;
+mod json;
 mod sheet;
 mod text;
 
 pub use csv::deviation_csv;
+pub use json::deviation_json;
 pub use sheet::deviation_sheet;
 pub use text::deviation_text;
 
