@@ -14,6 +14,7 @@ mod compared;
 mod cut;
 mod faults;
 mod few;
+mod foretold;
 mod forgotten;
 mod innovations;
 #[doc(hidden)]
@@ -150,7 +151,7 @@ impl Case<'_> {
     fn diagnosed(mut self, is_left: bool) -> Result<Diagnosis> {
         let (model, progress) = (self.request.model, self.request.progress);
         progress.report("fitting the model as it stands", None);
-        self.bench.budget.begin("fit as given");
+        self.bench.budget.begin(foretold::FIRST_FIT);
         let base = self.bench.full_fit(model)?;
         let base = if is_left { self.without_strays(base)? } else { base };
         self.bench.budget.tell(base.ended_early);

@@ -18,10 +18,12 @@ use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
 use super::choose::CHANCE;
 use super::compared::same_tracks;
+use super::foretold::Foretold;
 use super::measure::Scale;
 use super::screen::{Score, Screen, log_chance};
 use super::search::Taken;
 use super::view::View;
+use crate::estimate::fit::Progress;
 use rayon::prelude::*;
 
 /// Starts of one proposal, beside the best, from which it is tried.
@@ -83,10 +85,23 @@ pub fn proposals(bench: &Bench, scene: &Scene, taken: &[Taken]) -> Vec<Proposal>
 }
 
 /// Scores every proposal of the catalogue that was not taken before.
-pub fn screen(bench: &Bench, scene: &Scene, view: &View, taken: &[Taken]) -> Screening {
+pub fn screen(
+    bench: &Bench,
+    scene: &Scene,
+    view: &View,
+    taken: &[Taken],
+    progress: &dyn Progress,
+) -> Screening {
     let proposals = proposals(bench, scene, taken);
-    let scored: Vec<Vec<Screened>> =
-        proposals.into_par_iter().with_max_len(1).map(|p| score_starts(bench, &p, view)).collect();
+    let runs = proposals.iter().map(|p| p.starts.len()).sum();
+    let stage = format!("looking at {} laws, {} found", proposals.len(), taken.len());
+    let foretold = Foretold::begin(bench, progress, &stage, runs);
+    let score = |p: Proposal| {
+        let scored = score_starts(bench, &p, view);
+        foretold.done(p.starts.len());
+        scored
+    };
+    let scored: Vec<Vec<Screened>> = proposals.into_par_iter().with_max_len(1).map(score).collect();
     let all: Vec<&Score> = scored.iter().flatten().map(|s| &s.score).collect();
     let p_value = Screen::p_value(&all);
     let mut screened: Vec<Screened> = scored.iter().filter_map(|l| best(l, &|s| s.score.statistic)).collect();

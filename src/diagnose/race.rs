@@ -16,10 +16,11 @@
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
+use super::foretold::Foretold;
 use super::measure::Scale;
 use super::propose::{Screened, starts};
 use super::view::View;
-use crate::estimate::fit::Effort;
+use crate::estimate::fit::{Effort, Progress};
 use crate::estimate::{Fit, fit};
 use crate::model::Model;
 use crate::simulate::Budget;
@@ -33,6 +34,8 @@ const SECOND: usize = 12;
 const FAIR: f64 = 0.5;
 /// Proposals that are fitted to the end at least, and at most.
 const LAST: (usize, usize) = (6, 8);
+/// Runs that the heats of a proposal take, about, and as many its last fit.
+const RUNS: usize = 20;
 
 /// A proposal with its fit so far, and what that leaves.
 struct Runner<'s> {
@@ -72,9 +75,15 @@ pub fn run(
     given: &[f64],
     chosen: &[&Screened],
     (now, scale): (f64, &Scale),
+    progress: &dyn Progress,
 ) -> Vec<Finished> {
+    if chosen.is_empty() {
+        return Vec::new();
+    }
     bench.budget.begin("heats");
-    let mut field = heats(bench, view, given, chosen, scale);
+    let stage = format!("fitting the {} likeliest of them", chosen.len());
+    let foretold = Foretold::begin(bench, progress, &stage, RUNS * (chosen.len() + LAST.0));
+    let mut field = heats(bench, view, given, (chosen, &foretold), scale);
     let fall = |r: &Runner<'_>| (now / r.left).ln();
     let largest = field.first().map_or(0.0, fall);
     let last = field.iter().enumerate().take(LAST.1);
@@ -83,7 +92,9 @@ pub fn run(
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
     let ended = field.into_par_iter().with_max_len(1).filter_map(|r| {
-        let fit = to_the_end(bench, &r.screened.proposal, &r.fit, &bench.part())?;
+        let fit = to_the_end(bench, &r.screened.proposal, &r.fit, &bench.part());
+        foretold.done(RUNS);
+        let fit = fit?;
         Some(Finished { proposal: r.screened.proposal.clone(), is_cut: fit.ended_early.is_some(), fit })
     });
     let mut all: Vec<Finished> = ended.collect();
@@ -97,14 +108,16 @@ fn heats<'s>(
     bench: &Bench,
     view: &View,
     given: &[f64],
-    chosen: &[&'s Screened],
+    (chosen, foretold): (&[&'s Screened], &Foretold<'_>),
     scale: &Scale,
 ) -> Vec<Runner<'s>> {
     let first = |s: &&'s Screened| {
         let walks = starts(bench, view, given, s, scale).into_iter().filter_map(|stand| {
             walk(bench, &stand.placed(&s.proposal.model), stand.initials, HEATS[0], view)
         });
-        walks.map(|fit| Runner::new(s, fit, scale)).reduce(Runner::or)
+        let best = walks.map(|fit| Runner::new(s, fit, scale)).reduce(Runner::or);
+        foretold.done(RUNS);
+        best
     };
     let mut field: Vec<Runner<'_>> = chosen.par_iter().with_max_len(1).filter_map(first).collect();
     sort(&mut field);

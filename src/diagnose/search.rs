@@ -147,7 +147,13 @@ struct State<'a> {
     is_last: bool,
 }
 
-fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[f64]) -> Result<Round> {
+fn round(
+    bench: &Bench,
+    (current, view): (&Fit, &View),
+    state: &State<'_>,
+    given: &[f64],
+    progress: &dyn Progress,
+) -> Result<Round> {
     if bench.budget.cut() == Some(Early::Time) {
         return Ok(Round::nothing());
     }
@@ -156,7 +162,7 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
     scene.peaks = super::locate::peaks(current);
     scene.shifts = super::innovations::shifts(bench, current);
     let State { now, scale, gains, taken, is_last } = state;
-    let screening = screen(bench, &scene, view, taken);
+    let screening = screen(bench, &scene, view, taken, progress);
     let tried = screening.screened.len().max(1) as f64;
     let most = if *is_last { 0 } else { bench.patience(&current.model) };
     // A last small one may follow a large one where it would leave nothing else; where the noise's own
@@ -176,7 +182,7 @@ fn round(bench: &Bench, current: &Fit, view: &View, state: &State<'_>, given: &[
         Refitted { proposal: p, fit, measure, p_value, floor, is_cut }
     };
     let refit = |chosen: &[&Screened]| -> Vec<Refitted> {
-        let finished = race::run(bench, view, given, chosen, (squares, scale)).into_par_iter();
+        let finished = race::run(bench, view, given, chosen, (squares, scale), progress).into_par_iter();
         let same = finished.filter(|f| same_samples(current, &f.fit));
         same.map(|f| judged(f.proposal, f.fit, f.is_cut)).collect()
     };
@@ -208,13 +214,12 @@ pub fn search(
     let mut given = given.to_vec();
     let mut view = patiently(bench, || View::of(bench, &base))?;
     loop {
-        progress.report(&format!("trying the catalogue, {} found", taken.len()), None);
         let scale = Scale::of(&current, bench.is_trials());
         let now = Measure::of(&current, &scale);
         let mut round = patiently(bench, || {
             let is_last = taken.len() >= MOST || is_over(bench);
             let state = State { now: &now, scale: &scale, gains, taken: &taken, is_last };
-            round(bench, &current, &view, &state, &given)
+            round(bench, (&current, &view), &state, &given, progress)
         })?;
         trace(bench, &round, &now);
         bench.budget.begin("choice");

@@ -193,7 +193,8 @@ impl Response {
         };
         let states = looked(&probes, &recording, &time, place, &[])?.predictions;
         let signals: Vec<Vec<f64>> = recording.channels.iter().filter_map(|c| thin::on(c, &time)).collect();
-        let stride = thin::stride(states.iter().chain(&signals).map(Vec::as_slice), time.len());
+        let courses: Vec<&[f64]> = states.iter().chain(&signals).map(Vec::as_slice).collect();
+        let stride = thin::stride(&courses, time.len());
         let time: Arc<[f64]> = thin::every(&time, stride).into();
         thin::read_on(&mut recording, &time);
         for (s, values) in model.states.iter().zip(states) {
