@@ -103,7 +103,7 @@ pub fn screen(
     };
     let scored: Vec<Vec<Screened>> = proposals.into_par_iter().with_max_len(1).map(score).collect();
     let all: Vec<&Score> = scored.iter().flatten().map(|s| &s.score).collect();
-    let p_value = Screen::p_value(&all);
+    let p_value = view.screen.p_value(&all);
     let mut screened: Vec<Screened> = scored.iter().filter_map(|l| best(l, &|s| s.score.statistic)).collect();
     screened.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
     let mut free: Vec<Screened> = scored.iter().filter_map(|l| best(l, &|s| s.explained)).collect();

@@ -8,8 +8,9 @@
 //! Score test. The residual, the sensitivities of the fitted unknowns and the direction in which a
 //! proposal moves the predictions are whitened by the same noise models; directions are made
 //! orthogonal to the fitted sensitivities. The statistic is −ln of the chance of the projection of the
-//! residual under chi-squared. The distribution of the largest statistic is found by projecting
-//! drawn white noise on the same directions; a Bonferroni bound serves in the tail beyond the draws.
+//! residual under chi-squared. The distribution of the largest statistic s is found by projecting
+//! drawn white noise on the same directions. Beyond the draws its tail is that of as many independent scores as
+//! the draws show: each has P(S > s) = e^(−s) of its own, so that P(max S > s) = P(max S > s₀) e^(s₀ − s).
 //!
 //! # References
 //! C. R. Rao, Proc. Cambridge Phil. Soc. 44 (1948) 50; H. White, A reality check for data snooping,
@@ -32,7 +33,9 @@ use rand_distr::{Distribution, StandardNormal};
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// Draws of white noise behind the chance of the largest score.
-const DRAWS: usize = 99;
+const DRAWS: usize = 999;
+/// Draws of them beyond which the tail begins.
+const TAIL: usize = 50;
 /// Length of the images on which drawn noise is projected.
 const IMAGE: usize = 2048;
 /// Share of a direction that must be left after projection.
@@ -47,10 +50,10 @@ pub struct Screen {
     /// Orthonormal columns.
     basis: Mat<f64>,
     noise: Vec<NoiseModel>,
+    /// Seed of drawn noise, where the chance of the largest score is asked for.
+    seed: Option<u64>,
     /// Signs of the samples in an image; none where directions are no longer than that.
     signs: Vec<f64>,
-    /// Drawn noise, a column a draw.
-    draws: Mat<f64>,
 }
 
 /// What a direction, or a few together, explain.
@@ -64,8 +67,10 @@ pub struct Score {
     pub statistic: f64,
     /// Least-squares weights of the directions.
     pub weights: Vec<f64>,
-    /// The statistic for each draw of noise.
-    pub drawn: Vec<f64>,
+    /// Images of its directions, orthonormal columns on which noise is drawn.
+    image: Mat<f64>,
+    /// Whether its weight may only be positive.
+    one_sided: bool,
     /// The first direction, of unit length.
     pub direction: Vec<f32>,
 }
@@ -84,6 +89,13 @@ impl Apart {
         let (kept, l) = factor(&(d.transpose() * d), least);
         let d = Mat::from_fn(d.nrows(), kept.len(), |i, k| d[(i, kept[k])]);
         Self { kept, d, l }
+    }
+
+    /// Q.
+    fn orthonormal(&self) -> Mat<f64> {
+        let mut transposed = self.d.transpose().to_owned();
+        solve_lower_triangular_in_place(self.l.as_ref(), transposed.as_mut(), Par::Seq);
+        transposed.transpose().to_owned()
     }
 
     /// Qᵀ of vectors.
@@ -122,11 +134,10 @@ impl Screen {
                 *e /= scale;
             }
         }
-        let none = || (Vec::new(), Mat::zeros(residual.len(), 0));
-        let (signs, draws) = seed.map_or_else(none, |seed| drawn(residual.len(), seed));
+        let signs = seed.map_or_else(Vec::new, |seed| signs(residual.len(), seed));
         let basis = columns(residual.len(), &basis);
         let noise = noise.iter().map(|m| rescaled(m, scale)).collect();
-        Self { residual, basis, noise, signs, draws }
+        Self { residual, basis, noise, seed, signs }
     }
 
     /// Whitens something that runs beside the tracks' residuals.
@@ -149,14 +160,13 @@ impl Screen {
         (!own.kept.is_empty()).then_some(own)
     }
 
-    /// The statistics of drawn noise on directions.
-    fn drawn(&self, of: &Apart, one_sided: bool) -> Vec<f64> {
-        let z = if self.signs.is_empty() {
-            of.projected(self.draws.as_ref())
-        } else {
-            Apart::of(&image(&of.d, &self.signs), |_| 0.0).projected(self.draws.as_ref())
-        };
-        (0..z.ncols()).map(|r| statistic(z.col_as_slice(r), one_sided)).collect()
+    /// What drawn noise is projected on for directions; nothing where none is drawn.
+    fn imaged(&self, of: &Apart) -> Mat<f64> {
+        match self.seed {
+            None => Mat::zeros(0, 0),
+            Some(_) if self.signs.is_empty() => of.orthonormal(),
+            Some(_) => Apart::of(&image(&of.d, &self.signs), |_| 0.0).orthonormal(),
+        }
     }
 
     /// Scores directions, already whitened; `positive` asks for positive weights.
@@ -178,20 +188,43 @@ impl Screen {
             degrees,
             statistic: statistic(projections, one_sided),
             weights: projections.iter().enumerate().map(|(j, z)| z / own.l[(j, j)]).collect(),
-            drawn: self.drawn(&own, one_sided),
+            image: self.imaged(&own),
+            one_sided,
             direction: own.d.col_as_slice(0).iter().map(|x| (*x / first) as f32).collect(),
         })
     }
 
     /// The chance that the largest of these scores is as large by noise alone.
-    pub fn p_value(scores: &[&Score]) -> f64 {
-        let largest = scores.iter().map(|s| s.statistic).fold(0.0, f64::max);
-        let beyond =
-            (0..DRAWS).filter(|r| scores.iter().map(|s| s.drawn[*r]).fold(0.0, f64::max) >= largest).count();
-        let drawn = (1 + beyond) as f64 / (DRAWS + 1) as f64;
-        let bound = (scores.len() as f64 * (-largest).exp()).min(1.0);
-        if scores.is_empty() { 1.0 } else { drawn.min(bound) }
+    pub fn p_value(&self, scores: &[&Score]) -> f64 {
+        let Some(seed) = self.seed.filter(|_| !scores.is_empty()) else { return 1.0 };
+        let columns: Vec<&[f64]> =
+            scores.iter().flat_map(|s| (0..s.image.ncols()).map(|j| s.image.col_as_slice(j))).collect();
+        let images =
+            Mat::from_fn(columns.first().map_or(0, |c| c.len()), columns.len(), |i, j| columns[j][i]);
+        let z = images.transpose() * draws(images.nrows(), seed);
+        let of = |draw: &[f64]| {
+            let mut rest = draw;
+            let one = |s: &&Score| {
+                let (own, others) = rest.split_at(s.image.ncols());
+                rest = others;
+                statistic(own, s.one_sided)
+            };
+            scores.iter().map(one).fold(0.0, f64::max)
+        };
+        let drawn = (0..DRAWS).map(|r| of(z.col_as_slice(r))).collect();
+        beyond(drawn, scores.iter().map(|s| s.statistic).fold(0.0, f64::max))
     }
+}
+
+/// The chance of so large a score beside drawn ones, (1 + number beyond)/(1 + draws) or the tail's.
+fn beyond(mut drawn: Vec<f64>, largest: f64) -> f64 {
+    let all = (1 + drawn.len()) as f64;
+    let beyond = drawn.iter().filter(|d| **d >= largest).count();
+    if beyond >= TAIL || drawn.len() <= TAIL {
+        return (1 + beyond) as f64 / all;
+    }
+    let (_, first, _) = drawn.select_nth_unstable_by(TAIL - 1, |a, b| b.total_cmp(a));
+    (TAIL as f64 / all) * (*first - largest).exp()
 }
 
 fn rescaled(model: &NoiseModel, scale: f64) -> NoiseModel {
@@ -204,7 +237,7 @@ fn rescaled(model: &NoiseModel, scale: f64) -> NoiseModel {
 
 /// −ln of the chance of a projection on some unit directions.
 fn statistic(z: &[f64], one_sided: bool) -> f64 {
-    if one_sided && z[0] <= 0.0 {
+    if one_sided && z.first().is_some_and(|z| *z <= 0.0) {
         return 0.0;
     }
     let chi2: f64 = z.iter().map(|z| z * z).sum();
@@ -254,15 +287,17 @@ fn columns(length: usize, vectors: &[Vec<f64>]) -> Mat<f64> {
     Mat::from_fn(length, vectors.len(), |i, j| vectors[j][i])
 }
 
-/// The signs of samples in an image, and drawn noise that is as long.
-fn drawn(length: usize, seed: u64) -> (Vec<f64>, Mat<f64>) {
+/// Drawn white noise of a length, a column a draw.
+fn draws(rows: usize, seed: u64) -> Mat<f64> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    let rows = length.min(IMAGE);
-    let draws: Vec<Vec<f64>> =
-        (0..DRAWS).map(|_| (0..rows).map(|_| StandardNormal.sample(&mut rng)).collect()).collect();
+    Mat::from_fn(rows, DRAWS, |_, _| StandardNormal.sample(&mut rng))
+}
+
+/// The signs of samples in an image, where directions are longer than that.
+fn signs(length: usize, seed: u64) -> Vec<f64> {
+    let mut rng = ChaCha8Rng::seed_from_u64(!seed);
     let mut sign = || if rng.random_bool(0.5) { 1.0 } else { -1.0 };
-    let signs = if length > rows { (0..length).map(|_| sign()).collect() } else { Vec::new() };
-    (signs, columns(rows, &draws))
+    if length > IMAGE { (0..length).map(|_| sign()).collect() } else { Vec::new() }
 }
 
 /// The images of columns: sums with signs over samples whose numbers are equal modulo [`IMAGE`].
@@ -339,9 +374,34 @@ impl Screen {
             degrees: k,
             statistic: statistic(z, false),
             weights: weights.clone(),
-            drawn: self.drawn(&own, false),
+            image: self.imaged(&own),
+            one_sided: false,
             direction: Vec::new(),
         };
         Some(Solved { score, weights, deviations })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of m independent scores P(max > s) = 1 − (1 − e^(−s))^m.
+    #[test]
+    fn the_chance_of_the_largest_score_is_that_of_so_many_independent_ones() {
+        let mut rng = ChaCha8Rng::seed_from_u64(5);
+        for m in [1, 20, 300] {
+            let exact = |s: f64| 1.0 - (1.0 - (-s).exp()).powi(m);
+            let mut largest = || (0..m).map(|_| -rng.random::<f64>().ln()).fold(0.0, f64::max);
+            let drawn: Vec<f64> = (0..DRAWS).map(|_| largest()).collect();
+            for p in [0.5, 0.2, 0.05, 0.01, 1e-3, 1e-6] {
+                let s = -(1.0 - (1.0 - p as f64).powf(1.0 / f64::from(m))).ln();
+                assert!((exact(s) / p - 1.0).abs() < 1e-6);
+                // 50 draws lie in the tail: its share is known to 14 %
+                let ratio = beyond(drawn.clone(), s) / p;
+                assert!((ratio.ln()).abs() < 3.0 * 0.14 + 0.03, "{m} {p} {ratio}");
+            }
+        }
+        assert_eq!(beyond(Vec::new(), 0.0), 1.0);
     }
 }

@@ -127,7 +127,7 @@ pub fn look(bench: &Bench, scene: &Scene, view: &View) -> Rest {
     });
     let mut laws: Vec<Law> = simple.chain(surfaces).collect();
     let scores: Vec<&Score> = laws.iter().map(|l| &l.score).collect();
-    let p_value = Screen::p_value(&scores);
+    let p_value = view.screen.p_value(&scores);
     laws.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
     Rest { laws, p_value }
 }
