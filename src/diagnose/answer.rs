@@ -184,6 +184,25 @@ pub struct Finding {
     pub share: f64,
     /// Codes that fit as well.
     pub ties: Vec<String>,
+    /// What speaks for it beside the other findings; none for a fault of the data, or where it could not be left out.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub evidence: Option<Evidence>,
+}
+
+/// What speaks for one finding beside all others.
+#[derive(Debug, Clone, Serialize)]
+pub struct Evidence {
+    /// ln of the ratio of the likelihoods with it and, refitted, without it.
+    #[serde(serialize_with = "number")]
+    pub log_likelihood_ratio: f64,
+    /// Its parameters.
+    pub degrees: usize,
+    /// Chance that noise has such a ratio, for all that was tried.
+    #[serde(serialize_with = "number")]
+    pub p_value: f64,
+    /// Share of the fall of the held-out error that is lost without it; printed, never judged.
+    #[serde(serialize_with = "number")]
+    pub holdout_share: f64,
 }
 
 /// A fault of the data.
@@ -194,6 +213,16 @@ pub struct DataFault {
     pub finding: Finding,
     /// Whether it was kept from the fit: its samples left out, or mended.
     pub masked: bool,
+}
+
+/// The code of an input that is held between its samples.
+pub const INPUT_HOLD: &str = "input-hold";
+
+impl DataFault {
+    /// Whether it only says how an input runs between its samples, which is no fault of the data.
+    pub fn is_reading(&self) -> bool {
+        self.finding.code == INPUT_HOLD
+    }
 }
 
 /// Share of the held-out improvement from which on a finding stands in the sentence that says what was found.
@@ -343,6 +372,7 @@ mod tests {
             p_value: 0.0,
             share,
             ties: Vec::new(),
+            evidence: None,
         }
     }
 

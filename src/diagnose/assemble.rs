@@ -13,10 +13,10 @@ use super::located::{Mismatch, site_name};
 use super::paragraph::Paragraph;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
-use super::search::{self, Found, Taken};
+use super::search::{Found, Taken};
 use super::verdict::{Evidence, Proven, settle, with_faults, with_noise, with_patches};
 use super::view::View;
-use super::{Diagnosis, Request, innovations, locate, next, pictures, words};
+use super::{Diagnosis, Request, answer, backward, innovations, locate, next, pictures, words};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
@@ -218,22 +218,17 @@ impl Assembly<'_> {
     }
 
     /// The last model without each finding in turn, where there are several: refitted, or all as they stand where the
-    /// time does not do for that.
+    /// time did not do for that.
     fn smaller(&self) -> Vec<Option<Fit>> {
-        let (taken, last, budget) = (&self.found.taken, &self.found.last, &self.bench.budget);
+        let Found { taken, last, without, .. } = &self.found;
         if taken.len() < 2 {
             return vec![None; taken.len()];
         }
-        let each = |steps: usize| -> Vec<Option<Fit>> {
-            taken.iter().map(|t| search::without(&self.bench, last, &t.proposal, steps)).collect()
-        };
-        let is_late = || budget.over() == Some(Early::Time) || budget.cut() == Some(Early::Time);
-        let refitted = if is_late() { Vec::new() } else { each(self.bench.steps(&last.model)) };
-        if !is_late() {
-            return refitted;
+        if !without.is_empty() {
+            return without.iter().map(|w| w.as_ref().map(|w| w.0.clone())).collect();
         }
-        budget.lift_time();
-        each(0)
+        self.bench.budget.lift_time();
+        taken.iter().map(|t| backward::without(&self.bench, last, &t.proposal, 0)).collect()
     }
 
     fn findings(&self, smaller: Vec<Option<Fit>>, before: &[Held], after: &[Held]) -> Vec<Finding> {
@@ -241,7 +236,8 @@ impl Assembly<'_> {
         let total: f64 = gains.iter().sum();
         let even = 1.0 / gains.len().max(1) as f64;
         let share = |g: f64| if total > 0.0 { g / total } else { even };
-        self.found.taken.iter().zip(gains).map(|(t, g)| self.finding(t, share(g))).collect()
+        let told = self.found.taken.iter().zip(backward::evidence(&self.found));
+        told.zip(gains).map(|((t, evidence), g)| self.finding(t, evidence, share(g))).collect()
     }
 
     /// How much the held-out error grows, relative to the improvement, when one finding is taken away.
@@ -257,7 +253,7 @@ impl Assembly<'_> {
         held.map_or(1.0, |h| (relative(&h) - relative(after)).max(1e-6))
     }
 
-    fn finding(&self, taken: &Taken, share: f64) -> Finding {
+    fn finding(&self, taken: &Taken, evidence: Option<answer::Evidence>, share: f64) -> Finding {
         let fit = &self.found.last;
         let p = &taken.proposal;
         // Without an interval a time or a level lies within its limits all the same.
@@ -283,6 +279,7 @@ impl Assembly<'_> {
             p_value: taken.p_value,
             share,
             ties: taken.ties.iter().map(|t| t.code.to_string()).collect(),
+            evidence: evidence.map(|e| answer::Evidence { holdout_share: share, ..e }),
         }
     }
 

@@ -17,6 +17,7 @@ use std::collections::BTreeMap;
 const SCREENED: usize = 40_000;
 
 /// Recordings with what of them is fitted.
+#[derive(Clone)]
 pub struct Bench {
     /// The recordings, faults masked.
     pub recordings: Vec<Recording>,

@@ -132,7 +132,7 @@ mod tests {
         let judged = |p: Proposal, fit: Fit, is_cut: bool| {
             let measure = Measure::of(&fit, &scale);
             let p_value = measure.chance_over(now.likelihood, p.added.len());
-            Refitted { proposal: p, fit, measure, p_value, floor: 0.04, is_cut }
+            Refitted { proposal: p, fit, measure, p_value, tried: 1.0, floor: 0.04, is_cut }
         };
         let mut fitted = vec![judged(proposal, heat, true)];
         if let Some(left) = left {

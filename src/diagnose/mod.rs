@@ -6,6 +6,7 @@
 pub mod answer;
 mod apart;
 mod assemble;
+mod backward;
 pub(crate) mod bench;
 pub mod catalogue;
 mod choose;
@@ -16,6 +17,7 @@ mod faults;
 mod few;
 mod foretold;
 mod forgotten;
+mod hold;
 mod innovations;
 #[doc(hidden)]
 pub mod laboratory;
@@ -230,8 +232,13 @@ impl Case<'_> {
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;
         self.bench.budget.tell(base.ended_early);
         self.notes.extend(settled);
+        let hold::Settled { fit: base, held, notes } =
+            hold::settle(&mut self.bench, &mut self.separate, base)?;
+        self.told.extend(held);
+        self.notes.extend(notes);
         let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
-        let found = search::search(&self.bench, &self.separate, base, &given, self.request.progress)?;
+        let mut found = search::search(&self.bench, &self.separate, base, &given, self.request.progress)?;
+        backward::stand(&self.bench, &self.separate, &mut found);
         Ok((found, is_cut))
     }
 }

@@ -62,11 +62,13 @@ impl Paragraph<'_> {
 
     /// Faults that leave the verdict to the physics.
     fn mended(&self) -> String {
-        let all =
-            |masked: bool| joined(self.faults.iter().filter(|f| f.masked == masked).map(|f| &f.finding));
+        let (readings, faults): (Vec<&DataFault>, Vec<&DataFault>) =
+            self.faults.iter().partition(|f| f.is_reading());
+        let all = |masked: bool| joined(faults.iter().filter(|f| f.masked == masked).map(|f| &f.finding));
+        let read: String = readings.iter().map(|f| format!(" {}.", f.finding.says)).collect();
         let said =
             |list: String, words: &str| if list.is_empty() { list } else { format!(" {words}: {list}.") };
-        said(all(true), "Faults of the data were left out or mended first")
+        read + &said(all(true), "Faults of the data were left out or mended first")
             + &said(all(false), "The data have a fault that nothing can mend")
     }
 

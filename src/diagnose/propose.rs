@@ -201,7 +201,7 @@ fn scored(
 }
 
 /// How far the prediction moves from one run to another.
-fn difference(from: &[Track], to: &[Track]) -> Vec<Track> {
+pub fn difference(from: &[Track], to: &[Track]) -> Vec<Track> {
     from.iter()
         .zip(to)
         .map(|(a, b)| Track {

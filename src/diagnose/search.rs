@@ -16,7 +16,7 @@
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::{self, Choice, FLOOR, choose, floor, gain, mends};
+use super::choose::{self, Choice, choose, floor, gain, mends};
 use super::compared::{patiently, same_samples};
 use super::measure::{Measure, Scale};
 use super::propose::{Screened, Screening, screen, worth_fitting};
@@ -24,8 +24,8 @@ use super::twins::twins;
 use super::view::View;
 use super::{cut, prove, race};
 use crate::Result;
-use crate::estimate::fit::{Effort, Progress};
-use crate::estimate::{Fit, fit};
+use crate::estimate::Fit;
+use crate::estimate::fit::Progress;
 use crate::record::Recording;
 use crate::simulate::Early;
 use rayon::prelude::*;
@@ -44,6 +44,8 @@ pub struct Refitted {
     pub measure: Measure,
     /// Chance of its likelihood ratio after correction.
     pub p_value: f64,
+    /// How many were tried beside it.
+    pub tried: f64,
     /// The gain that it must reach.
     pub floor: f64,
     /// Whether its fit was ended before it was through.
@@ -69,6 +71,8 @@ pub struct Taken {
     pub proposal: Proposal,
     /// Chance, corrected.
     pub p_value: f64,
+    /// How many were tried beside it.
+    pub tried: f64,
     /// Others that fit as well.
     pub ties: Vec<Proposal>,
     /// The same mechanism at other sites that fit as well.
@@ -85,6 +89,8 @@ pub struct Found {
     pub last: Fit,
     /// What was taken, in order.
     pub taken: Vec<Taken>,
+    /// The last model without each of them, where it could be fitted.
+    pub without: Vec<Option<(Fit, Measure)>>,
     /// The first screening.
     pub first: Screening,
     /// Screening of what the last model leaves.
@@ -106,7 +112,8 @@ impl Found {
         let measure = Measure::of(&base, &scale);
         let (first, rest, measures) = (Screening::nothing(), Screening::nothing(), (measure, measure));
         let (taken, notes) = (Vec::new(), Vec::new());
-        Self { last: base.clone(), base, taken, first, rest, scale, measures, notes, fallen: None }
+        let without = Vec::new();
+        Self { last: base.clone(), base, taken, without, first, rest, scale, measures, notes, fallen: None }
     }
 
     /// ln of the fall of the left-out sum of squares from the given model to the last.
@@ -179,7 +186,7 @@ fn round(
         let tried = tried * choose::chosen_from(&p, measure.samples);
         let p_value = (tried * measure.chance_over(now.likelihood, p.added.len())).min(1.0);
         let floor = if mends(&p, taken) { floor(*gains) } else { least };
-        Refitted { proposal: p, fit, measure, p_value, floor, is_cut }
+        Refitted { proposal: p, fit, measure, p_value, tried, floor, is_cut }
     };
     let refit = |chosen: &[&Screened]| -> Vec<Refitted> {
         let finished = race::run(bench, view, given, chosen, (squares, scale), progress).into_par_iter();
@@ -235,8 +242,9 @@ pub fn search(
             let scale = Scale::of(&base, bench.is_trials());
             let measures = (start, Measure::of(&current, &scale));
             let (notes, fallen) = (round.notes, round.fallen.filter(|_| taken.is_empty()));
-            let mut found = Found { base, last: current, taken, first, rest, scale, measures, notes, fallen };
-            drop_needless(bench, separate, &mut found);
+            let without = Vec::new();
+            let found =
+                Found { base, last: current, taken, without, first, rest, scale, measures, notes, fallen };
             return Ok(found);
         };
         let Choice { best, ties, elsewhere, rival, .. } = choice;
@@ -247,13 +255,20 @@ pub fn search(
         let names = r.proposal.model.parameters.len();
         given.extend(r.fit.model.parameters[given.len()..names].iter().map(|p| p.value));
         (current, view) = (r.fit, next);
-        taken.push(Taken { proposal: r.proposal, p_value: r.p_value, ties, elsewhere, rivals });
+        taken.push(Taken {
+            proposal: r.proposal,
+            p_value: r.p_value,
+            tried: r.tried,
+            ties,
+            elsewhere,
+            rivals,
+        });
         first.get_or_insert(round.screening);
     }
 }
 
 /// Whether the search must end with the best so far.
-fn is_over(bench: &Bench) -> bool {
+pub fn is_over(bench: &Bench) -> bool {
     bench.budget.over().is_some() || bench.budget.cut() == Some(Early::Time)
 }
 
@@ -288,51 +303,10 @@ fn standing(
 }
 
 /// What a next round would see of a fitted model; none where it cannot be run there, or over what is held out.
-fn ahead(bench: &Bench, separate: &[Recording], fit: &Fit) -> Option<View> {
+pub fn ahead(bench: &Bench, separate: &[Recording], fit: &Fit) -> Option<View> {
     let view = View::of(bench, fit).ok()?;
     bench.scene(&fit.model, &view.stand).ok()?;
     prove::runs(bench, fit, separate).then_some(view)
-}
-
-/// The model of a fit with one taken mechanism at rest, refitted in so many steps; `None` where it has no rest.
-pub fn without(bench: &Bench, last: &Fit, p: &Proposal, steps: usize) -> Option<Fit> {
-    let neutral = p.neutral.as_ref()?;
-    let mut model = last.model.clone();
-    for (a, value) in p.added.iter().zip(neutral) {
-        let parameter = model.parameters.iter_mut().find(|q| q.name == a.name)?;
-        parameter.fit = false;
-        parameter.value = *value;
-    }
-    let mut options = bench.options(Effort::Near, steps);
-    options.initials = last.starts();
-    fit(&model, &bench.recordings, &options).ok()
-}
-
-/// Drops what the others made needless.
-fn drop_needless(bench: &Bench, separate: &[Recording], found: &mut Found) {
-    bench.budget.begin("needless ones");
-    let scale = Scale::of(&found.last, bench.is_trials());
-    let mut last = Measure::of(&found.last, &scale);
-    let mut i = 0;
-    while i + 1 < found.taken.len() && !is_over(bench) {
-        let p = &found.taken[i].proposal;
-        let steps = bench.steps(&found.last.model);
-        let smaller = without(bench, &found.last, p, steps).map(|f| (Measure::of(&f, &scale), f));
-        let needless = smaller.as_ref().is_some_and(|(m, _)| {
-            let price = 0.5 * p.added.len() as f64 * m.samples.max(2.0).ln();
-            gain(m, &last) < -2.0 * (1.0 - 0.5 * FLOOR).ln() || last.likelihood - m.likelihood < price
-        });
-        match smaller {
-            Some((m, f)) if needless && ahead(bench, separate, &f).is_some() => {
-                found.taken.remove(i);
-                bench.budget.tell(f.ended_early);
-                found.last = f;
-                last = m;
-                found.measures.1 = Measure::of(&found.last, &found.scale);
-            }
-            _ => i += 1,
-        }
-    }
 }
 
 /// Tells the developer what a round saw, where GYROSPEC_TRACE is set.

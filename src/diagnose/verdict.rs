@@ -1,7 +1,8 @@
 //! From what was found to one verdict: first on the physics, by the data without their faults, then on both.
 
 use super::answer::{DataFault, Finding, Proof, Value, Verdict};
-use super::choose::{SURE, is_wave};
+use super::catalogue::Proposal;
+use super::choose::{CHANCE, SURE, is_wave};
 use super::few::agree_by_luck;
 use super::innovations::Unlike;
 use super::rest::Rest;
@@ -81,24 +82,33 @@ pub fn with_noise(verdict: Verdict, unlike: Option<&Unlike>) -> Verdict {
     }
 }
 
-/// The finding with the largest share decides: by its ties between named and tie, and it only resembles
-/// what is missing if none of its amplitudes differs from 0 for sure.
+/// The finding with the largest share decides: by its ties between named and tie, and it only resembles what is
+/// missing if it does not stand by its likelihood ratio. An interval of an amplitude may hold 0 where a shape trades
+/// with it, and asks only where there is no such ratio.
 pub fn settle(verdict: Verdict, findings: &[Finding], found: &Found) -> Verdict {
     let Some(first) = findings.first().filter(|_| matches!(verdict, Verdict::Named | Verdict::Tie)) else {
         return verdict;
     };
-    let proposal =
-        found.taken.iter().map(|t| &t.proposal).find(|p| p.code == first.code && p.term == first.term);
-    let amplitudes: Vec<&Value> =
-        proposal.iter().flat_map(|p| &p.amplitudes).filter_map(|k| first.parameters.get(*k)).collect();
-    let unsure = |v: &&Value| v.low <= 0.0 && v.high >= 0.0;
-    if !amplitudes.is_empty() && amplitudes.iter().all(unsure) {
+    let doubtful = match &first.evidence {
+        Some(e) => e.p_value >= CHANCE,
+        None => may_be_nothing(first, found),
+    };
+    if doubtful {
         Verdict::Unknown
     } else if first.ties.is_empty() {
         Verdict::Named
     } else {
         Verdict::Tie
     }
+}
+
+/// Whether the intervals of all amplitudes of a finding hold 0.
+fn may_be_nothing(finding: &Finding, found: &Found) -> bool {
+    let own = |p: &&Proposal| p.code == finding.code && p.term == finding.term;
+    let proposal = found.taken.iter().map(|t| &t.proposal).find(own);
+    let amplitudes: Vec<&Value> =
+        proposal.iter().flat_map(|p| &p.amplitudes).filter_map(|k| finding.parameters.get(*k)).collect();
+    !amplitudes.is_empty() && amplitudes.iter().all(|v| v.low <= 0.0 && v.high >= 0.0)
 }
 
 /// Share of the fall of the held-out error from which on one of several names explains most of it.
@@ -158,7 +168,7 @@ pub fn with_faults(physics: Verdict, faults: &[DataFault], open: bool) -> Verdic
         Verdict::Named | Verdict::Tie => false,
         _ => open,
     };
-    if alone && !faults.is_empty() { Verdict::DataFault } else { physics }
+    if alone && !faults.iter().all(DataFault::is_reading) { Verdict::DataFault } else { physics }
 }
 
 #[cfg(test)]
@@ -206,6 +216,7 @@ mod tests {
             p_value: 0.0,
             share: 0.0,
             ties: Vec::new(),
+            evidence: None,
         };
         let faults = [DataFault { finding, masked: true }];
         let of = |physics, open| with_faults(physics, &faults, open);
@@ -214,6 +225,9 @@ mod tests {
             assert_eq!(of(Verdict::Tie, open), Verdict::Tie);
             assert_eq!(of(Verdict::NothingMissing, open), Verdict::DataFault);
         }
+        let mut held = faults.clone();
+        held[0].finding.code = crate::diagnose::answer::INPUT_HOLD.into();
+        assert_eq!(with_faults(Verdict::NothingMissing, &held, true), Verdict::NothingMissing);
         for physics in [Verdict::Unknown, Verdict::NotIdentifiable] {
             assert_eq!((of(physics, false), of(physics, true)), (physics, Verdict::DataFault));
             assert_eq!(with_faults(physics, &[], true), physics);
@@ -231,6 +245,7 @@ mod tests {
             p_value: 0.0,
             share,
             ties: Vec::new(),
+            evidence: None,
         };
         let of = |shares: &[f64], p_value: f64| {
             let findings: Vec<Finding> = shares.iter().map(|s| finding(*s)).collect();

@@ -103,7 +103,7 @@ impl AtRest<'_> {
 }
 
 /// The fit's residuals and sensitivities, cut to the screened parts, with which it begins.
-fn own_tracks(fit: &Fit, plain: &[Track]) -> Result<Vec<Track>> {
+pub fn own_tracks(fit: &Fit, plain: &[Track]) -> Result<Vec<Track>> {
     let series = fit.records.iter().flat_map(|r| &r.series);
     series
         .zip(plain)

@@ -24,6 +24,7 @@ mod gyro;
 mod gyro_nonlinear;
 mod gyro_time;
 mod headline;
+mod held_inputs;
 mod help;
 mod house;
 mod identify_command;

@@ -130,7 +130,7 @@ mechanisms! {
     input_offset, misalignment,
     output_offset, output_scale, output_delay, output_lag, output_drift, output_saturation,
     output_cross_axis, clock_offset, clock_drift, clock_jump,
-    frozen_channel, outliers, quantisation, gap, wrapped_angle, wrong_sign, wrong_unit,
+    frozen_channel, outliers, quantisation, gap, wrapped_angle, wrong_sign, wrong_unit, input_hold,
 }
 
 /// The mechanism of a code.
@@ -196,6 +196,6 @@ mod tests {
             assert!(ALL[..i].iter().all(|other| other.code != m.code), "{}", m.code);
             assert!(m.source.contains(&format!("\"{}\"", m.code)), "{}", m.code);
         }
-        assert_eq!(ALL.len(), 53);
+        assert_eq!(ALL.len(), 54);
     }
 }

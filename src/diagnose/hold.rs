@@ -1,0 +1,145 @@
+//! How each input runs between its samples, settled before anything is named.
+//!
+//! # Purpose
+//! A command that a computer holds, read as straight lines between its samples, comes half a sample too early. A
+//! diagnosis that takes the reading for granted names a delay, a lag, a resonance.
+//!
+//! # Method
+//! One run with each input held, at the fitted parameters, gives the direction d in which the reading moves the
+//! predictions. The residual is projected on the directions of all inputs together, orthogonal to the fitted
+//! sensitivities and whitened: a weight of 1 is an input that is held, 0 one that runs straight, and any other
+//! something else that shifts or smooths it, which is left to the search. What stands so is read as held, and stays so
+//! where the refitted model is likelier.
+//!
+//! # References
+//! G. F. Franklin, J. D. Powell, M. Workman, Digital Control of Dynamic Systems, 3rd ed. (1998), 4.3 (a hold delays by
+//! half a sample).
+
+use super::answer::{DataFault, Evidence, Finding, INPUT_HOLD, SiteName};
+use super::bench::{self, Bench, Stand};
+use super::choose::TIE;
+use super::compared::{anew, same_tracks};
+use super::measure::{Measure, Scale};
+use super::propose::difference;
+use super::screen::Screen;
+use super::view::own_tracks;
+use crate::Result;
+use crate::estimate::Fit;
+use crate::record::{Hold, Recording};
+
+/// How far a weight may lie from 1: in its standard deviations, and for the curvature of the predictions.
+const FROM_ONE: (f64, f64) = (3.0, 0.15);
+/// Standard deviations that it must lie from 0.
+const FROM_NONE: f64 = 6.0;
+/// A standard deviation beyond which the reading makes no difference.
+const BLIND: f64 = 0.5;
+
+/// What was settled.
+pub struct Settled {
+    /// The model fitted with the inputs as they are read.
+    pub fit: Fit,
+    /// Inputs that are held.
+    pub held: Vec<DataFault>,
+    /// What a reader should know.
+    pub notes: Vec<String>,
+}
+
+/// Settles how the inputs of a fitted model are read.
+///
+/// # Errors
+/// Where the model cannot be fitted to what was settled.
+pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit) -> Result<Settled> {
+    let (held, notes) = weighed(bench, &base).unwrap_or_default();
+    if held.is_empty() {
+        return Ok(Settled { fit: base, held: Vec::new(), notes });
+    }
+    let straight = bench.recordings.clone();
+    read_held(&mut bench.recordings, &held);
+    let fit = anew(bench, &base)?;
+    let scale = Scale::of(&base, false);
+    let (before, after) = (Measure::of(&base, &scale), Measure::of(&fit, &scale));
+    if after.likelihood - before.likelihood < TIE {
+        bench.recordings = straight;
+        return Ok(Settled { fit: base, held: Vec::new(), notes });
+    }
+    read_held(separate, &held);
+    let evidence = Evidence {
+        log_likelihood_ratio: after.likelihood - before.likelihood,
+        degrees: held.len(),
+        p_value: after.chance_over(before.likelihood, held.len()),
+        holdout_share: f64::NAN,
+    };
+    let held = held.into_iter().map(|name| told(name, &evidence)).collect();
+    Ok(Settled { fit, held, notes })
+}
+
+/// Inputs that the residual shows to be held, and notes on those that it cannot tell.
+fn weighed(bench: &Bench, base: &Fit) -> Option<(Vec<String>, Vec<String>)> {
+    if bench.is_trials() || base.model.states.is_empty() {
+        return None;
+    }
+    let straight = |name: &&String| {
+        let mut channels = bench.recordings.iter().map(|r| r.find(name));
+        bench.moves(name) && channels.all(|c| c.is_some_and(|c| c.hold == Hold::Linear))
+    };
+    let names: Vec<&String> = base.model.inputs.iter().map(|i| &i.name).filter(straight).collect();
+    if names.is_empty() {
+        return None;
+    }
+    let (stand, tolerance) = (Stand::of(base), bench.rough(base));
+    let run = |bench: &Bench| {
+        let records = bench.ready(&base.model, tolerance, Vec::new()).ok()?;
+        bench::run(&records, &stand, &[]).ok()
+    };
+    let plain = run(bench)?;
+    let screen = Screen::new(&own_tracks(base, &plain).ok()?, &base.noise, None);
+    let mut seen = Vec::new();
+    let mut directions = Vec::new();
+    for name in names {
+        let mut other = bench.clone();
+        read_held(&mut other.recordings, std::slice::from_ref(name));
+        let tracks = run(&other).filter(|t| same_tracks(t, &plain))?;
+        let direction = screen.whitened(&difference(&plain, &tracks), |t| &t.residual);
+        if direction.iter().all(|d| d.is_finite()) && direction.iter().any(|d| *d != 0.0) {
+            seen.push(name);
+            directions.push(direction);
+        }
+    }
+    let solved = screen.solve(&directions)?;
+    let (mut held, mut notes) = (Vec::new(), Vec::new());
+    for ((name, w), s) in seen.into_iter().zip(&solved.weights).zip(&solved.deviations) {
+        let near_one = (w - 1.0).abs() <= (FROM_ONE.0 * s).max(FROM_ONE.1);
+        if near_one && *w > FROM_NONE * s {
+            held.push(name.clone());
+        } else if *s < BLIND && near_one && *w < FROM_ONE.0 * s {
+            notes.push(format!(
+                "{name} is read as straight lines between its samples; held, it would fit as well: say `hold = \"previous\"` if it is a command that is held"
+            ));
+        }
+    }
+    Some((held, notes))
+}
+
+/// Reads inputs as held.
+fn read_held(recordings: &mut [Recording], names: &[String]) {
+    let channels = recordings.iter_mut().flat_map(|r| &mut r.channels);
+    channels.filter(|c| names.contains(&c.name)).for_each(|c| c.hold = Hold::Previous);
+}
+
+fn told(name: String, evidence: &Evidence) -> DataFault {
+    let says = format!(
+        "{name} is held between its samples, and was read so: write `hold = \"previous\"` at its channel in the recording's TOML file"
+    );
+    let finding = Finding {
+        code: INPUT_HOLD.into(),
+        site: SiteName { kind: "input".into(), name },
+        term: "held between samples".into(),
+        says,
+        parameters: Vec::new(),
+        p_value: evidence.p_value,
+        share: 0.0,
+        ties: Vec::new(),
+        evidence: Some(evidence.clone()),
+    };
+    DataFault { finding, masked: true }
+}

@@ -1,0 +1,85 @@
+//! Whether an input is held between its samples or runs straight is settled before anything is named.
+
+use crate::diagnose::diagnosed;
+use gyrospec::diagnose::answer::{Answer, Verdict};
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Recording};
+use gyrospec::units::Unit;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+const MOTOR: &str = r#"
+    name = "motor"
+    [inputs]
+    u = { unit = "V" }
+    [parameters]
+    T = { value = 0.2, unit = "s", fit = true, min = 1e-3, max = 1e3 }
+    K = { value = 2, unit = "rad/s/V", fit = true }
+    [states]
+    w = { rate = "(K*u - w)/T", unit = "rad/s", initial = 0 }
+    [outputs]
+    speed = { equals = "w", unit = "rad/s" }
+"#;
+const STEP: f64 = 0.02;
+
+/// Speed of the motor with T = 0.25 s and K = 2.2 rad/s/V, by the exact solution between samples: of a held voltage,
+/// or of one that runs straight, so many samples late.
+fn answer(is_held: bool, late: usize, seed: u64) -> Answer {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
+    let (count, time_constant, gain) = (3000, 0.25, 2.2);
+    let mut u = vec![0.0; count];
+    for i in 1..count {
+        u[i] = 0.9 * u[i - 1] + normal();
+    }
+    let decay = f64::exp(-STEP / time_constant);
+    let mut w = vec![0.0; count];
+    for i in 1..count {
+        let at = |i: usize| if i < late { 0.0 } else { u[i - late] };
+        let (from, to) = (at(i - 1), if is_held { at(i - 1) } else { at(i) });
+        // w(h) = (w − K u₀ + K s T) e^(−h/T) + K u₀ + K s (h − T) for u = u₀ + s t
+        let ramp = gain * (to - from) / STEP;
+        let settled = |t: f64| gain * from + ramp * (t - time_constant);
+        w[i] = (w[i - 1] - settled(0.0)) * decay + settled(STEP);
+    }
+    let time: Vec<f64> = (0..count).map(|i| STEP * i as f64).collect();
+    let noisy = w.iter().map(|w| w + 0.05 * normal()).collect();
+    let unit = |text: &str| Unit::parse(text).unwrap();
+    let channels = vec![
+        Channel::new("u", unit("V"), time.clone(), u),
+        Channel::new("speed", unit("rad/s"), time, noisy),
+    ];
+    let made = Recording::from_channels("motor", channels).unwrap();
+    diagnosed(&Model::parse(MOTOR).unwrap(), made).answer
+}
+
+#[test]
+fn a_held_command_leads_to_no_name() {
+    for seed in [1, 2] {
+        let told = answer(true, 0, seed);
+        assert_eq!(told.verdict, Verdict::NothingMissing, "{}", told.says);
+        assert!(told.findings.is_empty());
+        let fault = &told.faults[0];
+        assert_eq!((fault.finding.code.as_str(), told.faults.len()), ("input-hold", 1));
+        assert!(fault.finding.evidence.as_ref().is_some_and(|e| e.log_likelihood_ratio > 3.0));
+        assert!(told.says.contains("hold = \"previous\"") && !told.says.contains("Faults"), "{}", told.says);
+    }
+}
+
+#[test]
+fn what_runs_straight_is_left_so() {
+    let told = answer(false, 0, 3);
+    assert_eq!((told.verdict, told.faults.len()), (Verdict::NothingMissing, 0), "{}", told.says);
+}
+
+#[test]
+fn a_delay_of_two_samples_is_no_hold() {
+    let told = answer(false, 2, 4);
+    let finding = &told.findings[0];
+    let codes = std::iter::once(&finding.code).chain(&finding.ties);
+    assert!(codes.into_iter().any(|c| c.ends_with("-delay")), "{}", told.says);
+    assert!(told.faults.is_empty());
+    let late = &finding.parameters[0];
+    assert!((late.value - 2.0 * STEP).abs() < 0.2 * STEP, "{}", told.says);
+}
