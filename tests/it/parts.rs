@@ -330,17 +330,22 @@ const OPTIONS: [&str; 8] = [
 fn each_pair_of_parts_is_computed() {
     for (i, one) in OPTIONS.iter().enumerate() {
         for other in &OPTIONS[i + 1..] {
+            let simulated = ["friction", "free-play"].iter().any(|p| one.contains(p) || other.contains(p));
+            let (code, text, message) = asked(&[one, other, "--heading=45", "--formula"]);
+            if simulated {
+                assert!(code == 2 && message.contains("not linear"), "{one} {other}: {message}");
+            }
+            // free play takes the way of friction; with one part it is followed
+            if other.contains("free-play") && !one.contains("swing") {
+                continue;
+            }
             let told = asked_json(&[one, other, "--band=2.5", "--heading=45"]);
             let name = told["instrument"].as_str().unwrap();
             let row = &told["rows"][0];
             let mean = row["mean_deg"].as_f64().unwrap();
-            let simulated = ["friction", "free-play"].iter().any(|p| one.contains(p) || other.contains(p));
             assert!(mean.is_finite() && mean != 0.0, "{one} {other}: {told}");
             assert_eq!(simulated, row["mean_margin_deg"].is_f64(), "{one} {other}: {told}");
-            let (code, text, message) = asked(&[one, other, "--heading=45", "--formula"]);
-            if simulated {
-                assert!(code == 2 && message.contains("not linear"), "{one} {other}: {message}");
-            } else {
+            if !simulated {
                 // what would fill pages stands as the integral that it is
                 let told = ["agrees with the numeric engine", "written out fills pages"];
                 assert!(code == 0 && told.iter().any(|t| text.contains(t)), "{name}: {message}");

@@ -70,8 +70,7 @@ fn notes(a: &Answer) -> String {
 /// The verdict in one sentence, and the faults of the data in another.
 fn sentence(a: &Answer) -> String {
     let (_, found) = told(&a.findings);
-    let faults: Vec<&Finding> =
-        a.faults.iter().filter(|f| !f.is_reading()).map(|f| &f.finding).collect();
+    let faults: Vec<&Finding> = a.faults.iter().filter(|f| !f.is_reading()).map(|f| &f.finding).collect();
     let said = format!("{}{}", listed(&titles(&faults)), place(&faults));
     match a.verdict {
         Verdict::DataFault if found.is_empty() => format!("The data are at fault: {said}."),
