@@ -394,8 +394,8 @@ mod tests {
             let exact = |s: f64| 1.0 - (1.0 - (-s).exp()).powi(m);
             let mut largest = || (0..m).map(|_| -rng.random::<f64>().ln()).fold(0.0, f64::max);
             let drawn: Vec<f64> = (0..DRAWS).map(|_| largest()).collect();
-            for p in [0.5, 0.2, 0.05, 0.01, 1e-3, 1e-6] {
-                let s = -(1.0 - (1.0 - p as f64).powf(1.0 / f64::from(m))).ln();
+            for p in [0.5f64, 0.2, 0.05, 0.01, 1e-3, 1e-6] {
+                let s = -(1.0 - (1.0 - p).powf(1.0 / f64::from(m))).ln();
                 assert!((exact(s) / p - 1.0).abs() < 1e-6);
                 // 50 draws lie in the tail: its share is known to 14 %
                 let ratio = beyond(drawn.clone(), s) / p;

@@ -28,7 +28,18 @@ impl Instrument {
     ///
     /// # Errors
     /// `NotComputed` for a linear part, and where the answer does not become periodic.
-    pub(crate) fn answer(&self, amplitude: f64, frequency: f64, points: usize) -> Result<Complex64> {
+    ///
+    /// ```
+    /// use gyrospec::gyro::{Gyrosphere, Instrument, elastic::Friction};
+    /// // Next to no friction: the lag alone, X/a = (P/gF)/(1 + jTp).
+    /// let s = Gyrosphere::seed();
+    /// let instrument = Instrument::new(s.clone(), Box::new(Friction { force: 1e-3 }));
+    /// let gain = instrument.answer(0.5, 0.5, 400)?;
+    /// let lag = s.weight / s.gravity / s.stiffness / gyrospec::Complex64::new(1.0, s.lag * 0.5);
+    /// assert!((gain - lag).norm() < 1e-3 * lag.norm());
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    pub fn answer(&self, amplitude: f64, frequency: f64, points: usize) -> Result<Complex64> {
         let [fine, coarse] = [points, points / 2].map(|n| self.repeated(amplitude, frequency, n));
         let (fine, coarse) = (fine?, coarse?);
         Ok(fine + (fine - coarse) / 3.0)
