@@ -5,6 +5,7 @@ use super::answer::{
     Visible,
 };
 use super::bench::Bench;
+use super::carried::settled;
 use super::catalogue::{ANY, Added};
 use super::faults::{self, Spoiled};
 use super::few::Few;
@@ -75,9 +76,9 @@ impl Assembly<'_> {
         let proof = self.proof(&before, &after);
         // Without a name a sure step in time leads farther than a signal that follows it.
         let unlike = match evidence.verdict() {
-            Verdict::NothingMissing => innovations::unlike_noise(&self.bench, &self.found.last, &before),
+            Verdict::NothingMissing => self.unlike_noise(),
             Verdict::Unknown if self.found.taken.is_empty() && self.found.fallen.is_none() => {
-                innovations::unlike_noise(&self.bench, &self.found.last, &before).filter(Unlike::is_step)
+                self.unlike_noise().filter(Unlike::is_step)
             }
             _ => None,
         };
@@ -157,6 +158,12 @@ impl Assembly<'_> {
             held: (before, after),
             recordings: self.bench.recordings,
         })
+    }
+
+    /// Whether what the last model leaves is no noise.
+    fn unlike_noise(&self) -> Option<Unlike> {
+        let held = settled(&self.bench, &self.found.last, &self.separate).unwrap_or_default();
+        innovations::unlike_noise(&self.bench, &self.found.last, &held)
     }
 
     /// The recordings as they were given, fitted and separate.

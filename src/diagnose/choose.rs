@@ -15,12 +15,11 @@
 
 use super::catalogue::{self, Proposal, SiteKind};
 use super::measure::Measure;
+use super::propose::Screened;
 use super::search::{Refitted, Round, Taken};
 
 /// Share of all gains before that a further one must reach.
 const FURTHER: f64 = 0.2;
-/// Weight of the gain of a mechanism that is tied to moments of this recording.
-const ANCHORED: f64 = 0.6;
 /// Chance, after correction, above which nothing is added.
 pub const CHANCE: f64 = 0.01;
 /// Chance, corrected for all that was tried, from which on something is surely missing though nothing has a
@@ -116,6 +115,26 @@ pub fn rivals(r: &Refitted, fallen: &Refitted, now: &Measure) -> bool {
     gain(now, &r.measure) >= RIVAL * gain(now, &fallen.measure)
 }
 
+/// Whether all that a round fitted, and all that it only scored, lowers neither the squares of the free run nor
+/// those of the innovations by the floor. So small a thing may be sure and yet no physics: noise of an input or its
+/// rounding leaves as much.
+pub fn is_trace(round: &Round, now: &Measure) -> bool {
+    let least = floor(0.0);
+    let fitted = |r: &Refitted| {
+        let likelier = 2.0 * (r.measure.likelihood - now.likelihood) / r.measure.samples.max(1.0);
+        gain(now, &r.measure).max(likelier) < least
+    };
+    let was_fitted = |s: &Screened| {
+        let same = |p: &Proposal| {
+            (p.code, &p.term) == (s.proposal.code, &s.proposal.term) && p.site == s.proposal.site
+        };
+        round.fitted.iter().any(|r| same(&r.proposal))
+    };
+    let scored = |s: &Screened| -(1.0 - s.explained.max(s.visible).min(1.0)).ln() < least || was_fitted(s);
+    let all = || round.screening.screened.iter().chain(&round.screening.free);
+    round.fitted.iter().all(fitted) && all().all(scored)
+}
+
 /// What a round takes.
 pub struct Choice {
     /// Number of the extension among those fitted.
@@ -132,9 +151,7 @@ pub struct Choice {
 
 /// Takes the likeliest of those whose gain is near the largest; with its ties.
 pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
-    let gain = |now: &Measure, r: &Refitted| {
-        gain(now, &r.measure) * if is_anchored(&r.proposal) { ANCHORED } else { 1.0 }
-    };
+    let gain = |now: &Measure, r: &Refitted| gain(now, &r.measure);
     // What the calibrated screening did not see must stand the more surely by its fit, or gain much.
     let seen = round.screening.p_value < CHANCE;
     let chance = |r: &Refitted| if seen || gain(now, r) > MUCH { CHANCE } else { CHANCE * CHANCE };

@@ -2,6 +2,7 @@
 
 use super::answer::{DataFault, Finding, Proof, Verdict, told};
 use super::catalogue::Proposal;
+use super::choose::SURE;
 use super::rest::Law;
 use super::search::{Found, Taken};
 use super::words;
@@ -91,6 +92,11 @@ impl Paragraph<'_> {
         let opening = match self.verdicts.0 {
             Verdict::NothingMissing | Verdict::DataFault => {
                 let untried = self.untried();
+                if self.found.is_trace && self.found.first.p_value < SURE {
+                    return format!(
+                        "Nothing is missing that would lower the error by 2 %. What the model leaves over is not quite noise: a trace is left in it, as small noise of an input leaves, or its rounding.{untried}"
+                    );
+                }
                 return format!(
                     "Nothing is missing: what the model leaves over looks like noise in every test.{untried}"
                 );

@@ -143,7 +143,7 @@ fn sort(field: &mut [Runner<'_>]) {
 }
 
 /// A few rough steps.
-fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize, view: &View) -> Option<Fit> {
+pub fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize, view: &View) -> Option<Fit> {
     let mut options = bench.options(Effort::Near, steps);
     options.tolerance = view.tolerance;
     options.planned.clone_from(&view.planned);

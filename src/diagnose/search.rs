@@ -22,7 +22,7 @@ use super::measure::{Measure, Scale};
 use super::propose::{Screened, Screening, screen, worth_fitting};
 use super::twins::twins;
 use super::view::View;
-use super::{cut, prove, race};
+use super::{cut, prove, race, scan};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::Progress;
@@ -32,6 +32,9 @@ use rayon::prelude::*;
 
 /// Mechanisms that are added at most.
 const MOST: usize = 3;
+
+/// The best of a round whose shapes are looked for again.
+const SCANNED: usize = 4;
 
 /// A proposal fitted inside the model.
 #[derive(Clone)]
@@ -103,6 +106,8 @@ pub struct Found {
     pub notes: Vec<String>,
     /// What would have been taken and cannot be run over what is held out, where nothing else was taken.
     pub fallen: Option<Box<Refitted>>,
+    /// Whether nothing that was tried reaches the floor, where nothing was taken.
+    pub is_trace: bool,
 }
 
 impl Found {
@@ -113,7 +118,20 @@ impl Found {
         let (first, rest, measures) = (Screening::nothing(), Screening::nothing(), (measure, measure));
         let (taken, notes) = (Vec::new(), Vec::new());
         let without = Vec::new();
-        Self { last: base.clone(), base, taken, without, first, rest, scale, measures, notes, fallen: None }
+        let (fallen, is_trace) = (None, false);
+        Self {
+            last: base.clone(),
+            base,
+            taken,
+            without,
+            first,
+            rest,
+            scale,
+            measures,
+            notes,
+            fallen,
+            is_trace,
+        }
     }
 
     /// ln of the fall of the left-out sum of squares from the given model to the last.
@@ -196,6 +214,14 @@ fn round(
     let mut fitted = refit(&chosen);
     let others = twins(&screening, &fitted);
     fitted.extend(refit(&others));
+    fitted.sort_by(|a, b| scale.squares(&a.fit).total_cmp(&scale.squares(&b.fit)));
+    for r in fitted.iter_mut().take(SCANNED) {
+        let better = scan::again(bench, view, &r.proposal, &r.fit, scale);
+        if let Some(fit) = better.filter(|f| same_samples(current, f)) {
+            let is_cut = fit.ended_early.is_some();
+            *r = judged(r.proposal.clone(), fit, is_cut);
+        }
+    }
     bench.budget.begin("last fits");
     let notes = cut::retry(bench, &mut fitted, (squares, scale), &judged);
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
@@ -231,6 +257,7 @@ pub fn search(
         trace(bench, &round, &now);
         bench.budget.begin("choice");
         let Some((choice, next)) = standing(bench, separate, &mut round, &now) else {
+            let is_trace = taken.is_empty() && choose::is_trace(&round, &now);
             let rest = round.screening;
             let (first, rest) = match first {
                 Some(f) => (f, rest),
@@ -242,10 +269,20 @@ pub fn search(
             let scale = Scale::of(&base, bench.is_trials());
             let measures = (start, Measure::of(&current, &scale));
             let (notes, fallen) = (round.notes, round.fallen.filter(|_| taken.is_empty()));
-            let without = Vec::new();
-            let found =
-                Found { base, last: current, taken, without, first, rest, scale, measures, notes, fallen };
-            return Ok(found);
+            let (last, without) = (current, Vec::new());
+            return Ok(Found {
+                base,
+                last,
+                taken,
+                without,
+                first,
+                rest,
+                scale,
+                measures,
+                notes,
+                fallen,
+                is_trace,
+            });
         };
         let Choice { best, ties, elsewhere, rival, .. } = choice;
         let fits = |i: usize| (round.fitted[best].fit.clone(), round.fitted[i].fit.clone());

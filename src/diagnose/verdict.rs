@@ -58,7 +58,8 @@ impl Evidence<'_> {
         }
         let Some(first) = self.found.taken.first() else {
             let found = self.found;
-            let something = self.is_left() || found.first.p_value < SURE || found.fallen.is_some();
+            let sure = found.first.p_value < SURE && !found.is_trace;
+            let something = self.is_left() || sure || found.fallen.is_some();
             return if something { Verdict::Unknown } else { Verdict::NothingMissing };
         };
         let doubtful = self.is_pressed() || is_wave(&first.proposal);

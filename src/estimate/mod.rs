@@ -9,7 +9,7 @@ mod least_squares;
 pub mod noise;
 mod saddle;
 pub(crate) mod smooth;
-mod triangle;
+pub(crate) mod triangle;
 
 pub use bootstrap::improvement;
 pub use coordinates::{Range, Side};

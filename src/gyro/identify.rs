@@ -19,6 +19,9 @@ use crate::spectrum::{Interval, LeastSquares, least_squares};
 use crate::{Error, Result};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
+/// Relative difference up to which two frequencies are one, and share of the largest error below which there is none.
+const SAME: f64 = 1e-9;
+
 /// One steady trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trial {
@@ -74,6 +77,9 @@ pub fn identify(trials: &[Trial], sphere: &Gyrosphere) -> Result<Identified> {
     }
     // a unit error of each trial: C₀ = 1 and T = 0
     let units: Vec<f64> = trials.iter().map(|t| unit_error(t, sphere)).collect();
+    if !has_two_frequencies(trials, &units) {
+        return Err(not_apart());
+    }
     let residuals = |p: &[f64]| -> Vec<f64> {
         let (c0, t2) = (p[0].exp(), p[1] * p[1]);
         trials
@@ -91,11 +97,21 @@ pub fn identify(trials: &[Trial], sphere: &Gyrosphere) -> Result<Identified> {
             best = Some(found);
         }
     }
-    let best = best.ok_or_else(|| {
-        Error::not_computed("the trials do not tell T from C0")
-            .with_hint("trials at more than one frequency do")
-    })?;
+    let best = best.ok_or_else(not_apart)?;
     told(&best, trials.len())
+}
+
+fn not_apart() -> Error {
+    Error::not_computed("the trials do not tell T from C0").with_hint("trials at more than one frequency do")
+}
+
+/// Whether the trials that have an error at all are of more than one frequency: at one, C₀(1 + p²T²) is all that
+/// (2.4) holds, however well it fits.
+fn has_two_frequencies(trials: &[Trial], units: &[f64]) -> bool {
+    let least = SAME * units.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
+    let mut told = trials.iter().zip(units).filter(|(_, u)| u.abs() > least).map(|(t, _)| t.frequency.abs());
+    let Some(first) = told.next() else { return false };
+    told.any(|p| (p - first).abs() > SAME * first)
 }
 
 /// α(C₀ = 1, T = 0), by (2.4).
@@ -127,8 +143,7 @@ fn told(found: &LeastSquares, count: usize) -> Result<Identified> {
     let margin = |i: usize| t * (variance * found.inverse_normal[(i, i)]).sqrt();
     let (log_c0, lag) = (found.parameters[0], found.parameters[1].abs());
     if !margin(0).is_finite() || margin(0) > 20.0 {
-        return Err(Error::not_computed("the trials do not tell T from C0")
-            .with_hint("trials at more than one frequency do"));
+        return Err(not_apart());
     }
     Ok(Identified {
         lag: Interval { value: lag, low: (lag - margin(1)).max(0.0), high: lag + margin(1) },

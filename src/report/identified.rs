@@ -35,7 +35,7 @@ pub fn text(told: &Identification) -> String {
             "and is largest in row {}: measured {}°, by (2.4) {}°, left {}°",
             worst.number,
             significant(worst.trial.error.to_degrees(), 4),
-            significant(worst.fitted.to_degrees(), 4),
+            significant(worst.fitted.to_degrees() + 0.0, 4),
             significant(left.to_degrees(), 3)
         );
     }

@@ -61,6 +61,12 @@ fn read(asked: &str, range: &Range) -> Result<Vec<f64>> {
             range.what.trim_start_matches("a ").trim_start_matches("an "),
             if range.unit == "m" { "1m,2m,4m" } else { "2deg,5deg,10deg" }
         )),
+        ErrorKind::Units if range.unit == "m" => {
+            e.with_hint("the sizes of a sea are heights; angles go with --regular or --irregular")
+        }
+        ErrorKind::Units if range.unit == "rad" => {
+            e.with_hint("the sizes of a roll are angles; heights go with --sea")
+        }
         _ => e,
     })
 }

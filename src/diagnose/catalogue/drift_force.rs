@@ -6,8 +6,10 @@
 //!
 //! # Equation
 //! ```text
-//!     M v' = … + d (t - t0)
+//!     M v' = … + F0 + d (t - t0)
 //! ```
+//!
+//! t0 is the beginning of the recording; F0, the force there, may be nothing.
 //!
 //! # What else looks like this
 //! output-drift (the sensor) where the model is linear; parameter-drift; slow noise.
@@ -31,15 +33,27 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    scene.motions().iter().filter_map(|m| at(scene, m)).collect()
+    let motions = scene.motions();
+    let of = |m: &Motion| {
+        [false, true].into_iter().filter_map(|shifted| at(scene, m, shifted)).collect::<Vec<_>>()
+    };
+    motions.iter().flat_map(of).collect()
 }
 
-fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
+/// A force that is zero at the beginning of the recording, or `shifted` there.
+fn at(scene: &Scene, m: &Motion, shifted: bool) -> Option<Proposal> {
     let second = Unit::parse("s").ok()?;
     let mut d = Draft::at(scene, "drift-force", m);
     let rate = d.amplitude("drift", &m.force.over(&second), ANY, "drift of the force");
     let start = d.constant("t0", &second, scene.from, "beginning of the recording");
-    d.force(&m.state, &format!("{rate}*(t - {start})"));
-    d.start(&[m.size / scene.length()]);
+    let grown = m.size / scene.length();
+    if shifted {
+        let first = d.amplitude("F0", &m.force, ANY, "force at the beginning of the recording");
+        d.force(&m.state, &format!("{first} + {rate}*(t - {start})"));
+        d.start(&[grown, m.size]);
+    } else {
+        d.force(&m.state, &format!("{rate}*(t - {start})"));
+        d.start(&[grown]);
+    }
     d.done(&format!("a force on {} drifts by {{0}}", scene.words(&m.state)))
 }

@@ -10,14 +10,15 @@ use crate::Result;
 use crate::estimate::least_squares::minimise;
 use crate::model::Model;
 use crate::record::{Recording, Span};
+use crate::simulate::Unknown;
 
 /// All held-out series of a fit: spans that follow a fitted span run on from it, the others have their
-/// free initial states fitted.
+/// free initial states fitted. What runs on has its sensitivities to the fit's unknowns, where they are wanted.
 pub fn held_out(
     fit: &Fit,
     recordings: &[Recording],
     separate: &[Recording],
-    options: &FitOptions<'_>,
+    (options, sensitive): (&FitOptions<'_>, bool),
 ) -> Result<Vec<HeldOut>> {
     let options = &FitOptions { tolerance: fit.tolerance.min(options.tolerance), ..options.clone() };
     let mut series = Vec::new();
@@ -33,7 +34,9 @@ pub fn held_out(
                 continue;
             };
             let initials = fit.records.get(number).map_or(record.initials.clone(), |r| r.initials.clone());
-            series.extend(of(number, run(&fit.model, &record, &initials, &|t| spans.holds_out(t))?));
+            let unknowns = if sensitive { unknowns(fit, &record, number) } else { Vec::new() };
+            let wanted = (&unknowns[..], fit.unknowns.len());
+            series.extend(of(number, run(&fit.model, &record, &initials, wanted, &|t| spans.holds_out(t))?));
         }
         for span in apart {
             series.extend(of(number, alone(&fit.model, recording, number, &[span], options)?));
@@ -79,47 +82,73 @@ fn alone(
         let minimum = minimise(&p, &start, &records[0].reach, options.stopping)?;
         p.spread(&minimum.x).1.swap_remove(0)
     };
-    run(&frozen, &records[0], &initials, &|_| true)
+    run(&frozen, &records[0], &initials, (&[], 0), &|_| true)
 }
 
-/// The residual series of one run at the times wanted.
+/// The unknowns of a fit that the run of a recording depends on, with their places among all.
+fn unknowns(fit: &Fit, record: &Record, number: usize) -> Vec<(Unknown, usize)> {
+    let shared =
+        setup::free_parameters(&fit.model, std::slice::from_ref(record)).into_iter().filter_map(|k| {
+            let place = fit.unknowns.iter().position(|n| *n == fit.model.parameters[k].name)?;
+            Some((Unknown::Parameter(k), place))
+        });
+    let first = fit.unknowns.len() - fit.initials.len();
+    let own = fit.initials.iter().enumerate().filter(|(_, i)| i.recording == number).filter_map(|(at, i)| {
+        let state = fit.model.states.iter().position(|s| s.name == i.state)?;
+        Some((Unknown::Initial(state), first + at))
+    });
+    shared.chain(own).collect()
+}
+
+/// The residual series of one run at the times wanted, with its sensitivities to some unknowns at their places
+/// among so many.
 fn run(
     model: &Model,
     record: &Record,
     initials: &[f64],
+    (unknowns, among): (&[(Unknown, usize)], usize),
     wanted: &dyn Fn(f64) -> bool,
 ) -> Result<Vec<Series>> {
     let parameters: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
-    let run = record.run(&parameters, initials, &[])?;
-    Ok(record.tracks.iter().zip(&run.predictions).map(|(t, f)| part(t, f, wanted)).collect())
+    let each: Vec<Unknown> = unknowns.iter().map(|u| u.0).collect();
+    let run = record.run(&parameters, initials, &each)?;
+    let of = |(k, track): (usize, &Track)| {
+        let mut columns = vec![Vec::new(); if each.is_empty() { 0 } else { among }];
+        for ((_, place), column) in unknowns.iter().zip(run.sensitivities.get(k).into_iter().flatten()) {
+            columns[*place].clone_from(column);
+        }
+        part(track, &run.predictions[k], &columns, wanted)
+    };
+    Ok(record.tracks.iter().enumerate().map(of).collect())
 }
 
-/// The part of a track at the times wanted.
-fn part(track: &Track, predicted: &[f64], wanted: &dyn Fn(f64) -> bool) -> Series {
+/// The part of a track at the times wanted; an empty column is one of zeros.
+fn part(track: &Track, predicted: &[f64], columns: &[Vec<f64>], wanted: &dyn Fn(f64) -> bool) -> Series {
     let residual = track.residual(predicted);
-    let mut series = Series {
-        output: track.output,
-        time: Vec::new(),
-        residual: Vec::new(),
-        sensitivities: Vec::new(),
-        stretches: Vec::new(),
-    };
+    let mut kept: Vec<usize> = Vec::new();
+    let mut stretches = Vec::new();
     for stretch in &track.stretches {
-        let mut from = series.time.len();
+        let mut from = kept.len();
         for i in stretch.clone() {
             if wanted(track.time[i]) {
-                series.time.push(track.time[i]);
-                series.residual.push(residual[i]);
-            } else if series.time.len() > from {
-                series.stretches.push(from..series.time.len());
-                from = series.time.len();
+                kept.push(i);
+            } else if kept.len() > from {
+                stretches.push(from..kept.len());
+                from = kept.len();
             }
         }
-        if series.time.len() > from {
-            series.stretches.push(from..series.time.len());
+        if kept.len() > from {
+            stretches.push(from..kept.len());
         }
     }
-    series
+    let of = |v: &[f64]| kept.iter().map(|i| v.get(*i).copied().unwrap_or(0.0)).collect();
+    Series {
+        output: track.output,
+        time: of(&track.time),
+        residual: of(&residual),
+        sensitivities: columns.iter().map(|c| of(c)).collect(),
+        stretches,
+    }
 }
 
 fn pooled(model: &Model, series: &[(usize, Series)]) -> Vec<HeldOut> {

@@ -181,5 +181,15 @@ pub fn holdout(
     separate: &[Recording],
     options: &FitOptions<'_>,
 ) -> Result<Vec<HeldOut>> {
-    held_out::held_out(fit, recordings, separate, options)
+    held_out::held_out(fit, recordings, separate, (options, false))
+}
+
+/// The same, with sensitivities to the fit's unknowns of what follows a fitted span.
+pub(crate) fn carried_on(
+    fit: &Fit,
+    recordings: &[Recording],
+    separate: &[Recording],
+    options: &FitOptions<'_>,
+) -> Result<Vec<HeldOut>> {
+    held_out::held_out(fit, recordings, separate, (options, true))
 }

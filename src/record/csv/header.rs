@@ -108,7 +108,8 @@ impl Header {
             (None, Ok(Some(own))) => own,
             (None, Err(e)) => return Err(e.with_line(1).with_column(cell.at + 1)),
             (None, Ok(None)) => {
-                let likely = if index == 0 { "s" } else { "deg" };
+                let is_time = index == 0 && cell.name.to_lowercase().starts_with('t');
+                let likely = if is_time { "s" } else { "deg" };
                 return Err(Error::bad_input(format!("column {} `{}` has no unit", index + 1, cell.name))
                     .with_column(cell.at + 1)
                     .with_hint(format!(

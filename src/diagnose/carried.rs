@@ -1,0 +1,81 @@
+//! What is held out, less what the uncertainty of a fit alone does to it.
+//!
+//! # Purpose
+//! A fit knows its unknowns no better than its covariance says, and what it does not know runs on into what is
+//! held out: a level there that drifts away may be no more than a parameter that is a little off. Before such a
+//! residual is asked whether it is noise, the unknowns may follow it as far as the fit leaves them free.
+//!
+//! # Method
+//! With the covariance C = L Lᵀ of the unknowns and the whitened held-out residual e and sensitivities S, the
+//! unknowns move by the δ that minimises ‖e − S δ‖² + ‖L⁻¹ δ‖²: the estimate from both parts, the fitted one
+//! standing in by its covariance.
+//!
+//! # References
+//! A. Gelman et al., Bayesian Data Analysis, 3rd ed., 2013, sec. 14.8.
+//!
+//! # Numerical aspects
+//! Unknowns are counted in their own standard deviations.
+
+use super::bench::Bench;
+use super::prove::Held;
+use crate::estimate::Fit;
+use crate::estimate::fit::{Effort, HeldOut, Series, carried_on};
+use crate::estimate::triangle::Triangle;
+use crate::record::Recording;
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::{Mat, Par, Side};
+
+/// Residuals over what is held out, by output, after the unknowns have followed them as far as the fit leaves
+/// them free; None where the model cannot be run there.
+pub fn settled(bench: &Bench, fit: &Fit, separate: &[Recording]) -> Option<Vec<Held>> {
+    let all = carried_on(fit, &bench.recordings, separate, &bench.options(Effort::Near, 40)).ok()?;
+    let moved = moved(fit, &all).unwrap_or_default();
+    let mut held = vec![Held::default(); fit.model.outputs.len()];
+    for (h, series) in all.iter().flat_map(|h| h.series.iter().map(move |s| (h, s))) {
+        let rest = rest(series, &moved);
+        for r in &series.stretches {
+            held[h.output].residual.push(rest[r.clone()].to_vec());
+            held[h.output].time.push(series.time[r.clone()].to_vec());
+        }
+    }
+    Some(held)
+}
+
+/// e − S δ.
+fn rest(series: &Series, moved: &[f64]) -> Vec<f64> {
+    let mut rest = series.residual.clone();
+    for (column, by) in series.sensitivities.iter().zip(moved).filter(|(_, by)| **by != 0.0) {
+        rest.iter_mut().zip(column).for_each(|(e, s)| *e -= by * s);
+    }
+    rest
+}
+
+/// δ, the step of all unknowns; those whose covariance is unknown stay.
+fn moved(fit: &Fit, all: &[HeldOut]) -> Option<Vec<f64>> {
+    let known: Vec<usize> = (0..fit.values.len()).filter(|j| fit.covariance[(*j, *j)] > 0.0).collect();
+    let n = known.len();
+    let scale: Vec<f64> = known.iter().map(|j| fit.covariance[(*j, *j)].sqrt()).collect();
+    let even = |i: usize, j: usize| fit.covariance[(known[i], known[j])] / (scale[i] * scale[j]);
+    let factor = Mat::from_fn(n, n, even).llt(Side::Lower).ok()?;
+    let mut before = Mat::<f64>::identity(n, n);
+    solve_lower_triangular_in_place(factor.L(), before.as_mut(), Par::Seq);
+    let mut triangle = Triangle::new(n);
+    let columns: Vec<&[f64]> = (0..n).map(|j| before.col_as_slice(j)).collect();
+    triangle.push(&columns, &vec![0.0; n]);
+    for series in all.iter().flat_map(|h| &h.series).filter(|s| !s.sensitivities.is_empty()) {
+        for r in &series.stretches {
+            let of = |(j, by): (&usize, &f64)| {
+                series.sensitivities[*j][r.clone()].iter().map(|s| -by * s).collect()
+            };
+            let columns: Vec<Vec<f64>> = known.iter().zip(&scale).map(of).collect();
+            let views: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
+            let rows = fit.noise[series.output].whiten_rows(&series.residual[r.clone()], &views);
+            triangle.push(&rows.columns.iter().map(Vec::as_slice).collect::<Vec<_>>(), &rows.residual);
+        }
+    }
+    let mut moved = vec![0.0; fit.values.len()];
+    for ((j, by), step) in known.iter().zip(&scale).zip(triangle.solve(&[])) {
+        moved[*j] = by * step;
+    }
+    Some(moved)
+}
