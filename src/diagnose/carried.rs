@@ -30,6 +30,7 @@ use faer::{Mat, Par, Side};
 pub fn settled(bench: &Bench, fit: &Fit, separate: &[Recording]) -> Option<Vec<Held>> {
     let all = carried_on(fit, &bench.recordings, separate, &bench.options(Effort::Near, 40)).ok()?;
     let moved = moved(fit, &all).unwrap_or_default();
+
     let mut held = vec![Held::default(); fit.model.outputs.len()];
     for (h, series) in all.iter().flat_map(|h| h.series.iter().map(move |s| (h, s))) {
         let rest = rest(series, &moved);
@@ -50,31 +51,36 @@ fn rest(series: &Series, moved: &[f64]) -> Vec<f64> {
     rest
 }
 
-/// δ, the step of all unknowns; those whose covariance is unknown stay.
+/// δ, the step of all unknowns; one whose covariance is unknown, as that of one at its bound, is free.
 fn moved(fit: &Fit, all: &[HeldOut]) -> Option<Vec<f64>> {
-    let known: Vec<usize> = (0..fit.values.len()).filter(|j| fit.covariance[(*j, *j)] > 0.0).collect();
-    let n = known.len();
-    let scale: Vec<f64> = known.iter().map(|j| fit.covariance[(*j, *j)].sqrt()).collect();
-    let even = |i: usize, j: usize| fit.covariance[(known[i], known[j])] / (scale[i] * scale[j]);
-    let factor = Mat::from_fn(n, n, even).llt(Side::Lower).ok()?;
-    let mut before = Mat::<f64>::identity(n, n);
-    solve_lower_triangular_in_place(factor.L(), before.as_mut(), Par::Seq);
-    let mut triangle = Triangle::new(n);
-    let columns: Vec<&[f64]> = (0..n).map(|j| before.col_as_slice(j)).collect();
-    triangle.push(&columns, &vec![0.0; n]);
+    let (known, free): (Vec<usize>, Vec<usize>) =
+        (0..fit.values.len()).partition(|j| fit.covariance[(*j, *j)] > 0.0);
+    let deviation = |j: &usize| fit.covariance[(*j, *j)].sqrt();
+    let even = |i: usize, j: usize| fit.covariance[(i, j)] / (deviation(&i) * deviation(&j));
+    let correlation = Mat::from_fn(known.len(), known.len(), |i, j| even(known[i], known[j]));
+    let mut before = Mat::<f64>::identity(known.len(), known.len());
+    solve_lower_triangular_in_place(correlation.llt(Side::Lower).ok()?.L(), before.as_mut(), Par::Seq);
+    let order: Vec<(usize, f64)> =
+        known.iter().map(|j| (*j, deviation(j))).chain(free.iter().map(|j| (*j, 1.0))).collect();
+    let mut triangle = Triangle::new(order.len());
+    let none = vec![0.0; known.len()];
+    let columns: Vec<&[f64]> =
+        (0..order.len()).map(|j| if j < known.len() { before.col_as_slice(j) } else { &none[..] }).collect();
+    triangle.push(&columns, &none);
     for series in all.iter().flat_map(|h| &h.series).filter(|s| !s.sensitivities.is_empty()) {
         for r in &series.stretches {
-            let of = |(j, by): (&usize, &f64)| {
+            let of = |(j, by): &(usize, f64)| -> Vec<f64> {
                 series.sensitivities[*j][r.clone()].iter().map(|s| -by * s).collect()
             };
-            let columns: Vec<Vec<f64>> = known.iter().zip(&scale).map(of).collect();
+            let columns: Vec<Vec<f64>> = order.iter().map(of).collect();
             let views: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
             let rows = fit.noise[series.output].whiten_rows(&series.residual[r.clone()], &views);
             triangle.push(&rows.columns.iter().map(Vec::as_slice).collect::<Vec<_>>(), &rows.residual);
         }
     }
+    let damping: Vec<f64> = triangle.column_norms().iter().map(|n| 1e-6 * n + f64::MIN_POSITIVE).collect();
     let mut moved = vec![0.0; fit.values.len()];
-    for ((j, by), step) in known.iter().zip(&scale).zip(triangle.solve(&[])) {
+    for ((j, by), step) in order.iter().zip(triangle.solve(&damping)) {
         moved[*j] = by * step;
     }
     Some(moved)

@@ -45,6 +45,11 @@ const LAST: usize = 8;
 const OF_CODE: usize = 5;
 const OF_SIGNALS: usize = 2;
 
+/// Values among the starts of a proposal from which on a parameter of it has a range to look over.
+const SEVERAL: usize = 5;
+/// Places of the grid over such a range.
+const PLACES: usize = 120;
+
 /// A proposal with its score.
 #[derive(Clone)]
 pub struct Screened {
@@ -266,7 +271,8 @@ pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened, scale: &S
     from_given.parameters[..given.len()].copy_from_slice(given);
     let mut stands: Vec<(f64, Stand)> = Vec::new();
     // Every size from the fitted parameters; from the given ones, and at further starts, the likely sizes.
-    for (i, start) in std::iter::once(s).chain(&s.further).enumerate() {
+    let finer = finer(bench, view, s);
+    for (i, start) in std::iter::once(s).chain(&s.further).chain(&finer).enumerate() {
         let sizes = sizes(start);
         let likely = &sizes[..sizes.len().min(2)];
         let own = if i == 0 { &sizes[..] } else { likely };
@@ -279,6 +285,41 @@ pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened, scale: &S
     stands.sort_by(|a, b| a.0.total_cmp(&b.0));
     let near = stands.first().map_or(0.0, |s| NEAR * s.0);
     stands.into_iter().take(2).filter(|s| s.0 <= near).map(|s| s.1).collect()
+}
+
+/// The places at which a parameter may be, between those of its starts and one beyond; none where its starts are few.
+pub fn places(p: &Proposal, shape: usize) -> Vec<f64> {
+    let mut starts: Vec<f64> = p.starts.iter().map(|s| s[shape]).collect();
+    starts.sort_by(f64::total_cmp);
+    starts.dedup();
+    if starts.len() < SEVERAL {
+        return Vec::new();
+    }
+    let (first, last) = (starts[0], starts[starts.len() - 1]);
+    let beyond = (last - first) / (starts.len() - 1) as f64;
+    let low = (first - beyond).max(p.limits[shape].0);
+    let high = (last + beyond).min(p.limits[shape].1);
+    (0..PLACES).map(|i| low + (high - low) * (i as f64 + 0.5) / PLACES as f64).collect()
+}
+
+/// The best starts of a screened proposal by likelihood and by the free run over the whole range of its shapes, where
+/// these have one.
+fn finer(bench: &Bench, view: &View, s: &Screened) -> Vec<Screened> {
+    let p = &s.proposal;
+    let shapes = (0..p.added.len()).filter(|k| !p.amplitudes.contains(k));
+    let all = shapes.flat_map(|k| {
+        let at =
+            |value: f64| s.start.iter().enumerate().map(|(j, x)| if j == k { value } else { *x }).collect();
+        places(p, k).into_iter().map(at).collect::<Vec<Vec<f64>>>()
+    });
+    let starts: Vec<Vec<f64>> = all.collect();
+    if starts.is_empty() {
+        return Vec::new();
+    }
+    let scored = score_starts(bench, &Proposal { starts, ..p.clone() }, view);
+    let likeliest = scored.iter().max_by(|a, b| a.score.statistic.total_cmp(&b.score.statistic));
+    let largest = scored.iter().max_by(|a, b| a.explained.total_cmp(&b.explained));
+    likeliest.into_iter().chain(largest).cloned().collect()
 }
 
 /// Starts of the added parameters: the scored size, and parts of the term's own size.

@@ -17,16 +17,13 @@
 use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::Proposal;
 use super::measure::Scale;
+use super::propose::places;
 use super::race::{to_the_end, walk};
 use super::view::{View, own_tracks};
 use crate::estimate::fit::harness::Record;
 use crate::estimate::{Fit, Triangle};
 use rayon::prelude::*;
 
-/// Values among the starts of a proposal from which on a parameter of it has a range to look over.
-const SEVERAL: usize = 5;
-/// Places of the grid.
-const PLACES: usize = 120;
 /// Lowest places that are fitted from.
 const FITTED: usize = 3;
 /// Steps of the fits that are compared.
@@ -42,21 +39,6 @@ pub fn again(bench: &Bench, view: &View, p: &Proposal, fit: &Fit, scale: &Scale)
     let better = |f: &Fit| scale.squares(f) < (1.0 - SAVED) * scale.squares(fit);
     let best = Some(best).filter(better)?;
     to_the_end(bench, p, &best, &bench.part()).filter(better)
-}
-
-/// The places at which a parameter may be, between those of its starts and one beyond.
-fn places(p: &Proposal, shape: usize) -> Vec<f64> {
-    let mut starts: Vec<f64> = p.starts.iter().map(|s| s[shape]).collect();
-    starts.sort_by(f64::total_cmp);
-    starts.dedup();
-    if starts.len() < SEVERAL {
-        return Vec::new();
-    }
-    let (first, last) = (starts[0], starts[starts.len() - 1]);
-    let beyond = (last - first) / (starts.len() - 1) as f64;
-    let low = (first - beyond).max(p.limits[shape].0);
-    let high = (last + beyond).min(p.limits[shape].1);
-    (0..PLACES).map(|i| low + (high - low) * (i as f64 + 0.5) / PLACES as f64).collect()
 }
 
 /// Short fits from the lowest places of one parameter.
