@@ -27,10 +27,11 @@ use crate::Result;
 use crate::estimate::Fit;
 use crate::record::{Hold, Recording};
 
-/// How far a weight may lie from 1: in its standard deviations, and for the curvature of the predictions.
-const FROM_ONE: (f64, f64) = (3.0, 0.15);
-/// Standard deviations that it must lie from 0.
-const FROM_NONE: f64 = 6.0;
+/// How far a weight may lie from 1, and its standard deviation: a delay has any weight, and what leaves it so open
+/// that it may be 1 by luck settles nothing.
+const FROM_ONE: (f64, f64) = (0.15, 0.06);
+/// Standard deviations up to which a weight may be 1, which is told.
+const OPEN: f64 = 3.0;
 /// A standard deviation beyond which the reading makes no difference.
 const BLIND: f64 = 0.5;
 
@@ -108,10 +109,9 @@ fn weighed(bench: &Bench, base: &Fit) -> Option<(Vec<String>, Vec<String>)> {
     let solved = screen.solve(&directions)?;
     let (mut held, mut notes) = (Vec::new(), Vec::new());
     for ((name, w), s) in seen.into_iter().zip(&solved.weights).zip(&solved.deviations) {
-        let near_one = (w - 1.0).abs() <= (FROM_ONE.0 * s).max(FROM_ONE.1);
-        if near_one && *w > FROM_NONE * s {
+        if (w - 1.0).abs() <= FROM_ONE.0 && *s <= FROM_ONE.1 {
             held.push(name.clone());
-        } else if *s < BLIND && near_one && *w < FROM_ONE.0 * s {
+        } else if *s < BLIND && (w - 1.0).abs() <= OPEN * s {
             notes.push(format!(
                 "{name} is read as straight lines between its samples; held, it would fit as well: say `hold = \"previous\"` if it is a command that is held"
             ));

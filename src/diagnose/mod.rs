@@ -181,6 +181,9 @@ impl Case<'_> {
                 self.bench.ascertain(fit)?;
             }
         }
+        if self.bench.budget.cut() != Some(Early::Time) {
+            scan::intervals(&self.bench, &found.taken, &mut found.last);
+        }
         let Self { request, bench, separate, told, spoiled, notes } = self;
         Assembly {
             request,

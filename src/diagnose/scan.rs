@@ -19,10 +19,13 @@ use super::catalogue::Proposal;
 use super::measure::Scale;
 use super::propose::places;
 use super::race::{to_the_end, walk};
+use super::search::Taken;
 use super::view::{View, own_tracks};
 use crate::estimate::fit::harness::Record;
+use crate::estimate::noise::NoiseModel;
 use crate::estimate::{Fit, Triangle};
 use rayon::prelude::*;
+use std::ops::Range;
 
 /// Lowest places that are fitted from.
 const FITTED: usize = 3;
@@ -30,6 +33,74 @@ const FITTED: usize = 3;
 const STEPS: usize = 8;
 /// Share of the sum of squares that a place must promise to save.
 const SAVED: f64 = 0.01;
+
+/// Half the likelihood ratio that a place within a 95 % interval may lose: χ²₁ = 3.84.
+const LOST: f64 = 1.92;
+/// Places over the neighbours of an interval's ends.
+const FINER: usize = 60;
+
+/// In what a place is measured.
+enum Metric<'a> {
+    /// The free run, every output with its weight.
+    Free(&'a Scale),
+    /// The innovations of each output.
+    Whitened(&'a [NoiseModel]),
+}
+
+impl Metric<'_> {
+    /// Rows of an output over its stretches.
+    fn of(&self, output: usize, stretches: &[Range<usize>], values: &[f64], sign: f64) -> Vec<f64> {
+        match self {
+            Self::Free(scale) => {
+                let root = sign * scale.weights[output].sqrt();
+                values.iter().map(|x| root * x).collect()
+            }
+            Self::Whitened(noise) => {
+                let each = stretches.iter().flat_map(|r| noise[output].whiten(&values[r.clone()]));
+                each.map(|x| sign * x).collect()
+            }
+        }
+    }
+}
+
+/// Intervals of the moments and levels that were looked for over a whole range, in place of those of the curvature:
+/// all places that lose less than a likelihood ratio allows, others free to follow. The likelihood has many maxima
+/// there, and its curvature at one says nothing of the next.
+pub fn intervals(bench: &Bench, taken: &[Taken], fit: &mut Fit) {
+    let shapes = |p: &Proposal| -> Vec<usize> {
+        (0..p.added.len()).filter(|k| !p.amplitudes.contains(k) && !places(p, *k).is_empty()).collect()
+    };
+    let wanted: Vec<(&Proposal, usize)> =
+        taken.iter().flat_map(|t| shapes(&t.proposal).into_iter().map(|k| (&t.proposal, k))).collect();
+    if wanted.is_empty() {
+        return;
+    }
+    let Ok(view) = View::of(bench, fit) else { return };
+    for (p, k) in wanted {
+        let name = &p.added[k].name;
+        let found = interval(bench, &view, (p, k), fit);
+        if let (Some((low, high)), Some(own)) = (found, fit.parameters.iter_mut().find(|e| e.name == *name)) {
+            (own.low, own.high) = (low.min(own.value), high.max(own.value));
+        }
+    }
+}
+
+/// The places of one parameter that the likelihood allows.
+fn interval(bench: &Bench, view: &View, of: (&Proposal, usize), fit: &Fit) -> Option<(f64, f64)> {
+    let rig = Rig::new(bench, view, of, fit, Metric::Whitened(&fit.noise))?;
+    let coarse = places(of.0, of.1);
+    let step = coarse.get(1)? - coarse.first()?;
+    let own = rig.stand.parameters[rig.shape];
+    let width =
+        fit.parameters.iter().find(|p| p.name == of.0.added[of.1].name).map_or(step, |p| p.high - p.low);
+    let width = if width.is_finite() { width.clamp(0.01 * step, step) } else { step };
+    let near = (0..FINER).map(|i| own + width * ((i as f64 + 0.5) / FINER as f64 - 0.5) * 2.0);
+    let all: Vec<f64> = coarse.iter().copied().chain(near).chain([own]).collect();
+    let promised: Vec<(f64, f64)> = all.par_iter().map(|at| (*at, rig.promise(*at).0)).collect();
+    let least = promised.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
+    let allowed = promised.iter().filter(|p| 0.5 * (p.1 - least) <= LOST).map(|p| p.0);
+    Some(allowed.fold((own, own), |(low, high), at| (low.min(at), high.max(at))))
+}
 
 /// A better fit of a proposal than the one given, where its shape has one elsewhere.
 pub fn again(bench: &Bench, view: &View, p: &Proposal, fit: &Fit, scale: &Scale) -> Option<Fit> {
@@ -47,7 +118,7 @@ fn lowest(bench: &Bench, view: &View, of: (&Proposal, usize), fit: &Fit, scale: 
     if places.is_empty() {
         return Vec::new();
     }
-    let Some(rig) = Rig::new(bench, view, of, fit, scale) else { return Vec::new() };
+    let Some(rig) = Rig::new(bench, view, of, fit, Metric::Free(scale)) else { return Vec::new() };
     let promised: Vec<(f64, Stand)> = places.par_iter().map(|at| rig.promise(*at)).collect();
     let least = |i: usize| promised.get(i).map_or(f64::INFINITY, |p| p.0);
     let valley = |i: &usize| least(*i) < rig.now && least(*i) <= least(i.wrapping_sub(1)).min(least(i + 1));
@@ -70,7 +141,7 @@ struct Rig<'a> {
     /// Numbers of the parameter and of the amplitudes in the model.
     shape: usize,
     amplitudes: Vec<usize>,
-    scale: &'a Scale,
+    metric: Metric<'a>,
     /// The sum of squares at the fit.
     now: f64,
 }
@@ -81,7 +152,7 @@ impl<'a> Rig<'a> {
         view: &View,
         (p, shape): (&Proposal, usize),
         fit: &Fit,
-        scale: &'a Scale,
+        metric: Metric<'a>,
     ) -> Option<Self> {
         let records = view.ready(bench, &fit.model).ok()?;
         let stand = Stand::of(fit);
@@ -100,7 +171,7 @@ impl<'a> Rig<'a> {
         let name = &p.added[shape].name;
         let shape = fit.model.parameters.iter().position(|m| m.name == *name)?;
         let (amplitudes, now) = (p.amplitude_numbers(), 0.0);
-        let mut rig = Self { records, own, stand, shape, amplitudes, scale, now };
+        let mut rig = Self { records, own, stand, shape, amplitudes, metric, now };
         rig.now = (1.0 - SAVED) * rig.promise(rig.stand.parameters[shape]).0;
         Some(rig)
     }
@@ -116,11 +187,10 @@ impl<'a> Rig<'a> {
         let others = self.own.first().map_or(0, |t| t.sensitivities.len());
         let mut triangle = Triangle::new(amplitudes + others);
         for (t, own) in tracks.iter().zip(&self.own) {
-            let root = self.scale.weights[t.output].sqrt();
-            let weighed = |v: &Vec<f64>| v.iter().map(|x| root * x).collect::<Vec<f64>>();
+            let rows = |v: &[f64], sign: f64| self.metric.of(t.output, &t.stretches, v, sign);
             let columns: Vec<Vec<f64>> =
-                t.sensitivities.iter().chain(&own.sensitivities).map(weighed).collect();
-            let minus: Vec<f64> = t.residual.iter().map(|e| -root * e).collect();
+                t.sensitivities.iter().chain(&own.sensitivities).map(|v| rows(v, 1.0)).collect();
+            let minus = rows(&t.residual, -1.0);
             triangle.push(&columns.iter().map(Vec::as_slice).collect::<Vec<_>>(), &minus);
         }
         let damping: Vec<f64> =
