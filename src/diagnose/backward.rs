@@ -7,7 +7,8 @@
 //! # Method
 //! The last model is refitted without each finding in turn. A finding stands if the likelihood that it adds is no
 //! noise, corrected for all that was tried beside it, and pays for its parameters; if it lowers the error over blocks
-//! left out; and if its amplitude is not that of another finding with the other sign. Of those that do not stand the
+//! left out, and, where it lowers that by little, what was held out too; and if its amplitude is not that of another
+//! finding with the other sign. Of those that do not stand the
 //! least likely is dropped, and the others are asked again.
 //!
 //! # References
@@ -17,8 +18,9 @@
 use super::answer::Evidence;
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::{CHANCE, FLOOR, gain};
+use super::choose::{CHANCE, FLOOR, MUCH, gain};
 use super::measure::{Measure, Scale};
+use super::prove::{Held, held_out, leaves_levels_out};
 use super::search::{Found, Taken, ahead, is_over};
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
@@ -27,6 +29,9 @@ use rayon::prelude::*;
 
 /// Correlation of the amplitudes of two findings from which on they are one thing with two signs.
 const ONE: f64 = 0.98;
+
+/// Share of the fall of the held-out errors that is none.
+const NO_SHARE: f64 = 1e-3;
 
 /// The last model without one finding, and how good it is.
 type Without = (Fit, Measure);
@@ -45,8 +50,18 @@ pub fn without(bench: &Bench, last: &Fit, p: &Proposal, steps: usize) -> Option<
     fit(&model, &bench.recordings, &options).ok()
 }
 
-/// Drops what the others make needless, and keeps the fits without each of those that stand.
+/// Drops what the others make needless, and keeps the fits without each of those that stand. A finding is no
+/// alternative to another.
 pub fn stand(bench: &Bench, separate: &[Recording], found: &mut Found) {
+    drop_needless(bench, separate, found);
+    let named: Vec<Proposal> = found.taken.iter().map(|t| t.proposal.clone()).collect();
+    let is_named = |p: &Proposal| named.iter().any(|n| n.code == p.code && n.site == p.site);
+    for t in &mut found.taken {
+        t.ties.retain(|p| !is_named(p));
+    }
+}
+
+fn drop_needless(bench: &Bench, separate: &[Recording], found: &mut Found) {
     bench.budget.begin("needless ones");
     while !is_over(bench) && !found.taken.is_empty() {
         let last = Measure::of(&found.last, &found.scale());
@@ -55,7 +70,10 @@ pub fn stand(bench: &Bench, separate: &[Recording], found: &mut Found) {
             Some(w) => worth(&last, w, &found.taken[*i]),
             None => f64::INFINITY,
         };
-        let mut failing: Vec<usize> = (0..found.taken.len()).filter(|i| fails(found, &last, *i)).collect();
+        let unproven = unproven(bench, separate, found);
+        let is_idle = |i: usize| unproven[i] && is_small(found, &last, i);
+        let mut failing: Vec<usize> =
+            (0..found.taken.len()).filter(|i| fails(found, &last, *i) || is_idle(*i)).collect();
         failing.sort_by(|a, b| weakest(a).total_cmp(&weakest(b)));
         // A smaller model that cannot be run everywhere stands for nothing.
         let runs = |i: &usize| {
@@ -102,6 +120,31 @@ fn fails(found: &Found, last: &Measure, i: usize) -> bool {
     let p_value = p_value(last, without, taken);
     let mirrored = found.taken[..i].iter().any(|t| is_one(&found.last, &t.proposal, &taken.proposal));
     !falls || p_value >= CHANCE || worth(last, without, taken) < 0.0 || mirrored
+}
+
+/// Whether a finding among several lowers the error over blocks left out by little.
+fn is_small(found: &Found, last: &Measure, i: usize) -> bool {
+    found.without[i].as_ref().is_some_and(|w| gain(&w.1, last) < MUCH)
+}
+
+/// Which findings of several lower no error of what is held out.
+fn unproven(bench: &Bench, separate: &[Recording], found: &Found) -> Vec<bool> {
+    let none = vec![false; found.taken.len()];
+    let held = |fit: &Fit| held_out(bench, fit, separate).ok();
+    if found.taken.len() < 2 || leaves_levels_out(bench, separate) {
+        return none;
+    }
+    let (Some(base), Some(last)) = (held(&found.base), held(&found.last)) else { return none };
+    let relative = |h: &[Held]| -> f64 {
+        let shares = h.iter().zip(&base).map(|(h, b)| h.rmse() / b.rmse());
+        shares.filter(|x| x.is_finite()).sum()
+    };
+    let fall = relative(&base) - relative(&last);
+    let idle = |w: &Option<Without>| {
+        let smaller = w.as_ref().and_then(|w| held(&w.0));
+        smaller.is_some_and(|h| relative(&h) - relative(&last) <= NO_SHARE * fall)
+    };
+    found.without.iter().map(idle).collect()
 }
 
 fn p_value(last: &Measure, without: &Without, taken: &Taken) -> f64 {

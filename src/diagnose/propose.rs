@@ -47,6 +47,8 @@ const OF_SIGNALS: usize = 2;
 
 /// Values among the starts of a proposal from which on a parameter of it has a range to look over.
 const SEVERAL: usize = 5;
+/// Ratio of the largest to the smallest of them from which on they are sizes, which walks find from any start.
+const GRADUAL: f64 = 20.0;
 /// Places of the grid over such a range.
 const PLACES: usize = 120;
 
@@ -292,7 +294,7 @@ pub fn places(p: &Proposal, shape: usize) -> Vec<f64> {
     let mut starts: Vec<f64> = p.starts.iter().map(|s| s[shape]).collect();
     starts.sort_by(f64::total_cmp);
     starts.dedup();
-    if starts.len() < SEVERAL {
+    if starts.len() < SEVERAL || starts[0] > 0.0 && starts[starts.len() - 1] > GRADUAL * starts[0] {
         return Vec::new();
     }
     let (first, last) = (starts[0], starts[starts.len() - 1]);

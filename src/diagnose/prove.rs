@@ -108,7 +108,7 @@ pub fn runs(bench: &Bench, fitted: &Fit, separate: &[Recording]) -> bool {
 }
 
 /// Whether levels of trials are left out in turn, for want of anything that is held out.
-fn leaves_levels_out(bench: &Bench, separate: &[Recording]) -> bool {
+pub fn leaves_levels_out(bench: &Bench, separate: &[Recording]) -> bool {
     bench.is_trials() && separate.is_empty() && bench.recordings.iter().all(|r| !r.spans.given)
 }
 

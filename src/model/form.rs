@@ -26,7 +26,11 @@ pub(super) struct Form<'a> {
 /// Reads the text as TOML.
 pub(super) fn toml<'a>(text: &Text<'a>) -> Result<Spanned<DeTable<'a>>> {
     DeTable::parse(text.0).map_err(|e| {
-        let error = Error::bad_input(format!("this is no TOML: {}", e.message().trim()));
+        let mut error = Error::bad_input(format!("this is no TOML: {}", e.message().trim()));
+        let first = text.0.lines().find(|l| !l.trim().is_empty()).unwrap_or_default();
+        if first.contains(',') && !first.contains('=') {
+            error = error.with_hint("it looks like a CSV file: a model comes first, then its recording");
+        }
         e.span().map_or(error.clone(), |span| text.at(error, &span))
     })
 }

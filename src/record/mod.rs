@@ -28,8 +28,8 @@ pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 pub use summary::{Peak, Summary, summaries, summary};
 pub use wrap::{principal, unwrap};
 
-use crate::Result;
 use crate::text::in_line;
+use crate::{Error, Result};
 use std::path::Path;
 
 impl Recording {
@@ -60,6 +60,10 @@ impl Recording {
             return file::parse(&text, source);
         }
         let name = stem(path);
+        if nmea::lacks_stamps(input.start()) {
+            return Err(Error::bad_input("this is a log of NMEA 0183 without time stamps")
+                .with_hint("each line of a log is a time stamp, a space, and a sentence with its checksum"));
+        }
         let table = if nmea::looks_like_log(input.start()) {
             nmea::read(input, &nmea::Request { zero: None, wanted: Vec::new(), table: 0 })?
         } else {

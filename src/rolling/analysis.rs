@@ -43,6 +43,9 @@ pub struct Analysis {
 /// Part of the variance in the upper half of the band from which on the samples are too far apart.
 pub const FAST_SHARE: f64 = 0.01;
 
+/// Periods that a recording of roll must hold at least.
+const PERIODS: f64 = 5.0;
+
 /// Analyses a channel of a recording as roll.
 ///
 /// ```
@@ -70,6 +73,14 @@ pub fn analyse(recording: &Recording, channel: &str) -> Result<Analysis> {
     let rolling = without_slow(&samples, SLOW)?;
     moves(&samples.values, &rolling.values)?;
     let peak = welch(&rolling.values, samples.step, length)?.peak();
+    let duration = samples.values.len() as f64 * samples.step;
+    if duration < PERIODS * TAU / peak {
+        return Err(Error::bad_input(format!(
+            "the recording of {duration:.0} s is too short: the roll in it looks as if it had a period of {:.0} s, and fewer than {PERIODS} periods tell neither that nor its size",
+            TAU / peak
+        ))
+        .with_hint("half an hour of roll is usual; some minutes are the least"));
+    }
     // lags over about six periods of the peak, at most a quarter of the recording
     let lags = ((6.0 * TAU / peak / samples.step) as usize).clamp(8, (samples.values.len() / 4).max(8));
     let all = autocovariance(&samples.values, 0)[0];

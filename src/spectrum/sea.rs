@@ -2,6 +2,7 @@
 
 use crate::{Error, Result};
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 /// g, m/s².
 pub(crate) const GRAVITY: f64 = 9.81;
@@ -16,7 +17,8 @@ pub(crate) const GRAVITY: f64 = 9.81;
 ///
 /// References: W. J. Pierson, L. Moskowitz, J. Geophys. Res. 69 (1964) 5181; C. L.
 /// Bretschneider, Beach Erosion Board TM 118 (1959); K. Hasselmann et al., Dtsch. Hydrogr. Z.
-/// A8(12) (1973); the normalisation of JONSWAP to H_s after DNV-RP-C205.
+/// A8(12) (1973); JONSWAP is scaled by quadrature so that its
+/// height is H_s: the usual 1 − 0.287 ln γ is 0.2 % off at γ = 3.3 and 39 % at 20.
 ///
 /// ```
 /// use gyrospec::spectrum::Sea;
@@ -125,11 +127,64 @@ impl Sea {
             Self::Jonswap { gamma, .. } => {
                 let sigma = if w <= peak { 0.07 } else { 0.09 };
                 let bump = (-0.5 * ((w - peak) / (sigma * peak)).powi(2)).exp();
-                // 1 − 0.287 ln γ keeps H_s
-                (1.0 - 0.287 * gamma.ln()) * gamma.powf(bump)
+                gamma.powf(bump) / enhancement(gamma)
             }
             _ => 1.0,
         };
         PI * bretschneider * enhanced
+    }
+}
+
+/// Pieces of the range of u, between which the enhancement is smooth.
+const PIECES: [f64; 7] = [0.0, 0.4, 0.7, 1.0, 1.5, 3.0, 30.0];
+/// Chebyshev nodes in ln γ.
+const COUNT: usize = 24;
+
+/// By how much the enhancement raises H_s²: (5/4)∫ e^(−5u/4) γ^b du with u = (ω_p/ω)⁴ and the bump b, read from the
+/// polynomial through Chebyshev's nodes over γ = 1 … 20.
+fn enhancement(gamma: f64) -> f64 {
+    static NODES: OnceLock<[[f64; 3]; COUNT]> = OnceLock::new();
+    let half = 0.5 * 20f64.ln();
+    // node x_k = cos θ_k, its weight (−1)^k sin θ_k in the barycentric formula, and the value there
+    let node = |k: usize| {
+        let angle = PI * (k as f64 + 0.5) / COUNT as f64;
+        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        [angle.cos(), sign * angle.sin(), raised((half * (1.0 + angle.cos())).exp())]
+    };
+    let x = gamma.ln() / half - 1.0;
+    let (mut up, mut down) = (0.0, 0.0);
+    for [at, weight, value] in NODES.get_or_init(|| std::array::from_fn(node)) {
+        if x == *at {
+            return *value;
+        }
+        up += weight / (x - at) * value;
+        down += weight / (x - at);
+    }
+    up / down
+}
+
+fn raised(gamma: f64) -> f64 {
+    let at = |u: f64| {
+        let x = u.max(f64::MIN_POSITIVE).powf(-0.25);
+        let sigma = if x <= 1.0 { 0.07 } else { 0.09 };
+        1.25 * (-1.25 * u).exp() * gamma.powf((-0.5 * ((x - 1.0) / sigma).powi(2)).exp())
+    };
+    PIECES.windows(2).map(|p| quadrature::double_exponential::integrate(at, p[0], p[1], 1e-13).integral).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// K(0) = H_s²/16 of what the density holds: sums over a fine grid of ω.
+    #[test]
+    fn every_sea_has_its_height() {
+        for gamma in [1.0, 1.7, 3.3, 7.0, 12.3, 20.0] {
+            let sea = Sea::Jonswap { height: 3.0, peak: 0.7, gamma };
+            let step = 1e-4;
+            let sum: f64 = (0..400_000).map(|k| sea.density((f64::from(k) + 0.5) * step)).sum();
+            let wanted = PI * 9.0 / 16.0;
+            assert!((sum * step / wanted - 1.0).abs() < 1e-6, "{gamma} {}", sum * step / wanted);
+        }
     }
 }

@@ -193,6 +193,13 @@ fn what_it_cannot_read_or_tell_is_refused_with_its_place() {
         (format!("{head}60,25,7,-0.1\n"), &[], 2, "at least three trials"),
         (head.replace("[cm]", "[deg]") + "60,25,7,-0.1\n30,25,6,-0.1\n", &[], 2, "say --lever"),
         (format!("{head}60,25,5,-0.4\n30,25,5,-0.42\n15,20,5,-0.2\n"), &[], 3, "more than one frequency"),
+        // as if without noise: they fit exactly, and tell nothing all the same
+        (
+            head.replace("45,25,5,-0.5", "45,23,6,-0.3") + "45,23,6,-0.3\n45,23,6,-0.3\n0,23,6,0\n",
+            &[],
+            3,
+            "more than one frequency",
+        ),
         (format!("{head}60,25,7,-0.1\n30,25,6,-0.2\n"), &["--lever", "2m"], 2, "--lever is of no use"),
         (head.replace("-0.5", "0.5") + "60,25,7,0.1\n30,25,6,0.2\n", &[], 3, "sign"),
         ("name = \"x\"\n[[tables]]\nfile = \"t.csv\"\n".into(), &[], 2, "t.csv"),

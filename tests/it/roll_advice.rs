@@ -70,6 +70,45 @@ fn samples_too_far_apart_are_told() {
 }
 
 #[test]
+fn too_little_roll_is_refused_and_what_is_missing_is_counted() {
+    let roll = |rows: &dyn Fn(usize) -> bool, count: usize| -> String {
+        (0..count).filter(|k| rows(*k)).fold("time [s],roll [deg]\n".into(), |text, k| {
+            let t = 0.25 * k as f64;
+            format!("{text}{t},{}\n", 5.0 * (0.6 * t).sin() + 2.0 * (0.7 * t + 1.0).sin())
+        })
+    };
+    // half a period
+    let (code, _, message) = command("roll.csv", &roll(&|_| true, 20), &["--heading", "45"]);
+    assert!(code != 0 && message.contains("too short"), "{message}");
+    // rows of 30 s are not there
+    let (_, text, _) = command("roll.csv", &roll(&|k| !(401..520).contains(&k), 1200), &["--heading", "45"]);
+    assert!(text.contains("1200 samples 0.2500 s apart, 119 of them missing"), "{text}");
+}
+
+#[test]
+fn sentences_without_stamps_and_unknown_ones_are_told() {
+    let bare = "$GPGGA,120000.00,6000.0,N,00500.0,E,1,8,1.0,10.0,M,40.0,M,,*5C\n$HEHDT,45.0,T*1F\n";
+    let folder = tempfile::tempdir().unwrap();
+    let record = |name: &str, text: &str| {
+        std::fs::write(folder.path().join(name), text).unwrap();
+        let mut run = Command::new(env!("CARGO_BIN_EXE_gyrospec"));
+        let out = run.arg("record").arg(folder.path().join(name)).output().unwrap();
+        String::from_utf8_lossy(&[out.stdout, out.stderr].concat()).into_owned()
+    };
+    assert!(record("bare.nmea", bare).contains("NMEA 0183 without time stamps"));
+    let sentence = |body: &str| {
+        let sum = body.bytes().fold(0, |a, b| a ^ b);
+        format!("${body}*{sum:02X}\n")
+    };
+    let both = (0..60).fold(String::new(), |text, k| {
+        let line = |body: &str| format!("{} {}", 1_500_000_000 + k, sentence(body));
+        text + &line(&format!("HEHDT,{}.5,T", 40 + k % 3)) + &line(&format!("YXXDR,A,{}.25,D,ROLL", k % 4))
+    });
+    let told = record("both.nmea", &both);
+    assert!(told.contains("YXXDR (60) left out") && told.contains("field = 2"), "{told}");
+}
+
+#[test]
 fn where_the_rational_spectrum_of_a_sea_is_off_each_row_has_the_sums() {
     // from astern nearly at the speed of its waves, and abeam
     let astern = ["--period", "14s", "--sea-from", "160deg", "--also", "pitch", "--speed", "12kn"];

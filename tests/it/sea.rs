@@ -9,13 +9,15 @@ use gyrospec::spectrum::{Encounter, Hull, Sea};
 use num_complex::Complex64;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
+use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::Mutex;
 
 const G: f64 = 9.81;
 const J: Complex64 = Complex64::I;
 
 /// Two-sided density of the surface, from height and peak, as printed: π (5/16) H² ω_p⁴ ω⁻⁵ exp(−5/4 (ω_p/ω)⁴), times
-/// (1 − 0.287 ln γ) γ^exp(−(ω − ω_p)²/(2σ²ω_p²)).
+/// γ^exp(−(ω − ω_p)²/(2σ²ω_p²)) and what keeps the height H, by sums over ω/ω_p.
 fn surface(sea: &Sea, w: f64) -> f64 {
     let (h, p) = match *sea {
         // α = 0.0081: ω_p⁴ = 16αg²/(5H²)
@@ -26,9 +28,18 @@ fn surface(sea: &Sea, w: f64) -> f64 {
     };
     let plain = PI * 5.0 / 16.0 * h * h * p.powi(4) / w.powi(5) * (-1.25 * (p / w).powi(4)).exp();
     let Sea::Jonswap { gamma, .. } = *sea else { return plain };
-    let sigma = if w <= p { 0.07 } else { 0.09 };
-    let bump = (-(w - p).powi(2) / (2.0 * sigma * sigma * p * p)).exp();
-    plain * (1.0 - 0.287 * gamma.ln()) * gamma.powf(bump)
+    static HEIGHTS: Mutex<BTreeMap<u64, f64>> = Mutex::new(BTreeMap::new());
+    let raised = *HEIGHTS.lock().unwrap().entry(gamma.to_bits()).or_insert_with(|| {
+        // ∫ 5 x⁻⁵ exp(−5/4 x⁻⁴) γ^bump dx, which is 1 for γ = 1
+        let at = |x: f64| 5.0 / x.powi(5) * (-1.25 / x.powi(4)).exp() * gamma.powf(bump(x));
+        (0..200_000).map(|k| at((f64::from(k) + 0.5) * 2e-4) * 2e-4).sum()
+    });
+    plain / raised * gamma.powf(bump(w / p))
+}
+
+fn bump(x: f64) -> f64 {
+    let sigma = if x <= 1.0 { 0.07 } else { 0.09 };
+    (-(x - 1.0).powi(2) / (2.0 * sigma * sigma)).exp()
 }
 
 /// What a wave of unit height and frequency w from the bearing `from` does: W₂ and x of a compass with the lag.

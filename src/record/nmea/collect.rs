@@ -151,10 +151,26 @@ impl Collector {
         for group in &self.groups {
             self.judge(group, &mut notes)?;
         }
+        if self.all && !self.groups.is_empty() {
+            notes.extend(self.left_out());
+        }
         if self.groups.is_empty() {
             return Err(Error::bad_input("no sentence is known here").with_hint(self.there()));
         }
         Ok((self.groups, notes))
+    }
+
+    /// The sentences that nothing is known of.
+    fn left_out(&self) -> Option<(Option<usize>, String)> {
+        let known = |a: &str| self.groups.iter().any(|g| g.sentence == a || g.sentence == sentence::kind(a));
+        let others: Vec<(&String, &usize)> = self.seen.iter().filter(|(a, _)| !known(a)).collect();
+        let (first, _) = others.first()?;
+        let list: Vec<String> = others.iter().map(|(a, n)| format!("{a} ({n})")).collect();
+        let says = format!(
+            "{} left out: their fields are not known; a recording file in TOML takes one by its number, such as {{ sentence = \"{first}\", field = 2, unit = \"deg\" }}",
+            list.join(", ")
+        );
+        Some((None, says))
     }
 
     fn judge(&self, group: &Group, notes: &mut Notes) -> Result<()> {

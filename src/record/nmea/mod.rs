@@ -52,6 +52,17 @@ fn finish_group(group: Group, table: usize) -> Vec<super::Channel> {
     columns.map(|(s, values)| finished(&s.wanted, s.unit, table, &time, values)).collect()
 }
 
+/// Whether a file holds sentences alone, without a time stamp before them.
+pub(super) fn lacks_stamps(start: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(start);
+    let mut lines = text.lines().map(str::trim).filter(|l| !l.is_empty()).take(5).peekable();
+    let bare = |l: &str| {
+        let sum = l.rsplit_once('*').is_some_and(|(_, sum)| u8::from_str_radix(sum, 16).is_ok());
+        l.starts_with(['$', '!']) && sum
+    };
+    lines.peek().is_some() && lines.all(bare)
+}
+
 /// Whether the first lines of a file look like such a log.
 pub(super) fn looks_like_log(start: &[u8]) -> bool {
     let text = String::from_utf8_lossy(start);

@@ -31,10 +31,10 @@ pub fn approval_text(compass: &Compass, a: &Approval) -> String {
     );
     a.worst.iter().for_each(|e| line(&mut out, e));
     out.push_str("yaw              none: it tilts the sphere and turns no heading\n");
-    let (word, by) = if a.passes() { ("PASSES", "with") } else { ("FAILS", "by") };
+    let (word, more) = if a.passes() { ("PASSES with", " to spare") } else { ("FAILS by", "") };
     let _ = writeln!(
         out,
-        "\nlimit 1° sec φ = {:.2}°: {word} {by} {:.2}°; what costs most: {}.\nsign: {SIGN}",
+        "\nlimit 1° sec φ = {:.2}°: {word} {:.2}°{more}; what costs most: {}.\nsign: {SIGN}",
         a.limit.to_degrees(),
         a.margin().abs().to_degrees(),
         motion(a.largest().motion),

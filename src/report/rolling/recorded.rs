@@ -27,6 +27,10 @@ pub fn told(r: &MeasuredRoll) -> String {
 pub fn words(r: &MeasuredRoll) -> String {
     let a = &r.analysis;
     let (n, step) = (a.samples.values.len(), a.samples.step);
+    let gaps = match a.samples.values.iter().filter(|v| !v.is_finite()).count() {
+        0 => String::new(),
+        k => format!(", {k} of them missing"),
+    };
     let roll = a.fit.roll;
     let sigma = a.deviation.to_degrees();
     let slow = match 100.0 * a.slow_share {
@@ -51,7 +55,7 @@ pub fn words(r: &MeasuredRoll) -> String {
         _ => "a poor fit: this roll is not of the form (3.3); use the column of the measured spectrum",
     };
     format!(
-        "Roll of `{}`: {n} samples {step:.4} s apart, {:.1} min; standard deviation {sigma:.3}°\n\
+        "Roll of `{}`: {n} samples {step:.4} s apart{gaps}, {:.1} min; standard deviation {sigma:.3}°\n\
          {fast}{slow}highest spectral point of the roll at {:.3} rad/s (period {:.1} s), from {} segments\n\n\
          Fit of K(τ) = A e^(−μ|τ|) (cos ετ + (μ/ε) sin ε|τ|) to the correlation function, lags 0 … {:.0} s\n\
          \x20 A = {:.4e} rad² ({:.3}°)²,  μ = {:.4} 1/s,  ε = {:.4} rad/s (period {:.1} s)\n\
