@@ -16,6 +16,9 @@ use std::sync::Mutex;
 const G: f64 = 9.81;
 const J: Complex64 = Complex64::I;
 
+/// What a peakedness raises the height's square by.
+static HEIGHTS: Mutex<BTreeMap<u64, f64>> = Mutex::new(BTreeMap::new());
+
 /// Two-sided density of the surface, from height and peak, as printed: π (5/16) H² ω_p⁴ ω⁻⁵ exp(−5/4 (ω_p/ω)⁴), times
 /// γ^exp(−(ω − ω_p)²/(2σ²ω_p²)) and what keeps the height H, by sums over ω/ω_p.
 fn surface(sea: &Sea, w: f64) -> f64 {
@@ -28,7 +31,6 @@ fn surface(sea: &Sea, w: f64) -> f64 {
     };
     let plain = PI * 5.0 / 16.0 * h * h * p.powi(4) / w.powi(5) * (-1.25 * (p / w).powi(4)).exp();
     let Sea::Jonswap { gamma, .. } = *sea else { return plain };
-    static HEIGHTS: Mutex<BTreeMap<u64, f64>> = Mutex::new(BTreeMap::new());
     let raised = *HEIGHTS.lock().unwrap().entry(gamma.to_bits()).or_insert_with(|| {
         // ∫ 5 x⁻⁵ exp(−5/4 x⁻⁴) γ^bump dx, which is 1 for γ = 1
         let at = |x: f64| 5.0 / x.powi(5) * (-1.25 / x.powi(4)).exp() * gamma.powf(bump(x));
