@@ -5,7 +5,7 @@ use super::answer::{
     Visible,
 };
 use super::bench::Bench;
-use super::carried::settled;
+use super::carried::{settled, together};
 use super::catalogue::{ANY, Added};
 use super::faults::{self, Spoiled};
 use super::few::Few;
@@ -22,6 +22,7 @@ use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
 use crate::simulate::Early;
+use std::cell::OnceCell;
 
 /// Mechanisms whose smallest visible size is told.
 const VISIBLE: usize = 12;
@@ -54,6 +55,8 @@ pub struct Assembly<'a> {
     pub notes: Vec<String>,
     /// What ended the search before it was through.
     pub ended_early: Option<Early>,
+    /// What is held out, once it is asked for, of the model as given fitted to all.
+    pub joint: OnceCell<Option<Vec<Held>>>,
 }
 
 impl Assembly<'_> {
@@ -162,8 +165,20 @@ impl Assembly<'_> {
 
     /// Whether what the last model leaves is no noise.
     fn unlike_noise(&self) -> Option<Unlike> {
-        let held = settled(&self.bench, &self.found.last, &self.separate).unwrap_or_default();
-        innovations::unlike_noise(&self.bench, &self.found.last, &held)
+        let of = |held: &[Held]| innovations::unlike_noise(&self.bench, &self.found.last, held);
+        let near = settled(&self.bench, &self.found.last, &self.separate).unwrap_or_default();
+        let joint = || self.joint().map(|held| of(held));
+        match of(&near) {
+            Some(odd) if odd.is_step() => joint().unwrap_or(Some(odd)),
+            seen => seen,
+        }
+    }
+
+    /// What is held out by the model as given fitted to all, where the fitted part bears that.
+    fn joint(&self) -> Option<&Vec<Held>> {
+        let asks = self.found.taken.is_empty() && self.found.base.ended_early.is_none();
+        let found = || together(&self.bench, self.request.model, &self.found.base);
+        self.joint.get_or_init(|| if asks { found() } else { None }).as_ref()
     }
 
     /// The recordings as they were given, fitted and separate.
@@ -192,7 +207,8 @@ impl Assembly<'_> {
         let (model, base) = (self.request.model, &self.found.base);
         let alone = || {
             let unseen = || locate::unseen(model, base);
-            let astray = || locate::astray(base, after);
+            let apart = || self.joint().is_none_or(|held| locate::astray(base, held).is_some());
+            let astray = || locate::astray(base, after).filter(|_| apart());
             // What fits where it is fitted and cannot be run beyond says why what is held out is not explained.
             let astray = || astray().filter(|_| self.found.fallen.is_none());
             let reason = locate::mute(model, &self.bench, base).or_else(unseen).or_else(astray);

@@ -10,6 +10,10 @@
 //! unknowns move by the δ that minimises ‖e − S δ‖² + ‖L⁻¹ δ‖²: the estimate from both parts, the fitted one
 //! standing in by its covariance.
 //!
+//! Where that is not near enough, as where a parameter lies at its bound and moves nothing to first order, the same
+//! model is fitted to both parts: what is held out belongs to it if the fitted part loses no more likelihood than as
+//! many unknowns lose by chance.
+//!
 //! # References
 //! A. Gelman et al., Bayesian Data Analysis, 3rd ed., 2013, sec. 14.8.
 //!
@@ -17,10 +21,13 @@
 //! Unknowns are counted in their own standard deviations.
 
 use super::bench::Bench;
+use super::choose::SURE;
 use super::prove::Held;
+use super::screen::log_chance;
 use crate::estimate::Fit;
-use crate::estimate::fit::{Effort, HeldOut, Series, carried_on};
+use crate::estimate::fit::{Effort, HeldOut, Series, carried_on, setup};
 use crate::estimate::triangle::Triangle;
+use crate::model::Model;
 use crate::record::Recording;
 use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
 use faer::{Mat, Par, Side};
@@ -40,6 +47,46 @@ pub fn settled(bench: &Bench, fit: &Fit, separate: &[Recording]) -> Option<Vec<H
         }
     }
     Some(held)
+}
+
+/// Residuals over what is held out of the same model fitted to both parts, by output; None where the fitted part does
+/// not bear that, or where whole recordings are held out.
+pub fn together(bench: &Bench, model: &Model, fit: &Fit) -> Option<Vec<Held>> {
+    if bench.separate {
+        return None;
+    }
+    let options = bench.options(Effort::Near, 40);
+    let whole = |r: &Recording| {
+        let spans = setup::spans(model, r, &options);
+        let mut all = [spans.fit, spans.holdout].concat();
+        all.sort_by(|a, b| a.from.total_cmp(&b.from));
+        r.clone().with_spans(all, Vec::new())
+    };
+    let both = Bench { recordings: bench.recordings.iter().map(whole).collect(), ..bench.clone() };
+    let joint = both.full_fit(model).ok()?;
+    let mut held = vec![Held::default(); model.outputs.len()];
+    let (mut lost, mut of_joint, mut of_own) = (0.0, 0, 0);
+    for (own, joint) in fit.records.iter().zip(&joint.records) {
+        for (own, joint) in own.series.iter().zip(&joint.series) {
+            let noise = &fit.noise[own.output];
+            let square = |e: &[f64]| noise.whiten(e).iter().map(|x| x * x).sum::<f64>();
+            let ends = own.time.last()?;
+            for r in &joint.stretches {
+                let (times, residual) = (&joint.time[r.clone()], &joint.residual[r.clone()]);
+                let fitted = times.partition_point(|t| t <= ends);
+                lost += square(&residual[..fitted]);
+                of_joint += fitted;
+                if fitted < times.len() {
+                    held[own.output].residual.push(residual[fitted..].to_vec());
+                    held[own.output].time.push(times[fitted..].to_vec());
+                }
+            }
+            lost -= own.residual_stretches().into_iter().map(square).sum::<f64>();
+            of_own += own.residual.len();
+        }
+    }
+    let bears = of_joint == of_own && (lost <= 0.0 || log_chance(lost, fit.values.len()) > SURE.ln());
+    bears.then_some(held)
 }
 
 /// e − S δ.

@@ -14,6 +14,7 @@ mod choose;
 mod company;
 mod compared;
 mod cut;
+mod exchanged;
 mod faults;
 mod few;
 mod foretold;
@@ -57,7 +58,7 @@ use compared::Cut;
 use faults::{Cleaned, Left, Spoiled};
 use prove::Held;
 use search::Found;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// What is to be diagnosed.
 pub struct Request<'a> {
@@ -93,12 +94,24 @@ pub struct Diagnosis {
     pub pictures: pictures::Pictures,
 }
 
-/// Diagnoses a model against recordings.
+/// Diagnoses a model against recordings. Where the fitted part is explained with nothing added, what was held out is
+/// not, and the spans are the default's, fit and proof change places once.
 ///
 /// # Errors
 /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated or fitted at all.
 pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     setup::keep_apart(request.model, request.recordings, request.separate)?;
+    let begin = Instant::now();
+    let first = as_it_stands(request)?;
+    let Some(recordings) = exchanged::asked(request, &first) else { return Ok(first) };
+    request.progress.report("once more, with fit and proof in each other's place", None);
+    let time_limit = request.time_limit.map(|t| t.saturating_sub(begin.elapsed()));
+    let second = as_it_stands(&Request { recordings: &recordings, time_limit, ..*request });
+    Ok(second.ok().and_then(exchanged::proven).unwrap_or(first))
+}
+
+/// The diagnosis with fit and proof where they stand.
+fn as_it_stands(request: &Request<'_>) -> Result<Diagnosis> {
     request.progress.report("looking for faults in the data", None);
     let Cleaned { spoiled, told, recordings, separate } = faults::clean(request);
     let (left, recordings, separate) = Left::of(request, recordings, separate);
@@ -197,6 +210,7 @@ impl Case<'_> {
             is_open: open,
             notes,
             ended_early: None,
+            joint: std::cell::OnceCell::new(),
         }
         .finish()
     }

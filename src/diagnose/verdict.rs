@@ -59,7 +59,8 @@ impl Evidence<'_> {
         let Some(first) = self.found.taken.first() else {
             let found = self.found;
             let sure = found.first.p_value < SURE && !found.is_trace;
-            let something = self.is_left() || sure || found.fallen.is_some();
+            let left = self.is_left() && self.rest.p_value < SURE;
+            let something = left || sure || found.fallen.is_some();
             return if something { Verdict::Unknown } else { Verdict::NothingMissing };
         };
         let doubtful = self.is_pressed() || is_wave(&first.proposal);

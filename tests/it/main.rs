@@ -12,6 +12,7 @@ mod cross;
 mod diagnose;
 mod diagnose_rough;
 mod endings;
+mod exchanged;
 mod faults;
 mod few_rows;
 mod fit;

@@ -32,6 +32,8 @@ pub struct Assembly<'a> {
     pub warnings: Vec<Warning>,
     /// The solver's tolerance.
     pub tolerance: f64,
+    /// Samples of each output in a period of the slowest input.
+    pub periods: Vec<usize>,
 }
 
 impl Assembly<'_> {
@@ -125,7 +127,7 @@ impl Assembly<'_> {
                 let columns: Vec<Vec<&[f64]>> = (0..unknowns)
                     .map(|j| own.iter().flat_map(|s| s.sensitivity_stretches(j)).collect())
                     .collect();
-                let mut noise = NoiseModel::estimate(&stretches, &columns);
+                let mut noise = NoiseModel::estimate_below(&stretches, &columns, self.periods[output]);
                 let samples = stretches.iter().map(|s| s.len()).sum();
                 let worth = independent_samples(&noise, samples);
                 let factor = worth / (worth - unknowns as f64).max(0.25 * worth);

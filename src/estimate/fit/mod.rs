@@ -7,6 +7,7 @@
 mod assemble;
 mod certain;
 mod combination;
+mod covered;
 mod equation_error;
 pub(crate) mod harness;
 mod held_out;
@@ -117,8 +118,9 @@ fn once(
         ranges: &ranges,
         start: &given,
         simulations: found.simulations,
-        warnings: found.warnings.clone(),
+        warnings: [found.warnings.clone(), covered::warnings(model, recordings)].concat(),
         tolerance: options.tolerance,
+        periods: covered::samples_in_a_period(model, recordings),
     }
     .finish()?;
     let innovations = fitted.noise.iter().map(|n| n.autoregression.innovation_variance());

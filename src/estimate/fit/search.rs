@@ -7,7 +7,9 @@
 //! # Method
 //! Walks from the given values and from the equation-error estimate; where the two end in the same
 //! minimum that is it. Else multiple shooting, from many short segments to one long run, and starts
-//! drawn about the best so far, until two walks agree on the best.
+//! drawn about the best so far, until two walks agree on the best. Where the best hardly holds a parameter,
+//! as at a bound that walks have slid to off the far side of a ridge, that parameter is held at places over its range
+//! while all else follows, and a last walk begins at the lowest of them.
 //!
 //! # References
 //! H. G. Bock, Recent advances in parameter identification for ODEs, Birkhäuser 1983 (multiple
@@ -22,7 +24,7 @@ use super::outcome::Warning;
 use super::problem::FreeRun;
 use super::shooting::shoot;
 use crate::estimate::coordinates::Range;
-use crate::estimate::least_squares::{Minimum, Problem, minimise};
+use crate::estimate::least_squares::{Minimum, Problem, Stopping, minimise};
 use crate::model::Model;
 use crate::record::Recording;
 use crate::{Error, Result};
@@ -31,6 +33,18 @@ use rand_distr::{Distribution, StandardNormal};
 
 /// Two sums of squares this near to each other, relatively, are one minimum.
 const SAME: f64 = 1e-3;
+
+/// Relative rise of a sum by which the doubling of a parameter tells nothing of its place.
+const LOOSE: f64 = 0.01;
+/// Rise of a sum, over the variance of white noise, that chance may bring.
+const CHANCE: f64 = 10.0;
+/// Places of its range at which a parameter is held.
+const PLACES: usize = 6;
+/// Factor from a value to the end of a range that has none.
+const FAR: f64 = 1e2;
+
+/// A short walk, the parameter held.
+const HOLDING: Stopping = Stopping { iterations: 8, reduction: 1e-3, step: 1e-4 };
 
 /// A search and what it has found so far.
 pub struct Search<'a> {
@@ -92,6 +106,7 @@ impl<'a> Search<'a> {
         }
         if self.options.effort == Effort::Full && self.problem.unknowns() > 0 {
             self.search(given);
+            self.look_along_loose(given);
         }
         self.finish()
     }
@@ -126,6 +141,55 @@ impl<'a> Search<'a> {
                 return;
             }
         }
+    }
+
+    /// A walk from the lowest place in the range of each parameter that the best minimum hardly holds.
+    fn look_along_loose(&mut self, given: &[f64]) -> Option<()> {
+        let best = self.best()?.clone();
+        for j in self.loose(&best) {
+            if self.options.budget.over().is_some() {
+                return None;
+            }
+            let x = if best.x[j] > 0.0 { best.x[j] } else { given[j] };
+            let held = self.places(j, x).into_iter().filter_map(|x| self.held(&best, j, x));
+            let lowest = held.min_by(|a, b| a.sum_of_squares.total_cmp(&b.sum_of_squares));
+            if let Some(lowest) = lowest.filter(|l| l.sum_of_squares < best.sum_of_squares) {
+                self.walk("from along its range", &lowest.x);
+            }
+        }
+        Some(())
+    }
+
+    /// Parameters of one sign that may double while the sum, all else following, hardly rises.
+    fn loose(&self, best: &Minimum) -> Vec<usize> {
+        let Ok(triangle) = self.problem.linearise(&best.x) else { return Vec::new() };
+        let others = |j: usize| (0..best.x.len()).filter(|k| *k != j).collect::<Vec<_>>();
+        let doubled = |j: usize| {
+            let mut step = vec![0.0; best.x.len()];
+            step[j] = best.x[j];
+            triangle.restricted(&others(j), &step).least_sum()
+        };
+        let hardly = LOOSE.max(CHANCE / triangle.rows().max(1) as f64) * best.sum_of_squares;
+        let is_loose = |j: &usize| self.ranges[*j].min >= 0.0 && doubled(*j) - triangle.least_sum() < hardly;
+        (0..self.problem.free.len()).filter(is_loose).collect()
+    }
+
+    /// Values over the range of a parameter of one sign, by equal factors.
+    fn places(&self, j: usize, x: f64) -> Vec<f64> {
+        let Range { min, max } = self.ranges[j];
+        let low = if min > 0.0 { min } else { x / FAR };
+        let high = if max.is_finite() { max } else { x * FAR };
+        let place = |k: usize| low * (high / low).powf(k as f64 / (PLACES + 1) as f64);
+        (1..=PLACES).map(place).filter(|x| x.is_finite() && *x > min && *x < max).collect()
+    }
+
+    /// The minimum with one parameter held.
+    fn held(&self, best: &Minimum, j: usize, x: f64) -> Option<Minimum> {
+        let mut ranges = self.ranges.to_vec();
+        ranges[j] = Range { min: x, max: x };
+        let mut start = best.x.clone();
+        start[j] = x;
+        minimise(self.problem, &start, &ranges, HOLDING).ok()
     }
 
     /// All parameters of the model at x.

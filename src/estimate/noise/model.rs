@@ -19,6 +19,8 @@ use super::scale::{block_means, correlation_time, robust_deviation};
 
 /// Most of the information of a sensitivity that a block mean may lose.
 const LOSS: f64 = 0.02;
+/// The same where what is averaged away is no physics.
+const LOSS_IN_BAND: f64 = 0.25;
 /// The memory, in decimated samples, that the autoregression is left with.
 const MEMORY: f64 = 12.0;
 /// Highest order that is tried.
@@ -51,14 +53,24 @@ impl NoiseModel {
     /// Estimates the noise from residual stretches; `columns[j]` are the stretches of sensitivity j,
     /// which limit the decimation (none: the residual decides alone).
     pub fn estimate(stretches: &[&[f64]], columns: &[Vec<&[f64]>]) -> Self {
+        Self::estimate_below(stretches, columns, 1)
+    }
+
+    /// The same where nothing is weighed above half the rate of one in `period` samples, as far as the sensitivities
+    /// bear that.
+    pub fn estimate_below(stretches: &[&[f64]], columns: &[Vec<&[f64]>], period: usize) -> Self {
         let clipped = clip(stretches);
         let views: Vec<&[f64]> = clipped.iter().map(Vec::as_slice).collect();
         let wanted = (correlation_time(&views) / MEMORY) as usize;
         let shortest_use = views.iter().map(|s| s.len()).sum::<usize>() / 200;
-        let mut decimation = wanted.min(shortest_use).max(1);
-        while decimation > 1 && columns.iter().any(|c| loss(c, decimation) > LOSS) {
-            decimation = decimation * 2 / 3;
-        }
+        let shortened = |wanted: usize, bearable: f64| {
+            let mut m = wanted.min(shortest_use).max(1);
+            while m > 1 && columns.iter().any(|c| loss(c, m) > bearable) {
+                m = m * 2 / 3;
+            }
+            m
+        };
+        let decimation = shortened(wanted, LOSS).max(shortened(period, LOSS_IN_BAND)).max(1);
         let short: Vec<Vec<f64>> = views.iter().map(|s| block_means(s, decimation)).collect();
         let short: Vec<&[f64]> = short.iter().map(Vec::as_slice).collect();
         let count: usize = short.iter().map(|s| s.len()).sum();
@@ -66,7 +78,7 @@ impl NoiseModel {
         if autoregression.variance() <= 0.0 {
             autoregression = Autoregression::white(f64::MIN_POSITIVE.sqrt());
         }
-        Self { decimation: decimation.max(1), autoregression }
+        Self { decimation, autoregression }
     }
 
     /// Innovations of one contiguous stretch.

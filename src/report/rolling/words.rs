@@ -59,20 +59,20 @@ pub fn excitation(e: &Excitation, sea: Option<&SeaMotion>, in_turn: bool) -> Str
         Source::Irregular(roll) => format!(
             "irregular roll, {}, μ = {} 1/s, ε = {} rad/s (period {} s)",
             size("standard deviation", roll.variance.sqrt(), in_turn),
-            roll.decay,
-            roll.frequency,
+            figure(roll.decay),
+            figure(roll.frequency),
             figure(TAU / roll.frequency)
         ),
         Source::Regular(roll) => format!(
             "regular roll, {}, frequency {} rad/s (period {} s)",
             size("amplitude", roll.amplitude, in_turn),
-            roll.frequency,
+            figure(roll.frequency),
             figure(TAU / roll.frequency)
         ),
         Source::Sea(waves) => sea::words(waves, sea, in_turn),
     };
     if let Some(corner) = e.band {
-        text.push_str(&format!("; behind two low-passes at {corner} rad/s"));
+        text.push_str(&format!("; behind two low-passes at {} rad/s", figure(corner)));
     }
     text
 }

@@ -1,0 +1,103 @@
+//! Fit and proof change places where the earlier part does not show what the later one does.
+
+use crate::diagnose::diagnosed;
+use gyrospec::diagnose::answer::{Answer, Verdict};
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Recording, Span};
+use gyrospec::units::Unit;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+const STEP: f64 = 0.02;
+const COUNT: usize = 6000;
+
+/// M q″ = F − b q′ − k q.
+const AXIS: &str = r#"
+    name = "axis"
+    [inputs]
+    F = { unit = "N" }
+    [parameters]
+    M = { value = 2, unit = "kg", fit = true, min = 0.1, max = 100 }
+    b = { value = 3, unit = "N*s/m", fit = true, min = 0, max = 100 }
+    k = { value = 60, unit = "N/m", fit = true, min = 1, max = 1e4 }
+    [states]
+    q = { rate = "v", unit = "m", initial = "fit" }
+    v = { rate = "(F - b*v - k*q)/M", unit = "m/s", initial = "fit" }
+    [outputs]
+    position = { equals = "q", unit = "m" }
+"#;
+
+/// The force, straight between samples.
+fn force(t: f64) -> f64 {
+    let before = (t / STEP + 1e-9).floor() * STEP;
+    sampled(before) + (sampled(before + STEP) - sampled(before)) * ((t - before) / STEP)
+}
+
+/// The force at a sample, smaller by 40 in the first 60 % of the time.
+fn sampled(t: f64) -> f64 {
+    let size = if t < 0.6 * STEP * COUNT as f64 { 0.2 } else { 8.0 };
+    size * ((1.3 * t).sin() + (3.1 * t).sin() + (5.3 * t).cos())
+}
+
+/// The axis with a spring that stiffens by k3·q³, solved by Runge and Kutta's method at a tenth of a sample; M = 2.2,
+/// b = 2.5, k = 70, noise of 50 um.
+fn recorded(k3: f64, spans: Option<[Span; 2]>) -> Answer {
+    let rate = |t: f64, [q, v]: [f64; 2]| [v, (force(t) - 2.5 * v - 70.0 * q - k3 * q.powi(3)) / 2.2];
+    let add = |[q, v]: [f64; 2], h: f64, [a, b]: [f64; 2]| [q + h * a, v + h * b];
+    let (mut state, mut position, h) = ([0.0, 0.0], Vec::new(), STEP / 10.0);
+    for i in 0..10 * COUNT {
+        if i % 10 == 0 {
+            position.push(state[0]);
+        }
+        let t = h * i as f64;
+        let a = rate(t, state);
+        let b = rate(t + h / 2.0, add(state, h / 2.0, a));
+        let c = rate(t + h / 2.0, add(state, h / 2.0, b));
+        let d = rate(t + h, add(state, h, c));
+        let mean = |k: usize| (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]) / 6.0;
+        state = add(state, h, [mean(0), mean(1)]);
+    }
+    let mut rng = ChaCha8Rng::seed_from_u64(81);
+    let mut noise = || -> f64 { 5e-5 * Distribution::<f64>::sample(&StandardNormal, &mut rng) };
+    let time: Vec<f64> = (0..COUNT).map(|i| STEP * i as f64).collect();
+    let unit = |text| Unit::parse(text).unwrap();
+    let input = Channel::new("F", unit("N"), time.clone(), time.iter().map(|t| force(*t)).collect());
+    let output = Channel::new("position", unit("m"), time, position.iter().map(|q| q + noise()).collect());
+    let made = Recording::from_channels("axis", vec![input, output]).unwrap();
+    let made = match spans {
+        Some([fit, holdout]) => made.with_spans(vec![fit], vec![holdout]),
+        None => made,
+    };
+    diagnosed(&Model::parse(AXIS).unwrap(), made).answer
+}
+
+fn says_so(told: &Answer) -> bool {
+    told.notes.iter().any(|n| n.contains("changed places"))
+}
+
+#[test]
+fn what_only_the_later_part_shows_is_named_there_and_proved_on_the_earlier() {
+    let told = recorded(400.0, None);
+    assert_eq!(told.verdict, Verdict::Named, "{}", told.says);
+    let first = &told.findings[0];
+    assert_eq!(first.code, "cubic-stiffness", "{}", told.says);
+    assert!(says_so(&told), "{:?}", told.notes);
+    let k3 = first.parameters.iter().find(|p| p.unit.starts_with("N/m^3")).unwrap();
+    assert!(k3.low < 400.0 && 400.0 < k3.high, "{k3:?}");
+    assert!(told.proof[0].improvement_low > 0.0, "{:?}", told.proof);
+}
+
+#[test]
+fn spans_that_are_given_stay() {
+    let end = STEP * COUNT as f64;
+    let told = recorded(400.0, Some([Span::new(0.0, 0.6 * end), Span::new(0.6 * end, end)]));
+    assert!(!says_so(&told));
+    assert!(told.findings.is_empty() && told.verdict == Verdict::NotIdentifiable, "{}", told.says);
+}
+
+#[test]
+fn nothing_changes_places_where_nothing_is_missing() {
+    let told = recorded(0.0, None);
+    assert_eq!((told.verdict, says_so(&told)), (Verdict::NothingMissing, false), "{}", told.says);
+}
