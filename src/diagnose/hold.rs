@@ -9,23 +9,27 @@
 //! predictions. The residual is projected on the directions of all inputs together, orthogonal to the fitted
 //! sensitivities and whitened: a weight of 1 is an input that is held, 0 one that runs straight, and any other
 //! something else that shifts or smooths it, which is left to the search. What stands so is read as held, and stays so
-//! where the refitted model is likelier.
+//! where the refitted model is likelier. Where something larger is missing that hides the reading, the search finds a
+//! delay of half a sample beside it: held inputs take its place if they fit as well, with one unknown less.
 //!
 //! # References
 //! G. F. Franklin, J. D. Powell, M. Workman, Digital Control of Dynamic Systems, 3rd ed. (1998), 4.3 (a hold delays by
 //! half a sample).
 
 use super::answer::{DataFault, Evidence, Finding, INPUT_HOLD, SiteName};
+use super::backward::without;
 use super::bench::{self, Bench, Stand};
+use super::catalogue::{Proposal, SiteKind};
 use super::choose::TIE;
 use super::compared::{anew, same_tracks};
 use super::measure::{Measure, Scale};
 use super::propose::difference;
 use super::screen::Screen;
+use super::search::Found;
 use super::view::own_tracks;
 use crate::Result;
 use crate::estimate::Fit;
-use crate::record::{Hold, Recording};
+use crate::record::{Channel, Hold, Recording};
 
 /// How far a weight may lie from 1, and its standard deviation: a delay has any weight, and what leaves it so open
 /// that it may be 1 by luck settles nothing.
@@ -70,8 +74,58 @@ pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit) -> Resul
         p_value: after.chance_over(before.likelihood, held.len()),
         holdout_share: f64::NAN,
     };
-    let held = held.into_iter().map(|name| told(name, &evidence)).collect();
+    let held = held.into_iter().map(|name| told(name, &evidence, &[])).collect();
     Ok(Settled { fit, held, notes })
+}
+
+/// Inputs in whose place a delay of half a sample was found: held and without that delay, they fit as well. Such are
+/// read as held from here on.
+pub fn in_place_of_delays(bench: &mut Bench, separate: &mut [Recording], found: &Found) -> Vec<DataFault> {
+    let scale = Scale::of(&found.last, found.scale.trials);
+    let last = Measure::of(&found.last, &scale);
+    let steps = bench.steps(&found.last.model);
+    for t in &found.taken {
+        let Some(names) = half_a_sample(bench, &found.last, &t.proposal) else { continue };
+        let fitted = |bench: &Bench| without(bench, &found.last, &t.proposal, steps);
+        let mut other = bench.clone();
+        read_held(&mut other.recordings, &names);
+        let (Some(held), Some(straight)) = (fitted(&other), fitted(bench)) else { continue };
+        let [held, straight] = [held, straight].map(|fit| Measure::of(&fit, &scale));
+        if held.likelihood < last.likelihood - TIE {
+            continue;
+        }
+        read_held(&mut bench.recordings, &names);
+        read_held(separate, &names);
+        let evidence = Evidence {
+            log_likelihood_ratio: held.likelihood - straight.likelihood,
+            degrees: names.len(),
+            p_value: held.chance_over(straight.likelihood, names.len()),
+            holdout_share: f64::NAN,
+        };
+        let alike = held.likelihood < last.likelihood + TIE;
+        let ties: Vec<String> = alike.then(|| t.proposal.code.to_owned()).into_iter().collect();
+        return names.into_iter().map(|name| told(name, &evidence, &ties)).collect();
+    }
+    Vec::new()
+}
+
+/// The inputs that a delay of about half their sample may stand for, if they are read straight.
+fn half_a_sample(bench: &Bench, last: &Fit, delay: &Proposal) -> Option<Vec<String>> {
+    let names: Vec<String> = match (delay.code, delay.site.kind) {
+        ("input-delay", SiteKind::Input) => vec![delay.site.name.clone()],
+        ("output-delay", SiteKind::Output) => last.model.inputs.iter().map(|i| i.name.clone()).collect(),
+        _ => return None,
+    };
+    let late = last.parameters.iter().find(|e| e.name == delay.added[0].name)?.value;
+    let half = |name: &String| {
+        let mut channels = bench.recordings.iter().map(|r| r.find(name));
+        channels.all(|c| {
+            let straight = c.filter(|c| c.hold == Hold::Linear);
+            let step = straight.and_then(Channel::median_step).unwrap_or(f64::NAN);
+            (late / step - 0.5).abs() <= FROM_ONE.0
+        })
+    };
+    (!names.is_empty() && names.iter().all(half)).then_some(names)
 }
 
 /// Inputs that the residual shows to be held, and notes on those that it cannot tell.
@@ -126,7 +180,7 @@ fn read_held(recordings: &mut [Recording], names: &[String]) {
     channels.filter(|c| names.contains(&c.name)).for_each(|c| c.hold = Hold::Previous);
 }
 
-fn told(name: String, evidence: &Evidence) -> DataFault {
+fn told(name: String, evidence: &Evidence, ties: &[String]) -> DataFault {
     let says = format!(
         "{name} is held between its samples, and was read so: write `hold = \"previous\"` at its channel in the recording's TOML file"
     );
@@ -138,7 +192,7 @@ fn told(name: String, evidence: &Evidence) -> DataFault {
         parameters: Vec::new(),
         p_value: evidence.p_value,
         share: 0.0,
-        ties: Vec::new(),
+        ties: ties.to_vec(),
         evidence: Some(evidence.clone()),
     };
     DataFault { finding, masked: true }

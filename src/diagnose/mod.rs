@@ -255,9 +255,21 @@ impl Case<'_> {
             hold::settle(&mut self.bench, &mut self.separate, base)?;
         self.told.extend(held);
         self.notes.extend(notes);
-        let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+        let found = self.named(base.clone())?;
+        let held = hold::in_place_of_delays(&mut self.bench, &mut self.separate, &found);
+        if held.is_empty() || self.bench.budget.cut().is_some() {
+            return Ok((found, is_cut));
+        }
+        self.told.extend(held);
+        let base = compared::anew(&self.bench, &base)?;
+        Ok((self.named(base)?, is_cut))
+    }
+
+    /// What the search finds and what of it stands.
+    fn named(&self, base: Fit) -> Result<Found> {
+        let given: Vec<f64> = self.request.model.parameters.iter().map(|p| p.value).collect();
         let mut found = search::search(&self.bench, &self.separate, base, &given, self.request.progress)?;
         backward::stand(&self.bench, &self.separate, &mut found);
-        Ok((found, is_cut))
+        Ok(found)
     }
 }

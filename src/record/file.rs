@@ -3,7 +3,7 @@
 use super::form::{ChannelForm, FormatForm, HoldForm, KindForm, QuantityForm, RecordingForm};
 use super::form::{SpansForm, StartForm, TableForm, TimeForm};
 use super::input::{Input, is_stream, read_once};
-use super::request::{Clock, Request, Wanted};
+use super::request::{Clock, Request, Table, Wanted, Zero};
 use super::{Channel, Constant, Hold, Kind, Note, Recording, Source, Span, Spans, csv, nmea};
 use crate::text::one_line;
 use crate::units::{Dimension, Unit};
@@ -32,7 +32,7 @@ impl File<'_> {
             KindForm::Trials => Kind::Trials,
         };
         let mut recording = Recording {
-            name: form.name.map_or_else(|| super::stem(self.path), |name| one_line(&name)),
+            name: form.name.as_deref().map_or_else(|| super::stem(self.path), one_line),
             kind,
             sources: vec![source],
             ..Recording::default()
@@ -40,15 +40,24 @@ impl File<'_> {
         if form.tables.is_empty() {
             return Err(Error::bad_input("the recording names no [[tables]]"));
         }
+        let logs = self.zero_of_logs(&form)?;
+        let (mut zero, mut of_numbers) = (logs.clone(), None);
         for (number, table) in form.tables.iter().enumerate() {
             let path = self.resolve(&table.get_ref().file, &recording.sources)?;
-            let read = self.table(table, number, kind, &path)?;
+            let read = self.table(table, (number, zero.clone()), kind, &path)?;
+            if read.zero.is_none() && counts_numbers(table.get_ref(), kind) {
+                of_numbers = Some(table.get_ref().file.span().start);
+            }
+            zero = zero.or(read.zero);
             self.add_channels(&mut recording, read.channels, table)?;
             recording.notes.extend(read.notes);
             if !recording.sources.contains(&read.origin.source) {
                 recording.sources.push(read.origin.source.clone());
             }
             recording.origins.push(read.origin);
+        }
+        if let (None, Some(zero), Some(at)) = (&logs, &zero, of_numbers) {
+            return Err(self.no_common_zero(zero, at));
         }
         recording.constants = self.constants(&form.constants)?;
         if let Some(spans) = &form.spans {
@@ -84,10 +93,10 @@ impl File<'_> {
     fn table(
         &self,
         table: &Spanned<TableForm>,
-        number: usize,
+        (number, zero): (usize, Option<Zero>),
         kind: Kind,
         path: &Path,
-    ) -> Result<csv::Table> {
+    ) -> Result<Table> {
         let form = table.get_ref();
         if let Some(time) = form.time.as_ref().filter(|_| kind == Kind::Trials) {
             return Err(self.at(Error::bad_input("a table of trials has no time"), time.span().start));
@@ -100,6 +109,7 @@ impl File<'_> {
                     wanted: self.wanted(&form.channels)?,
                     rows: self.rows(form.rows.as_ref())?,
                     table: number,
+                    zero,
                 };
                 csv::read(open(path)?, &request)
             }
@@ -121,36 +131,57 @@ impl File<'_> {
         Ok(path)
     }
 
-    fn log(&self, table: &Spanned<TableForm>, number: usize, path: &Path) -> Result<csv::Table> {
+    fn log(&self, table: &Spanned<TableForm>, number: usize, path: &Path) -> Result<Table> {
         let form = table.get_ref();
         if let Some(rows) = &form.rows {
             let error = Error::bad_input("rows cannot be picked in a log; use [spans]");
             return Err(self.at(error, rows.span().start));
         }
-        let zero = match form.time.as_ref().map(|t| (t, t.get_ref())) {
+        let zero = self.zero(table)?.nano;
+        let mut wanted = Vec::new();
+        for (name, channel) in in_order(&form.channels) {
+            wanted.push(self.selection(name, channel)?);
+        }
+        nmea::read(open(path)?, &nmea::Request { zero: Some(zero), wanted, table: number })
+    }
+
+    fn no_common_zero(&self, zero: &Zero, at: usize) -> Error {
+        let error = Error::bad_input(format!(
+            "the times of this table are numbers, those of another count from `{}`: they have no zero in common",
+            zero.text
+        ));
+        self.at(error, at).with_hint("write the times of all tables as dates, or of none")
+    }
+
+    /// The zero that a log gives, from which dates in other tables count too.
+    fn zero_of_logs(&self, form: &RecordingForm) -> Result<Option<Zero>> {
+        let mut logs =
+            form.tables.iter().filter(|t| matches!(t.get_ref().format, Some(FormatForm::Nmea0183)));
+        logs.next().map(|log| self.zero(log)).transpose()
+    }
+
+    /// The zero of a log's time.
+    fn zero(&self, table: &Spanned<TableForm>) -> Result<Zero> {
+        match table.get_ref().time.as_ref().map(|t| (t, t.get_ref())) {
             Some((at, TimeForm { start: Some(start), column: None, step: None, .. })) => {
                 let text = match start {
                     StartForm::Text(text) => text.clone(),
                     StartForm::Date(date) => date.to_string(),
                     StartForm::Number(seconds) => seconds.to_string(),
                 };
-                nmea::stamp(&text).ok_or_else(|| {
+                let nano = nmea::stamp(&text).ok_or_else(|| {
                     let why = nmea::why_no_stamp(&text).map_or_else(String::new, |why| format!(": {why}"));
                     let error = Error::bad_input(format!("`{text}` is no date and time{why}"));
                     self.at(error, at.span().start).with_hint("write start = \"2018-12-06T00:00:00Z\"")
-                })?
+                })?;
+                Ok(Zero { nano, is_dated: true, text })
             }
             other => {
                 let error = Error::bad_input("a log needs the zero of its time")
                     .with_hint("write time = { start = \"2018-12-06T00:00:00Z\" }, nothing else");
-                return Err(self.at(error, other.map_or(table.span().start, |o| o.0.span().start)));
+                Err(self.at(error, other.map_or(table.span().start, |o| o.0.span().start)))
             }
-        };
-        let mut wanted = Vec::new();
-        for (name, channel) in in_order(&form.channels) {
-            wanted.push(self.selection(name, channel)?);
         }
-        nmea::read(open(path)?, &nmea::Request { zero: Some(zero), wanted, table: number })
     }
 
     fn selection(&self, name: &str, channel: &Spanned<ChannelForm>) -> Result<nmea::Selection> {
@@ -317,6 +348,12 @@ impl File<'_> {
             }
         }
     }
+}
+
+/// Whether the time of a table is a column of numbers, unless the reader finds dates there.
+fn counts_numbers(table: &TableForm, kind: Kind) -> bool {
+    let is_column = table.time.as_ref().is_none_or(|t| t.get_ref().column.is_some());
+    kind == Kind::Time && is_column && table.format != Some(FormatForm::Nmea0183)
 }
 
 /// Opens a table; where it is not there, the error says where it was looked for.

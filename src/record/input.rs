@@ -7,6 +7,7 @@
 use super::Source;
 use super::packed::Unpacked;
 use crate::{Error, Result};
+use encoding_rs::Decoder;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -36,6 +37,10 @@ pub(crate) struct Input {
     failed: Option<io::Error>,
     /// Whether lines end with carriage returns alone.
     returns: bool,
+    /// What turns the bytes into UTF-8, where they are none.
+    decoder: Option<Decoder>,
+    /// The name of that encoding.
+    coded: Option<&'static str>,
 }
 
 impl Input {
@@ -49,7 +54,7 @@ impl Input {
         let failed = bytes.by_ref().take(START).read_to_end(&mut start).err();
         let taken = if start.starts_with(MARK) { MARK.len() } else { 0 };
         let returns = ends_with_returns(&start);
-        Ok(Self { path: path.to_owned(), bytes, start, taken, failed, returns })
+        Ok(Self { path: path.to_owned(), bytes, start, taken, failed, returns, decoder: None, coded: None })
     }
 
     /// What was opened.
@@ -60,6 +65,36 @@ impl Input {
     /// The first bytes, up to 64 KiB.
     pub(crate) fn start(&self) -> &[u8] {
         &self.start[self.taken.min(self.start.len())..]
+    }
+
+    /// Whether the first bytes are all that there are.
+    pub(crate) fn is_whole(&self) -> bool {
+        (self.start.len() as u64) < START
+    }
+
+    /// The same as a table of text, which may be UTF-16 with its mark or Windows-1252 (Latin-1) beside UTF-8.
+    pub(super) fn into_table(mut self) -> Self {
+        let encoding = match self.start.as_slice() {
+            [0xFF, 0xFE, 0, 0, ..] => None,
+            [0xFF, 0xFE, ..] => Some(encoding_rs::UTF_16LE),
+            [0xFE, 0xFF, ..] => Some(encoding_rs::UTF_16BE),
+            start if is_latin(start) => Some(encoding_rs::WINDOWS_1252),
+            _ => None,
+        };
+        let Some(encoding) = encoding else { return self };
+        let mut decoder = encoding.new_decoder_with_bom_removal();
+        let is_last = self.is_whole();
+        self.start = decoded(&mut decoder, &self.start, is_last && self.failed.is_none());
+        self.taken = 0;
+        self.returns = ends_with_returns(&self.start);
+        self.decoder = Some(decoder).filter(|_| !is_last);
+        self.coded = Some(encoding.name());
+        self
+    }
+
+    /// What is to be said of its encoding.
+    pub(super) fn coded(&self) -> Option<String> {
+        self.coded.map(|name| format!("read as {name}"))
     }
 
     /// Whether this is a TOML file: by its name, or as its first line that says something is `key = …` or `[table]`.
@@ -95,15 +130,49 @@ impl Input {
     }
 }
 
+impl Input {
+    /// Fills what is handed over with the next decoded bytes, if there are any and a decoder.
+    fn decode_more(&mut self) -> io::Result<()> {
+        while let (Some(decoder), true) = (&mut self.decoder, self.start.is_empty()) {
+            let mut raw = Vec::new();
+            self.bytes.by_ref().take(START).read_to_end(&mut raw)?;
+            let is_last = raw.is_empty();
+            self.start = decoded(decoder, &raw, is_last);
+            if is_last {
+                self.decoder = None;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Bytes as UTF-8.
+fn decoded(decoder: &mut Decoder, bytes: &[u8], is_last: bool) -> Vec<u8> {
+    let mut text =
+        String::with_capacity(decoder.max_utf8_buffer_length(bytes.len()).unwrap_or(3 * bytes.len() + 8));
+    // the room asked for is enough for all, so that nothing is left over
+    let _ = decoder.decode_to_string(bytes, &mut text, is_last);
+    text.into_bytes()
+}
+
+/// Whether bytes are text in one byte a character: no UTF-8, and without control characters.
+fn is_latin(start: &[u8]) -> bool {
+    let bad = std::str::from_utf8(start).is_err_and(|e| e.error_len().is_some());
+    bad && !start.iter().any(|b| *b < 9 || (14..32).contains(b) || *b == 127)
+}
+
 impl Read for Input {
     fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
-        let mut left = self.start();
-        let got = if left.is_empty() {
+        if self.start().is_empty() {
             if let Some(e) = self.failed.take() {
                 return Err(e);
             }
-            self.start = Vec::new();
-            self.bytes.read(into)?
+            (self.start, self.taken) = (Vec::new(), 0);
+            self.decode_more()?;
+        }
+        let mut left = self.start();
+        let got = if left.is_empty() {
+            if self.coded.is_some() { 0 } else { self.bytes.read(into)? }
         } else {
             let got = left.read(into)?;
             self.taken += got;

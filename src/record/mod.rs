@@ -9,6 +9,7 @@ mod csv;
 mod file;
 mod form;
 mod input;
+mod label;
 mod nmea;
 mod packed;
 pub mod quality;
@@ -23,7 +24,9 @@ pub use csv::{Raw, columns};
 pub(crate) use input::Input;
 #[cfg(feature = "cli")]
 pub(crate) use input::{is_stream, read_once};
-pub use recording::{Channel, Constant, Hold, Kind, Note, Origin, Recording, Source};
+#[cfg(feature = "cli")]
+pub(crate) use label::label;
+pub use recording::{Channel, Constant, Hold, Kind, LeftOut, Note, Origin, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 pub use summary::{Peak, Summary, summaries, summary};
 pub use wrap::{principal, unwrap};
@@ -68,10 +71,12 @@ impl Recording {
             nmea::read(input, &nmea::Request { zero: None, wanted: Vec::new(), table: 0 })?
         } else {
             let clock = request::Clock::FirstColumn;
-            csv::read(input, &request::Request { clock, wanted: Vec::new(), rows: None, table: 0 })?
+            let wanted = Vec::new();
+            csv::read(input, &request::Request { clock, wanted, rows: None, table: 0, zero: None })?
         };
         let (sources, origins) = (vec![table.origin.source.clone()], vec![table.origin]);
-        Ok(Self { name, channels: table.channels, sources, origins, notes: table.notes, ..Self::default() })
+        let (notes, left_out) = (table.notes, table.left_out);
+        Ok(Self { name, channels: table.channels, sources, origins, notes, left_out, ..Self::default() })
     }
 
     /// Reads the recording that the text of a TOML recording describes; `path` is where the text is to

@@ -153,6 +153,61 @@ pub struct Origin {
     pub is_table: bool,
 }
 
+/// How it is said that a column has no unit.
+pub(super) const NO_UNIT: &str = "has no unit";
+
+/// A column that is no channel, though every column was wanted.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Its label.
+    pub label: String,
+    /// Why it is none.
+    pub why: String,
+    /// What to do.
+    pub hint: Option<String>,
+    /// The file.
+    pub file: PathBuf,
+    /// The line of the label, from 1.
+    pub line: Option<usize>,
+    /// Where the label begins in it, from 1.
+    pub column: Option<usize>,
+}
+
+impl LeftOut {
+    pub(super) fn of(label: &str, error: &Error) -> Self {
+        Self {
+            label: label.to_owned(),
+            why: error.message().to_owned(),
+            hint: error.hint().map(str::to_owned),
+            file: PathBuf::new(),
+            line: error.line(),
+            column: error.column(),
+        }
+    }
+
+    pub(super) fn in_file(self, file: &Path) -> Self {
+        Self { file: file.to_owned(), ..self }
+    }
+
+    /// Whether a model's name means this column.
+    pub(crate) fn is_named(&self, name: &str) -> bool {
+        self.label == name || super::label::label(&self.label).name == name
+    }
+
+    /// Whether all that it lacks is a unit.
+    #[cfg(feature = "diagnose")]
+    pub(crate) fn has_no_unit(&self) -> bool {
+        self.why.ends_with(NO_UNIT)
+    }
+
+    fn error(&self) -> Error {
+        let error = Error::bad_input(self.why.clone()).with_file(&self.file);
+        let error = self.line.map_or(error.clone(), |l| error.with_line(l));
+        let error = self.column.map_or(error.clone(), |c| error.with_column(c));
+        self.hint.as_ref().map_or(error.clone(), |h| error.with_hint(h.clone()))
+    }
+}
+
 /// Something that a reader noticed and that did not stop it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
@@ -193,6 +248,8 @@ pub struct Recording {
     pub origins: Vec<Origin>,
     /// What the reader noticed.
     pub notes: Vec<Note>,
+    /// Columns that are no channels, and why.
+    pub left_out: Vec<LeftOut>,
 }
 
 impl Recording {
@@ -241,9 +298,13 @@ impl Recording {
         self
     }
 
-    /// The channel of a name, if there is one.
+    /// The channel of a name, if there is one; `x_m` is also a channel `x` whose unit is m.
     pub fn find(&self, name: &str) -> Option<&Channel> {
-        self.channels.iter().find(|c| c.name == name)
+        let own = self.channels.iter().find(|c| c.name == name);
+        let with_unit = |c: &&Channel| {
+            name.strip_prefix(&c.name).and_then(|n| n.strip_prefix('_')) == Some(c.unit.text())
+        };
+        own.or_else(|| self.channels.iter().find(with_unit))
     }
 
     /// The channel of a name.
@@ -252,6 +313,9 @@ impl Recording {
     /// `BadInput` that names the nearest channel and those that there are.
     pub fn channel(&self, name: &str) -> Result<&Channel> {
         self.find(name).ok_or_else(|| {
+            if let Some(left_out) = self.left_out.iter().find(|l| l.is_named(name)) {
+                return left_out.error();
+            }
             let names: Vec<&str> = self.channels.iter().map(|c| c.name.as_str()).collect();
             let meant = nearest(name, names.iter().copied()).map(|n| format!("did you mean `{n}`? "));
             let e = Error::bad_input(format!("the recording `{}` has no channel `{name}`", self.name));

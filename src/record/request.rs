@@ -1,6 +1,6 @@
 //! What a recording asks of one of its files.
 
-use super::{Channel, Hold};
+use super::{Channel, Hold, LeftOut, Note, Origin};
 use crate::units::Unit;
 use std::sync::Arc;
 
@@ -27,6 +27,28 @@ pub(super) struct Wanted {
     pub hold: Hold,
 }
 
+/// The zero of a table's time.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Zero {
+    /// Nanoseconds since 1970, leap seconds included, or since midnight.
+    pub nano: i128,
+    /// Whether it has a date.
+    pub is_dated: bool,
+    /// The row's own words.
+    pub text: String,
+}
+
+/// What a table gives.
+pub(super) struct Table {
+    pub channels: Vec<Channel>,
+    pub origin: Origin,
+    pub notes: Vec<Note>,
+    /// Columns that are no channels though every column is wanted.
+    pub left_out: Vec<LeftOut>,
+    /// The zero of its dates and clocks.
+    pub zero: Option<Zero>,
+}
+
 /// What is wanted of a table of text.
 #[derive(Debug, Clone)]
 pub(super) struct Request {
@@ -37,6 +59,8 @@ pub(super) struct Request {
     pub rows: Option<(usize, usize)>,
     /// Number of the table in the recording.
     pub table: usize,
+    /// Where dates and clocks count from, if another table says so.
+    pub zero: Option<Zero>,
 }
 
 /// Turns numbers as read into a channel in SI, unwrapped where its angle wraps.

@@ -5,6 +5,7 @@
 //! by more than a stated share of its spread. Runs with other parameters and initial states, with
 //! sensitivities if wanted, are then as quick as the arithmetic.
 
+mod absent;
 mod again;
 mod budget;
 mod events;
@@ -33,6 +34,7 @@ mod tabulate;
 mod trace;
 mod warnings;
 
+pub use absent::present;
 pub use budget::{Budget, Early};
 pub use mesh::GAP_STEPS;
 #[doc(hidden)]

@@ -1,5 +1,6 @@
 //! The simulator: built once from a model and a recording, run as often as wanted.
 
+use super::absent;
 use super::budget::{Allowance, Budget};
 use super::gaps;
 use super::machine::registers;
@@ -75,6 +76,7 @@ impl Simulator {
     /// that is no number at the first step.
     pub fn new(model: &Model, recording: &Recording, options: &Options) -> Result<Self> {
         let program = model.compile()?;
+        absent::inputs_present(model, recording)?;
         let samples = signals::inputs(model, recording)?;
         let mut outputs = signals::outputs(model, recording)?;
         let span = signals::span(&samples, &outputs, options.window)?;

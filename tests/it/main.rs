@@ -1,6 +1,7 @@
 //! All integration tests, in one binary: one module a capability.
 #![allow(clippy::print_stdout, clippy::print_stderr)] // what was skipped, and figures for the record
 
+mod absent;
 mod angular;
 mod apart;
 mod audit;
@@ -11,6 +12,7 @@ mod clock_shift;
 mod cross;
 mod diagnose;
 mod diagnose_rough;
+mod dialects;
 mod endings;
 mod exchanged;
 mod faults;

@@ -75,11 +75,10 @@ fn bad_tables_are_refused_with_place_and_remedy() {
     refused("a.csv", with("0,1\n\n1,2\n"), 3, &["empty"]);
     refused("a.csv", with("0,1\n1"), 3, &["mid-line", "cut short"]);
     refused("a.csv", with("0,1\n1,-"), 3, &["cut short"]);
-    refused("a.csv", b"\xff\xfet\0 \0[\0s\0]\0\n\0", 1, &["UTF-16"]);
-    refused("a.csv", "t [s];x [m]\n0;1\n", 1, &["semicolons"]);
-    refused("a.csv", "t [s]\tx [m]\n0\t1\n", 1, &["tabs"]);
+    refused("a.csv", "t [s];x [m]\n0,1\n", 1, &["semicolons"]);
+    refused("a.csv", "t [s]\tx [m]\n0,1\n", 1, &["tabs"]);
     refused("a.csv", "t [s],x [m],x [m]\n0,1,2\n", 1, &["both named `x`"]);
-    refused("a.csv", "t [s],x [m],y [degg]\n0,1,2\n", 1, &["deg"]);
+    refused("a.csv", "t [s],y [degg]\n0,1\n", 1, &["deg"]);
     refused("a.csv", "t [s],x\n0,1\n", 1, &["column 2 `x` has no unit"]);
     refused("a.csv", "x [m],t [s]\n0,1\n", 1, &["no column of time"]);
     refused("a.csv", "0,1\n1,2\n", 1, &["header"]);
@@ -153,7 +152,7 @@ fn a_toml_recording_joins_tables() {
 fn bad_toml_recordings_are_refused_with_place_and_remedy() {
     let table = |rest: &str| {
         let folder = Folder::new();
-        folder.write("a.csv", "t_s,x_m\n0,1\n1,2\n");
+        folder.write("a.csv", "t_s,x_m,n\n0,1,1\n1,2,1\n");
         Recording::read(folder.write("r.toml", format!("[[tables]]\nfile = \"a.csv\"\n{rest}\n")))
             .expect_err("this is no recording")
             .to_string()
@@ -166,7 +165,7 @@ fn bad_toml_recordings_are_refused_with_place_and_remedy() {
         (channel("column = \"x_m\", unit = \"metre\""), "r.toml:5:31:"),
         (channel("colum = \"x_m\", unit = \"m\""), "unknown field `colum`"),
         (channel("column = \"x_m\", unit = \"m\", wraps = true"), "cannot wrap"),
-        (channel("column = \"x_m\""), "has no unit"),
+        (channel("column = \"n\""), "has no unit"),
         (table("time = { column = \"t_s\", unit = \"m\" }"), "no unit of time"),
         (table("time = { start = 0.0, step = 0.0, unit = \"s\" }"), "positive"),
         (table(&format!("{time}\nrows = [3, 2]")), "no range of rows"),

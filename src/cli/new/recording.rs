@@ -14,8 +14,6 @@ use std::path::Path;
 
 /// First words of names that mean the time.
 const TIMES: [&str; 9] = ["t", "time", "timestamp", "seconds", "clock", "date", "datetime", "utc", "epoch"];
-/// Seconds by which the steps of stamps may differ and still be even.
-const EVEN: f64 = 1e-6;
 
 /// What a column is taken for, and why.
 struct Guess {
@@ -43,7 +41,7 @@ fn guessed_of(held: &Held) -> Result<String> {
     }
     let columns = record::columns(csv)?;
     let time = time_of(&columns);
-    let mut out = clock(time.map(|i| (i, &columns[i])), csv)?;
+    let mut out = clock(time.map(|i| (i, &columns[i])));
     out.push_str("[tables.channels]\n");
     let mut taken = BTreeSet::new();
     for (i, c) in columns.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
@@ -76,34 +74,23 @@ fn head(csv: &Path, comment: &str) -> String {
 }
 
 /// The line of the file that says where the time is.
-fn clock(time: Option<(usize, &Raw)>, csv: &Path) -> Result<String> {
+fn clock(time: Option<(usize, &Raw)>) -> String {
     let Some((index, c)) = time else {
-        return Ok("time = { start = 0.0, step = 1.0, unit = \"s\" }  # GUESS: no column rises like time; set the step, or write kind = \"trials\" above and drop this line where each row is a steady trial\n".into());
+        return "time = { start = 0.0, step = 1.0, unit = \"s\" }  # GUESS: no column rises like time; set the step, or write kind = \"trials\" above and drop this line where each row is a steady trial\n".into();
     };
-    if let Some((line, text)) = c.text.as_ref().filter(|_| !c.stamps.is_empty()) {
-        let step = even_step(c).ok_or_else(|| {
-            Error::bad_input(format!(
-                "column {} `{}` holds dates such as `{text}`, which are no numbers and follow each other unevenly",
-                index + 1,
-                c.name
-            ))
-            .with_file(csv)
-            .with_line(*line)
-            .with_column(index + 1)
-            .with_hint("write the time as seconds since the first row: 0, 0.5, 1.2 …")
-        })?;
-        return Ok(format!(
-            "time = {{ start = 0.0, step = {step:?}, unit = \"s\" }}  # GUESS: {} counts from {} in even steps\n",
-            in_line(&c.name),
-            in_line(text)
-        ));
+    if let Some(since) = &c.since {
+        return format!(
+            "time = {{ column = {}, unit = \"s\" }}  # it counts from {}\n",
+            toml_string(&c.name),
+            in_line(since)
+        );
     }
     let g = guess(index, c, &mut BTreeSet::new());
     let (unit, because) = match Unit::parse(&g.unit) {
         Ok(u) if u.dimension() == Dimension::TIME => (g.unit, g.because),
         _ => ("s".into(), "GUESS: seconds, as the header names no unit of time".into()),
     };
-    Ok(format!("time = {{ column = {}, unit = \"{unit}\" }}  # {because}\n", toml_string(&c.name)))
+    format!("time = {{ column = {}, unit = \"{unit}\" }}  # {because}\n", toml_string(&c.name))
 }
 
 /// The line of the file that makes a column a channel; a comment where it holds no numbers.
@@ -117,8 +104,11 @@ fn channel(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> String {
     }
     let g = guess(index, c, taken);
     let wraps = if g.wraps { ", wraps = true" } else { "" };
+    let is_held = !g.wraps && is_held(&c.values);
+    let hold = if is_held { ", hold = \"previous\"" } else { "" };
+    let because = if is_held { "; GUESS: it stays and leaps, so it is held between its changes" } else { "" };
     format!(
-        "{} = {{ column = {}, unit = \"{}\"{wraps} }}  # {}\n",
+        "{} = {{ column = {}, unit = \"{}\"{wraps}{hold} }}  # {}{because}\n",
         g.name,
         toml_string(&c.name),
         g.unit,
@@ -129,7 +119,7 @@ fn channel(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> String {
 /// The column of time: named like it or in a unit of time, and rising if there is such a one; else the first
 /// column if it rises in even steps.
 fn time_of(columns: &[Raw]) -> Option<usize> {
-    let rises = |c: &Raw| c.values.windows(2).all(|w| w[0] < w[1]) || c.stamps.len() == c.values.len();
+    let rises = |c: &Raw| c.values.windows(2).all(|w| w[0] < w[1]) || c.since.is_some();
     let candidates = || columns.iter().enumerate().filter(|(_, c)| like_time(c));
     let rising = candidates().find(|(_, c)| rises(c));
     // a clock that stands or falls is still the clock: whoever reads it says what is wrong
@@ -149,7 +139,7 @@ fn like_time(c: &Raw) -> bool {
     let unit = unit.and_then(|u| Unit::parse(&u).ok()).map(|u| u.dimension());
     let whole = name.to_lowercase();
     let first = whole.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
-    if c.stamps.len() == c.values.len() && !c.stamps.is_empty() {
+    if c.since.is_some() {
         return true;
     }
     match unit {
@@ -159,53 +149,15 @@ fn like_time(c: &Raw) -> bool {
     }
 }
 
-/// The step in s of the stamps of a column, if all its fields are such and follow each other evenly.
-fn even_step(c: &Raw) -> Option<f64> {
-    let [first, second, ..] = c.stamps[..] else { return None };
-    let step = (second - first) as f64 * 1e-9;
-    let at = |(k, s): (usize, &i128)| ((s - first) as f64 * 1e-9 - k as f64 * step).abs() <= EVEN;
-    let all = c.stamps.len() == c.values.len() && step > 0.0;
-    (all && c.stamps.iter().enumerate().all(at)).then_some(step)
-}
-
-/// A header's name, its unit, and whether the unit stands in brackets.
+/// A header's name, its unit, and whether the unit stands apart from the name.
 fn parted(c: &Raw) -> (String, Option<String>, bool) {
-    if let Some(unit) = &c.unit {
-        return (c.name.clone(), Some(unit.clone()), true);
-    }
-    if let Some((name, unit)) = c.name.strip_suffix(')').and_then(|h| h.rsplit_once('(')) {
-        return (name.trim().to_string(), Some(unit.trim().to_string()), true);
-    }
-    match c.name.rsplit_once(['_', ' ']) {
-        Some((name, unit)) if spelled(unit).is_some() => (name.to_string(), spelled(unit), false),
-        _ if c.name.eq_ignore_ascii_case("rpm") => (c.name.clone(), Some("rpm".into()), false),
-        _ => (c.name.clone(), None, false),
-    }
-}
-
-/// The unit that a last word of a name means.
-fn spelled(word: &str) -> Option<String> {
-    let per = |top: &str| format!("{top}/s");
-    let known = match word.to_lowercase().as_str() {
-        "deg" | "degrees" => "deg".into(),
-        "degs" | "dps" => per("deg"),
-        "rads" => per("rad"),
-        "ms2" | "mss" => "m/s^2".into(),
-        "mps" => "m/s".into(),
-        "kn" | "kt" | "knots" => "kn".into(),
-        "c" | "celsius" => "degC".into(),
-        "sec" | "seconds" => "s".into(),
-        _ => word.to_string(),
-    };
-    // A last letter alone is rather an index than a unit, unless it is one of these.
-    let doubtful = known.len() == 1 && !["s", "m", "N", "V", "A", "K"].contains(&known.as_str());
-    (!doubtful && known != "1" && Unit::parse(&known).is_ok()).then_some(known)
+    let name = if c.name.ends_with(']') { c.name.clone() } else { record::label(&c.name).name };
+    (name, c.unit.clone(), !c.is_guessed)
 }
 
 fn guess(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> Guess {
     let (name, unit, in_brackets) = parted(c);
-    let read =
-        unit.as_deref().and_then(|u| Unit::parse(u).is_ok().then(|| u.to_string()).or_else(|| spelled(u)));
+    let read = unit.clone().filter(|u| Unit::parse(u).is_ok());
     let mut because = match (&unit, &read) {
         (Some(_), Some(_)) if in_brackets => "unit from the header".to_string(),
         (_, Some(_)) => "GUESS: unit from the column's name".to_string(),
@@ -231,6 +183,26 @@ fn turns(unit: &str, values: &[f64]) -> bool {
     };
     let known: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     known.windows(2).any(|w| (w[1] - w[0]).abs() > 0.9 * turn)
+}
+
+/// Share of its steps that a held signal stays.
+const STAYS: f64 = 0.6;
+/// Sizes of the usual leap, in the smallest leap and in the whole range, from which on it is more than a count of a
+/// coarse reading that runs on.
+const LEAPS: (f64, f64) = (3.0, 0.2);
+
+/// Whether a signal stays where it is for several samples and then leaps.
+fn is_held(values: &[f64]) -> bool {
+    let known: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    let steps = known.windows(2).map(|w| (w[1] - w[0]).abs());
+    let mut leaps: Vec<f64> = steps.filter(|s| *s > 0.0).collect();
+    if leaps.len() < 3 || ((known.len() - leaps.len()) as f64) < STAYS * known.len() as f64 {
+        return false;
+    }
+    leaps.sort_unstable_by(f64::total_cmp);
+    let (least, usual) = (leaps[0], leaps[leaps.len() / 2]);
+    let (low, high) = known.iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(*v), h.max(*v)));
+    usual >= LEAPS.0 * least || usual >= LEAPS.1 * (high - low)
 }
 
 /// A name that expressions can use, and that none before has.
@@ -297,6 +269,23 @@ mod tests {
     }
 
     #[test]
+    fn what_stays_and_leaps_is_held() {
+        let rows: String = (0..200)
+            .map(|i| {
+                let t = f64::from(i) * 0.01;
+                let command = (1.0 + f64::from(i / 10 * 7 % 11)) * 0.1;
+                let valve = f64::from(i / 25 % 2);
+                // a slow signal read in steps of 0.1 goes on by one step at a time
+                let coarse = (30.0 * (0.5 * t).sin()).round() * 0.1;
+                format!("{t:.2},{command},{valve},{coarse},{}\n", (7.0 * t).sin())
+            })
+            .collect();
+        let (text, recording) = guess_of(&format!("t [s],u [V],valve [1],slow [m],q [m]\n{rows}")).unwrap();
+        let held = |name: &str| recording.channel(name).unwrap().hold == crate::record::Hold::Previous;
+        assert_eq!(["u", "valve", "slow", "q"].map(held), [true, true, false, false], "{text}");
+    }
+
+    #[test]
     fn a_clock_without_a_known_name_is_still_the_clock() {
         for header in ["unixtime,temp,rpm", "n,temp,rpm"] {
             let (text, recording) = guess_of(&format!(
@@ -312,19 +301,14 @@ mod tests {
     #[test]
     fn what_is_no_recording_is_refused_with_its_place() {
         for (text, line, column, says) in [
-            ("t [s];roll [deg]\n0;1\n", 1, 6, "semicolons"),
-            ("t [s]\troll [deg]\n0\t1\n", 1, 6, "tabs"),
+            ("t [s];roll [deg]\n0,1\n", 1, 6, "semicolons"),
+            ("t [s]\troll [deg]\n0,1\n", 1, 6, "tabs"),
             ("PK\u{3}\u{4}\u{0}\u{0}\n0,1\n", 1, 1, "spreadsheet"),
             ("t,roll,roll\n0,1,2\n", 1, 8, "both named"),
             ("t,roll\n0,1\n2,1\n1,1\n", 4, 1, "backwards"),
             ("t,roll\n0,1\n1,two\n", 3, 3, "no number"),
             ("t,roll\n0,1\n1\n", 3, 1, "fields"),
-            (
-                "time,roll\n2026-01-02 00:00:00,1\n2026-01-02 00:00:01,1\n2026-01-02 00:00:03,1\n",
-                2,
-                1,
-                "dates",
-            ),
+            ("time,roll\n2026-01-02 00:00:00,1\n2026-02-30 00:00:01,1\n", 3, 1, "28 days"),
             ("t,state\n0,calm\n1,calm\n", 1, 0, "no column beside the time"),
         ] {
             let error = guess_of(text).expect_err(text);

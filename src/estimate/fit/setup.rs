@@ -7,7 +7,7 @@ use super::simulated::{Ready, ready};
 use crate::estimate::coordinates::Range;
 use crate::model::Model;
 use crate::record::{self, Recording, Span, Spans};
-use crate::{Error, Result};
+use crate::{Error, Result, simulate};
 
 /// What of a recording is fitted and held out.
 pub fn spans(model: &Model, recording: &Recording, options: &FitOptions<'_>) -> Spans {
@@ -16,11 +16,12 @@ pub fn spans(model: &Model, recording: &Recording, options: &FitOptions<'_>) -> 
     recording.spans_for(&names, options.separate_holdout)
 }
 
-/// Refuses recordings that share data which a model compares, fitted or held out.
+/// Refuses recordings that lack a channel, and those that share data which a model compares, fitted or held out.
 ///
 /// # Errors
-/// `BadInput` that says which rows or times are the same.
+/// `BadInput` that says what is absent, or which rows or times are the same.
 pub fn keep_apart(model: &Model, recordings: &[Recording], separate: &[Recording]) -> Result<()> {
+    recordings.iter().chain(separate).try_for_each(|r| simulate::present(model, r))?;
     let inputs: Vec<&str> = model.inputs.iter().map(|i| i.name.as_str()).collect();
     let outputs: Vec<&str> = model.outputs.iter().map(|o| o.name.as_str()).collect();
     record::keep_apart(&inputs, &outputs, recordings, separate)

@@ -1,5 +1,7 @@
 //! Fields of a line and the numbers in them.
 
+use super::figures;
+
 /// A field as it stands, without its quotes, and the byte at which it begins.
 pub(super) struct Field {
     pub at: usize,
@@ -17,22 +19,32 @@ impl Field {
     }
 }
 
-/// The fields of a line, commas inside double quotes included in their field. `None` where a
-/// quote is not closed.
-pub(super) fn split(line: &[u8]) -> Option<Vec<Field>> {
+/// The fields of a line between separators, of which those inside double quotes are none; between blanks, any number
+/// of them separates. `None` where a quote is not closed.
+pub(super) fn split(line: &[u8], separator: u8) -> Option<Vec<Field>> {
     let mut fields = vec![Field { at: 0, text: Vec::new() }];
-    let mut quoted = false;
+    let (mut quoted, mut is_begun) = (false, separator != b' ');
     for (at, byte) in line.iter().copied().enumerate() {
         match byte {
-            b'"' => quoted = !quoted,
-            b',' if !quoted => fields.push(Field { at: at + 1, text: Vec::new() }),
-            _ => fields.last_mut()?.text.push(byte),
+            b'"' => (quoted, is_begun) = (!quoted, true),
+            _ if byte == separator && !quoted && is_begun => {
+                fields.push(Field { at: at + 1, text: Vec::new() });
+                is_begun = separator != b' ';
+            }
+            b' ' if separator == b' ' && !quoted => fields.last_mut()?.at = at + 1,
+            _ => {
+                is_begun = true;
+                fields.last_mut()?.text.push(byte);
+            }
         }
+    }
+    if !is_begun && fields.len() > 1 {
+        fields.pop();
     }
     (!quoted).then_some(fields)
 }
 
-/// The number in a field; NaN for an empty field and for `NaN`; `None` for text and for what is
+/// The number in a field; NaN for an empty field and for a mark of what is missing; `None` for text and for what is
 /// too large for a double.
 #[inline]
 pub(super) fn number(field: &[u8]) -> Option<f64> {
@@ -43,8 +55,12 @@ pub(super) fn number(field: &[u8]) -> Option<f64> {
     if field.is_empty() {
         return Some(f64::NAN);
     }
-    let value: f64 = std::str::from_utf8(field).ok()?.parse().ok()?;
-    (!value.is_infinite()).then_some(value)
+    let text = std::str::from_utf8(field).ok()?;
+    match text.parse::<f64>() {
+        Ok(value) => (!value.is_infinite()).then_some(value),
+        Err(_) if figures::is_missing(text) => Some(f64::NAN),
+        Err(_) => figures::grouped(text),
+    }
 }
 
 /// A plain decimal of at most 15 digits. Both the digits and the power of ten are doubles without
@@ -84,6 +100,17 @@ fn short_decimal(field: &[u8]) -> Option<f64> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn any_number_of_blanks_separates() {
+        let texts = |line: &str, separator: u8| -> Vec<String> {
+            split(line.as_bytes(), separator).unwrap().iter().map(Field::shown).collect()
+        };
+        assert_eq!(texts("  0.5   1.5 \"a b\"  ", b' '), ["0.5", "1.5", "a b"]);
+        assert_eq!(texts("a;\"b;c\";", b';'), ["a", "b;c", ""]);
+        assert_eq!(split(b"  a  bc", b' ').unwrap().iter().map(|f| f.at).collect::<Vec<_>>(), [2, 5]);
+        assert_eq!(texts("", b' '), [""]);
+    }
 
     proptest! {
         #[test]

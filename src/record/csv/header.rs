@@ -1,7 +1,8 @@
 //! The header line, and which of its columns are wanted.
 
-use super::super::Hold;
+use super::super::recording::NO_UNIT;
 use super::super::request::{Clock, Request, Wanted};
+use super::super::{Hold, LeftOut};
 use super::field::{self, Field};
 use crate::error::nearest;
 use crate::units::{Dimension, Unit};
@@ -22,31 +23,49 @@ pub(super) struct Header {
     pub time: Option<Column>,
     /// The channels in their order in the recording.
     pub channels: Vec<Column>,
+    /// Columns that are left out where every column is wanted.
+    pub left_out: Vec<LeftOut>,
     pub notes: Vec<String>,
 }
 
-/// `name [unit]` of one column.
+/// What the first rows were seen to hold.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Seen {
+    /// The column of time, where it holds dates, clocks or counts since 1970.
+    pub time: Option<usize>,
+    /// The column of the day, if it is one of its own.
+    pub day: Option<usize>,
+    /// Columns of words, with one of them.
+    pub words: Vec<(usize, String)>,
+}
+
+/// The label of one column.
 pub(super) struct Cell {
     pub at: usize,
     pub name: String,
     pub unit: Option<String>,
+    /// The label as it stands.
+    pub whole: String,
+    /// Whether the unit is only the last word of the name.
+    pub is_guessed: bool,
 }
 
 impl Header {
-    pub(super) fn parse(line: &[u8], request: &Request) -> Result<Self> {
-        let cells = cells(line)?;
+    /// The header of these labels, by what the rows were seen to hold.
+    pub(super) fn of(cells: &[Cell], request: &Request, seen: &Seen) -> Result<Self> {
         let mut header = Self {
             names: cells.iter().map(|c| c.name.clone()).collect(),
             time: None,
             channels: Vec::new(),
+            left_out: Vec::new(),
             notes: Vec::new(),
         };
-        header.time = header.time_column(&cells, &request.clock)?;
+        header.time = header.time_column(cells, &request.clock, seen)?;
         if request.wanted.is_empty() {
-            header.channels = header.every_column(&cells)?;
+            header.channels = header.every_column(cells, seen)?;
         } else {
             for wanted in &request.wanted {
-                let index = find(&cells, &wanted.column)?;
+                let index = find(cells, &wanted.column)?;
                 let column = header.column(&cells[index], index, wanted.clone())?;
                 header.channels.push(column);
             }
@@ -54,10 +73,12 @@ impl Header {
         Ok(header)
     }
 
-    fn time_column(&mut self, cells: &[Cell], clock: &Clock) -> Result<Option<Column>> {
+    fn time_column(&mut self, cells: &[Cell], clock: &Clock, seen: &Seen) -> Result<Option<Column>> {
+        // a column without a label numbers the rows
+        let first = || cells.iter().position(|c| !c.whole.is_empty()).unwrap_or(0);
         let (index, unit) = match clock {
             Clock::Regular { .. } | Clock::RowNumbers => return Ok(None),
-            Clock::FirstColumn => (0, None),
+            Clock::FirstColumn => (seen.time.unwrap_or_else(first), None),
             Clock::Column { name, unit } => (find(cells, name)?, unit.clone()),
         };
         let cell = &cells[index];
@@ -77,17 +98,31 @@ impl Header {
         Ok(Some(column))
     }
 
-    fn every_column(&mut self, cells: &[Cell]) -> Result<Vec<Column>> {
+    /// Every column that has a unit and numbers; the others are left out, and said.
+    fn every_column(&mut self, cells: &[Cell], seen: &Seen) -> Result<Vec<Column>> {
         let time = self.time.as_ref().map(|t| t.index);
+        let is_time = |index: usize| time == Some(index) || seen.day == Some(index);
         refuse_twins(cells)?;
-        let mut channels = Vec::new();
-        for (index, cell) in cells.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
-            channels.push(self.column(cell, index, plain(&cell.name, None))?);
+        let (mut channels, mut failed) = (Vec::new(), None);
+        for (index, cell) in cells.iter().enumerate().filter(|(i, c)| !is_time(*i) && !c.whole.is_empty()) {
+            let word = seen.words.iter().find(|(i, _)| *i == index).map(|(_, word)| word);
+            let column = match word {
+                Some(word) => Err(of_words(index, cell, word)),
+                None => self.column(cell, index, plain(&cell.name, None)),
+            };
+            match column {
+                Ok(column) => channels.push(column),
+                Err(e) => {
+                    self.left_out.push(LeftOut::of(&cell.whole, &e));
+                    failed.get_or_insert(e);
+                }
+            }
         }
-        if channels.is_empty() {
-            return Err(Error::bad_input("there is no column beside the time"));
+        match failed {
+            Some(e) if channels.is_empty() => Err(e),
+            _ if channels.is_empty() => Err(Error::bad_input("there is no column beside the time")),
+            _ => Ok(channels),
         }
-        Ok(channels)
     }
 
     /// Settles the unit of a column: the recording's word, else the header's.
@@ -105,12 +140,17 @@ impl Header {
                 }
                 unit.clone()
             }
-            (None, Ok(Some(own))) => own,
-            (None, Err(e)) => return Err(e.with_line(1).with_column(cell.at + 1)),
+            (None, Ok(Some(own))) => {
+                if cell.is_guessed {
+                    self.notes.push(format!("`{}` is read as {} in [{own}]", cell.whole, cell.name));
+                }
+                own
+            }
+            (None, Err(e)) => return Err(e.with_column(cell.at + 1)),
             (None, Ok(None)) => {
                 let is_time = index == 0 && cell.name.to_lowercase().starts_with('t');
                 let likely = if is_time { "s" } else { "deg" };
-                return Err(Error::bad_input(format!("column {} `{}` has no unit", index + 1, cell.name))
+                return Err(Error::bad_input(format!("column {} `{}` {NO_UNIT}", index + 1, cell.name))
                     .with_column(cell.at + 1)
                     .with_hint(format!(
                         "write it in the header as `{} [{likely}]` ([1] for none), or give units in a TOML recording",
@@ -125,6 +165,12 @@ impl Header {
         }
         Ok(Column { index, unit, wanted })
     }
+}
+
+fn of_words(index: usize, cell: &Cell, word: &str) -> Error {
+    Error::bad_input(format!("column {} `{}` holds words, such as `{word}`", index + 1, cell.name))
+        .with_column(cell.at + 1)
+        .with_hint("channels need numbers below their names")
 }
 
 fn plain(name: &str, unit: Option<Unit>) -> Wanted {
@@ -146,6 +192,11 @@ const NO_TEXT: [(&[u8], &str, &str); 9] = [
 ];
 const UTF_8: &str = "save it as UTF-8, for instance with `iconv -f UTF-16 -t UTF-8`";
 const FROM_UTF_32: &str = "save it as UTF-8, for instance with `iconv -f UTF-32 -t UTF-8`";
+
+/// Whether bytes are no text at all.
+pub(super) fn is_no_text(start: &[u8]) -> bool {
+    NO_TEXT.iter().any(|(mark, ..)| start.starts_with(mark)) || start.contains(&0)
+}
 
 fn refuse_what_is_no_text(line: &[u8]) -> Result<()> {
     let known = NO_TEXT.iter().find(|(start, ..)| line.starts_with(start));
@@ -190,31 +241,40 @@ pub(super) fn refuse_twins(cells: &[Cell]) -> Result<()> {
 pub(super) fn cells(line: &[u8]) -> Result<Vec<Cell>> {
     refuse_what_is_no_text(line)?;
     refuse_other_separators(line)?;
-    let fields = field::split(line)
+    let fields = field::split(line, b',')
         .ok_or_else(|| Error::bad_input("a double quote in the header is not closed").with_column(1))?;
     if fields.iter().all(|f| !f.text.is_empty() && field::number(&f.text).is_some_and(|v| !v.is_nan())) {
         return Err(Error::bad_input("the first line holds numbers; a header with names is missing")
             .with_column(1)
             .with_hint("put a line such as `t [s],roll [deg]` before the first row"));
     }
-    fields.iter().map(cell).collect()
+    let mut cells: Vec<Cell> = fields.iter().map(cell).collect::<Result<_>>()?;
+    tell_apart(&mut cells);
+    Ok(cells)
 }
 
 fn cell(field: &Field) -> Result<Cell> {
     let text = std::str::from_utf8(&field.text)
-        .map_err(|_| Error::bad_input("the header is no UTF-8 text").with_column(field.at + 1))?
-        .trim();
-    let (name, unit) = match text.strip_suffix(']').and_then(|t| t.rsplit_once('[')) {
-        Some((name, unit)) => (name.trim_end(), Some(unit.trim().to_owned())),
-        None => (text, None),
-    };
-    Ok(Cell { at: field.at, name: name.to_owned(), unit })
+        .map_err(|_| Error::bad_input("the header is no UTF-8 text").with_column(field.at + 1))?;
+    Ok(Cell::of(field.at, text))
+}
+
+/// Where taking the unit off leaves two columns with one name, guessed units stay with their names.
+pub(super) fn tell_apart(cells: &mut [Cell]) {
+    let names: Vec<String> = cells.iter().map(|c| c.name.clone()).collect();
+    for cell in cells.iter_mut().filter(|c| c.is_guessed) {
+        if names.iter().filter(|n| **n == cell.name).count() > 1 {
+            cell.name.clone_from(&cell.whole);
+        }
+    }
 }
 
 /// The column of a name, with or without its unit.
 fn find(cells: &[Cell], name: &str) -> Result<usize> {
     let same =
         |c: &Cell| c.name == name || c.unit.as_ref().is_some_and(|u| name == format!("{} [{u}]", c.name));
+    let whole = cells.iter().filter(|c| c.whole == name).count() == 1;
+    let same = |c: &Cell| if whole { c.whole == name } else { same(c) };
     let mut places = cells.iter().enumerate().filter(|(_, c)| same(c)).map(|(i, _)| i);
     match (places.next(), places.next()) {
         (Some(index), None) => Ok(index),
@@ -224,7 +284,7 @@ fn find(cells: &[Cell], name: &str) -> Result<usize> {
                 .with_hint("rename one of them in the header"))
         }
         (None, _) => {
-            let names = || cells.iter().map(|c| c.name.as_str());
+            let names = || cells.iter().map(|c| c.whole.as_str());
             let meant = nearest(name, names()).map(|n| format!("did you mean `{n}`? "));
             let all = names().collect::<Vec<_>>().join(", ");
             Err(Error::bad_input(format!("the file has no column `{name}`"))

@@ -1,41 +1,51 @@
 //! Tables of text: one header line, then one row a sample, fields between commas.
 
+mod clock;
+mod dialect;
 mod field;
+mod figures;
 mod header;
 mod look;
 mod rows;
+mod sample;
+mod stamp;
+mod translate;
 
 use super::input::{self, Input, Sink};
-use super::request::{Clock, Request, finished};
-use super::{Channel, Note, Origin};
+use super::request::{Clock, Request, Table, finished};
+use super::{Channel, LeftOut, Note, Origin};
 use crate::{Error, Result};
-use header::Header;
+use dialect::Dialect;
+use header::{Cell, Header, Seen};
 pub use look::{Raw, columns};
 use rows::{Notes, Rows};
 use std::path::Path;
 use std::sync::Arc;
-
-/// What a table gives.
-pub(super) struct Table {
-    pub channels: Vec<Channel>,
-    pub origin: Origin,
-    pub notes: Vec<Note>,
-}
+use translate::Translator;
 
 /// Reads a table (plain or gzip).
 ///
 /// # Errors
 /// `BadInput` or `Units` with file, line and column for whatever is no such table.
 pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
+    let input = input.into_table();
     let path = &input.path().to_owned();
-    let mut reader = Reader { request, line: 0, header: None, rows: None };
+    let named = match &request.clock {
+        Clock::Column { name, .. } => Some(name.as_str()),
+        _ => None,
+    };
+    let dialect = dialect::of(input.start(), input.is_whole(), named).map_err(|e| place(e, path))?;
+    let mut reader = Reader::new(request, dialect);
+    let coded = input.coded();
     let (source, note) = input::read_lines(input, &mut reader).map_err(|e| place(e, path))?;
-    let (channels, mut notes) = reader.finish().map_err(|e| place(e, path))?;
-    notes.extend(note.map(|says| (None, says)));
+    let zero = reader.translator.as_ref().and_then(Translator::zero).cloned();
+    let (channels, left_out, mut notes) = reader.finish().map_err(|e| place(e, path))?;
+    notes.extend(note.into_iter().chain(coded).map(|says| (None, says)));
     let notes =
         notes.into_iter().map(|(line, message)| Note { file: path.to_owned(), line, message }).collect();
+    let left_out = left_out.into_iter().map(|l| l.in_file(path)).collect();
     let first_row = request.rows.map_or(0, |r| r.0);
-    Ok(Table { channels, origin: Origin { source, first_row, is_table: true }, notes })
+    Ok(Table { channels, origin: Origin { source, first_row, is_table: true }, notes, left_out, zero })
 }
 
 fn place(e: Error, path: &Path) -> Error {
@@ -50,26 +60,35 @@ fn empty() -> Error {
 struct Reader<'a> {
     request: &'a Request,
     line: usize,
+    seen: Seen,
+    /// For a table that is not written in the plain way.
+    translator: Option<Translator>,
     header: Option<Header>,
     rows: Option<Rows>,
+    notes: Notes,
 }
 
 impl Sink for Reader<'_> {
     fn take(&mut self, block: &[u8]) -> Result<()> {
         let mut rest = block;
+        let mut plain = Vec::new();
         while !rest.is_empty() {
             let end = rest.iter().position(|b| *b == b'\n');
             let line = &rest[..end.unwrap_or(rest.len())];
             let line = line.strip_suffix(b"\r").unwrap_or(line);
             self.line += 1;
-            match &mut self.rows {
-                None => self.begin(line)?,
-                Some(rows) => rows.line(line, self.line, end.is_some())?,
+            match self.translator.take() {
+                None => self.one(line, end.is_some())?,
+                Some(mut translator) => {
+                    let turned = self.turned(&mut translator, line, end.is_some(), &mut plain);
+                    self.translator = Some(translator);
+                    turned?;
+                }
             }
             rest = &rest[end.map_or(rest.len(), |at| at + 1)..];
         }
         if let Some(rows) = &mut self.rows {
-            rows.remember_shape(block);
+            rows.remember_shape(if self.translator.is_some() { &plain } else { block });
         }
         Ok(())
     }
@@ -79,20 +98,63 @@ impl Sink for Reader<'_> {
     }
 }
 
-impl Reader<'_> {
-    fn begin(&mut self, line: &[u8]) -> Result<()> {
-        let header = Header::parse(line, self.request).map_err(|e| e.with_line(1))?;
+impl<'a> Reader<'a> {
+    fn new(request: &'a Request, dialect: Option<Dialect>) -> Self {
+        let seen = dialect.as_ref().map(Dialect::seen).unwrap_or_default();
+        let notes = dialect.as_ref().map(Dialect::notes).unwrap_or_default();
+        let translator = dialect.filter(|d| !d.is_plain).map(|d| Translator::new(d, request.zero.clone()));
+        Self { request, line: 0, seen, translator, header: None, rows: None, notes }
+    }
+
+    /// A line of the plain dialect.
+    fn one(&mut self, line: &[u8], ended: bool) -> Result<()> {
+        match &mut self.rows {
+            None => {
+                let cells = header::cells(line).map_err(|e| e.with_line(self.line))?;
+                self.begin(&cells, self.line)
+            }
+            Some(rows) => rows.line(line, self.line, ended),
+        }
+    }
+
+    /// A line of another dialect; the plain one is added to `plain`.
+    fn turned(&mut self, by: &mut Translator, line: &[u8], ended: bool, plain: &mut Vec<u8>) -> Result<()> {
+        if self.rows.is_none() {
+            let mut cells = by.cells();
+            header::tell_apart(&mut cells);
+            self.begin(&cells, by.header())?;
+            by.reads(self.rows.as_ref().map(Rows::used).unwrap_or_default());
+            // what is kept to judge a last line begins behind a line
+            plain.push(b'\n');
+        }
+        let Some(turned) = by.line(line, self.line).map_err(|e| e.with_line(self.line))? else {
+            return Ok(());
+        };
+        plain.extend_from_slice(turned);
+        plain.extend_from_slice(if ended { b"\n" } else { b"" });
+        let Some(rows) = &mut self.rows else { return Ok(()) };
+        rows.line(turned, self.line, ended)
+    }
+
+    fn begin(&mut self, cells: &[Cell], line: usize) -> Result<()> {
+        let mut header = Header::of(cells, self.request, &self.seen).map_err(|e| e.with_line(line))?;
+        header.left_out.iter_mut().for_each(|l| l.line = Some(line));
+        self.notes.extend(header.notes.iter().map(|says| (Some(line), says.clone())));
         self.rows = Some(Rows::new(&header, self.request.rows));
         self.header = Some(header);
         Ok(())
     }
 
-    fn finish(self) -> Result<(Vec<Channel>, Notes)> {
+    fn finish(self) -> Result<(Vec<Channel>, Vec<LeftOut>, Notes)> {
         let (Some(header), Some(rows)) = (self.header, self.rows) else {
             return Err(empty());
         };
         let (mut columns, mut notes) = rows.finish()?;
-        notes.extend(header.notes.iter().map(|says| (Some(1), says.clone())));
+        notes.extend(self.notes);
+        let zero = self.translator.as_ref().and_then(Translator::zero);
+        notes.extend(zero.map(|z| (None, format!("time counts from {}", z.text))));
+        let line = |l: &LeftOut| (l.line, format!("`{}` is left out: {}", l.label, l.why));
+        notes.extend(header.left_out.iter().map(line));
         let first = self.request.rows.map_or(0, |r| r.0);
         let count = columns.first().map_or(0, Vec::len);
         let time: Arc<[f64]> = match (&header.time, &self.request.clock) {
@@ -103,6 +165,6 @@ impl Reader<'_> {
         let pairs = header.channels.iter().zip(columns);
         let table = self.request.table;
         let channels = pairs.map(|(c, v)| finished(&c.wanted, c.unit.clone(), table, &time, v)).collect();
-        Ok((channels, notes))
+        Ok((channels, header.left_out, notes))
     }
 }

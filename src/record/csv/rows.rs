@@ -57,6 +57,11 @@ impl Rows {
         }
     }
 
+    /// Which columns are read.
+    pub(super) fn used(&self) -> Vec<bool> {
+        self.slots.iter().map(|s| !s.is_empty()).collect()
+    }
+
     /// Takes a line without its end; `ended` tells whether it had one.
     pub(super) fn line(&mut self, line: &[u8], number: usize, ended: bool) -> Result<()> {
         if line.is_empty() && self.names.len() > 1 {
@@ -94,7 +99,7 @@ impl Rows {
     }
 
     fn parse_quoted(&mut self, line: &[u8]) -> Result<(), usize> {
-        let fields = field::split(line).ok_or(0_usize)?;
+        let fields = field::split(line, b',').ok_or(0_usize)?;
         for (index, field) in fields.iter().enumerate() {
             self.store(index, &field.text)?;
         }
@@ -123,7 +128,7 @@ impl Rows {
     /// Why a line could not be taken.
     fn explain(&self, index: usize, line: &[u8], ended: bool) -> Error {
         let cut = "the file seems to be cut short: copy it again from where it was made";
-        let Some(fields) = field::split(line) else {
+        let Some(fields) = field::split(line, b',') else {
             let error = Error::bad_input("a double quote is not closed").with_column(1);
             return if ended { error } else { error.with_hint(cut) };
         };
@@ -205,7 +210,9 @@ impl Rows {
         let usual = above.first().map_or(0, |field| decimals(field));
         let fixed = above.len() >= NUMBERS_FOR_SHAPE && above.iter().all(|field| decimals(field) == usual);
         let last = last_field(line);
-        let what = if last.is_empty() && whole && above.len() >= NUMBERS_FOR_SHAPE {
+        let what = if last == b"-" {
+            "its last field is a sign alone, which is no number"
+        } else if last.is_empty() && whole && above.len() >= NUMBERS_FOR_SHAPE {
             "the last number is missing, as it is in no line above it"
         } else if !last.is_empty() && fixed && decimals(last) < usual {
             "the last number has fewer decimals than those above it"
@@ -246,7 +253,7 @@ fn explain_text(place: &str, shown: &str) -> Error {
         number(a.as_bytes()).is_some() && b.bytes().all(|c| c.is_ascii_digit()) && !b.is_empty()
     });
     if comma {
-        error.with_hint("write decimal points: 1.5, not 1,5")
+        error.with_hint("write decimal points, 1.5, not 1,5, and nothing between thousands")
     } else if shown.contains(';') || shown.contains('\t') {
         error.with_hint("separate the columns by commas in every row")
     } else if shown.parse::<f64>().is_ok_and(f64::is_infinite) {

@@ -15,9 +15,8 @@ mod request;
 mod sentence;
 mod stamp;
 
-use super::csv::Table;
 use super::input::{self, Input};
-use super::request::finished;
+use super::request::{Table, finished};
 use super::{Note, Origin};
 use crate::{Error, Result};
 use collect::{Collector, Group};
@@ -43,7 +42,8 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     channels.sort_by_key(|c| order(&c.name));
     let notes =
         notes.into_iter().map(|(line, message)| Note { file: path.to_owned(), line, message }).collect();
-    Ok(Table { channels, origin: Origin { source, first_row: 0, is_table: false }, notes })
+    let origin = Origin { source, first_row: 0, is_table: false };
+    Ok(Table { channels, origin, notes, left_out: Vec::new(), zero: None })
 }
 
 fn finish_group(group: Group, table: usize) -> Vec<super::Channel> {

@@ -1,0 +1,307 @@
+//! How a table of text is written: what separates its columns, which sign is decimal, where its header stands, and
+//! where its time is. It is told from the first 64 KiB, once, before anything is read.
+//!
+//! Method: each separator cuts the first lines; the one that makes the most numbers and the fewest texts, in rows of
+//! equally many fields, is taken. Commas before semicolons where they tie.
+
+use super::clock::Clock;
+use super::field::{self, Field};
+use super::figures::{self, Form};
+use super::header::{Seen, is_no_text};
+use super::sample::{Kind, Line, in_comment, is_comment, kinds, names, rejoined, width};
+use super::stamp::{Stamp, stamp};
+use crate::{Error, Result};
+
+/// What may separate columns; a blank stands for any number of them.
+const SEPARATORS: [u8; 5] = [b',', b';', b'\t', b'|', b' '];
+/// Lines that are looked at.
+const LINES: usize = 400;
+/// Words in names of columns that count since 1970.
+const COUNTS: [&str; 5] = ["time", "stamp", "epoch", "unix", "utc"];
+
+/// How a table is written.
+#[derive(Debug, Clone)]
+pub(super) struct Dialect {
+    /// Between columns.
+    pub separator: u8,
+    /// Whether commas are decimal; none where no number that was looked at tells.
+    pub comma: Option<bool>,
+    /// Line of the header, from 1.
+    pub header: usize,
+    /// Its labels.
+    pub labels: Vec<(usize, String)>,
+    /// Units that stand in a row of their own, or nothing.
+    pub units: Vec<String>,
+    /// First line of the rows, from 1.
+    pub body: usize,
+    /// The time, where it is no number in a unit of time.
+    pub clock: Option<Clock>,
+    /// Columns that hold words, with one of them.
+    pub words: Vec<(usize, String)>,
+    /// Whether its lines are read as they stand.
+    pub is_plain: bool,
+}
+
+impl Dialect {
+    /// What the header should know of the rows.
+    pub(super) fn seen(&self) -> Seen {
+        let (time, day) = self.clock.as_ref().map_or((None, None), |c| (Some(c.column), c.day));
+        Seen { time, day, words: self.words.clone() }
+    }
+
+    /// What is to be said of how the table is read.
+    pub(super) fn notes(&self) -> Vec<(Option<usize>, String)> {
+        let between = match self.separator {
+            b';' => Some("semicolons"),
+            b'\t' => Some("tabs"),
+            b'|' => Some("bars"),
+            b' ' => Some("blanks"),
+            _ => None,
+        };
+        let mut says: Vec<String> = between.map(|b| format!("{b} between columns")).into_iter().collect();
+        says.extend((self.comma == Some(true)).then(|| "commas for decimals".to_owned()));
+        says.extend((self.header > 1).then(|| format!("the header in line {}", self.header)));
+        says.extend((!self.units.is_empty()).then(|| "units in a row of their own".to_owned()));
+        let note = (Some(self.header), format!("read with {}", says.join(", ")));
+        if says.is_empty() { Vec::new() } else { vec![note] }
+    }
+}
+
+/// How a table is written; none where nothing in it looks like rows below a header, which is read as it stands and
+/// refused with its reason. `time` is the column of time, if the recording names it.
+///
+/// # Errors
+/// Numbers that can be read in two ways.
+pub(super) fn of(start: &[u8], is_whole: bool, time: Option<&str>) -> Result<Option<Dialect>> {
+    if is_no_text(start) {
+        return Ok(None);
+    }
+    let text = String::from_utf8_lossy(start);
+    let mut lines: Vec<(usize, &str)> = text
+        .split('\n')
+        .map(|l| l.strip_suffix('\r').unwrap_or(l))
+        .enumerate()
+        .map(|(i, l)| (i + 1, l))
+        .collect();
+    if !is_whole || lines.last().is_some_and(|l| l.1.is_empty()) {
+        lines.pop();
+    }
+    lines.truncate(LINES);
+    let mut best: Option<(i64, Layout)> = None;
+    for separator in SEPARATORS {
+        let Some(layout) = Layout::of(&lines, separator) else { continue };
+        let score = layout.score();
+        if best.as_ref().is_none_or(|(most, _)| score > *most) {
+            best = Some((score, layout));
+        }
+    }
+    best.map(|(_, layout)| layout.dialect(&lines, time)).transpose()
+}
+
+/// The lines as one separator cuts them.
+struct Layout {
+    separator: u8,
+    width: usize,
+    header: Line,
+    units: Vec<String>,
+    rows: Vec<Line>,
+    /// Whether a line was made shorter by an empty field at its end, or stood between header and rows.
+    is_mended: bool,
+}
+
+impl Layout {
+    fn of(lines: &[(usize, &str)], separator: u8) -> Option<Self> {
+        let cut = |(number, line): &(usize, &str)| -> Option<Line> {
+            let fields = field::split(line.as_bytes(), separator)?;
+            let text = |f: &Field| String::from_utf8_lossy(f.text.trim_ascii()).into_owned();
+            let fields = fields.iter().map(|f| (f.at, text(f))).collect();
+            Some(Line { number: *number, fields: if separator == b' ' { rejoined(fields) } else { fields } })
+        };
+        let plain = lines.iter().filter(|l| !l.1.trim().is_empty() && !is_comment(l.1));
+        let mut all: Vec<Line> = plain.filter_map(cut).collect();
+        let width = width(&all)?;
+        let longer = all.iter().any(|l| l.fields.len() != width);
+        for line in &mut all {
+            while line.fields.len() > width && line.fields.last().is_some_and(|f| f.1.is_empty()) {
+                line.fields.pop();
+            }
+        }
+        let kinds = kinds(&all, width);
+        let is_row = |l: &Line| {
+            l.fields.len() == width
+                && l.forms().any(Kind::is_datum)
+                && l.forms().zip(&kinds).all(|(k, usual)| !usual.is_datum() || k != Kind::Words)
+        };
+        let mut first = all.iter().position(is_row)?;
+        let is_gap = |l: &Line| l.fields.len() == width && l.forms().all(|k| k == Kind::Missing);
+        while first > 1 && is_gap(&all[first - 1]) {
+            first -= 1;
+        }
+        let rows = all.split_off(first);
+        let (header, units) = match names(&all, width) {
+            Some((at, units)) => (all.swap_remove(at), units),
+            None => (in_comment(lines, rows[0].number, separator, width)?, Vec::new()),
+        };
+        // one column whose label holds what separates columns elsewhere is no table
+        let is_torn = width == 1 && header.fields.iter().any(|f| f.1.contains([',', ';', '\t', '|']));
+        (!is_torn).then_some(Self { separator, width, header, units, rows, is_mended: longer })
+    }
+
+    /// Numbers and times less twice the words.
+    fn score(&self) -> i64 {
+        let of = |k: Kind| match k {
+            Kind::Number(_) | Kind::Time => 1,
+            Kind::Missing => 0,
+            Kind::Words => -2,
+        };
+        let wrong = self.rows.iter().filter(|l| l.fields.len() != self.width).count() as i64;
+        self.rows.iter().filter(|l| l.fields.len() == self.width).flat_map(Line::forms).map(of).sum::<i64>()
+            - 2 * wrong
+    }
+
+    fn dialect(self, lines: &[(usize, &str)], time: Option<&str>) -> Result<Dialect> {
+        let comma = self.decimal()?;
+        let clock = self.clock(time);
+        let words = self.words(clock.as_ref());
+        let body = self.rows.first().map_or(self.header.number + 1, |l| l.number);
+        let has_comments = lines.iter().any(|l| is_comment(l.1));
+        let is_plain = self.separator == b','
+            && comma == Some(false)
+            && clock.is_none()
+            && self.units.is_empty()
+            && !self.is_mended
+            && !has_comments
+            && (self.header.number, body) == (1, 2);
+        Ok(Dialect {
+            separator: self.separator,
+            comma,
+            header: self.header.number,
+            labels: self.header.fields,
+            units: self.units,
+            body,
+            clock,
+            words,
+            is_plain,
+        })
+    }
+
+    /// Whether commas are decimal, if any number tells.
+    fn decimal(&self) -> Result<Option<bool>> {
+        let find = |wanted: &[Form]| {
+            let mut fields = self.rows.iter().flat_map(|l| l.fields.iter().map(move |f| (l.number, f)));
+            fields.find(|(_, (_, text))| wanted.contains(&figures::form(text)))
+        };
+        let commas = find(&[Form::Comma, Form::GroupedByPoints]);
+        let points = find(&[Form::Point, Form::GroupedByCommas]);
+        let place = |(line, (at, text)): (usize, &(usize, String)), what: &str| {
+            Error::bad_input(format!("`{text}` {what}")).with_line(line).with_column(at + 1)
+        };
+        let one_way = "save the table with one sign for decimals, and none between thousands";
+        if self.separator == b',' {
+            // a comma cannot be both; the rows say so of the number
+            return Ok(Some(false));
+        }
+        if let (Some(comma), Some(point)) = (commas, points) {
+            let (first, second) = if comma.0 <= point.0 { (comma, point) } else { (point, comma) };
+            let what = format!("and `{}` in line {} cannot have the same decimal sign", first.1.1, first.0);
+            return Err(place(second, &what).with_hint(one_way));
+        }
+        if commas.is_some() || points.is_some() {
+            return Ok(Some(commas.is_some()));
+        }
+        let (comma, point) = (find(&[Form::EitherComma]), find(&[Form::EitherPoint]));
+        let doubtful = match (comma, point) {
+            (Some(comma), Some(_)) => Some(comma),
+            (Some(_), None) => self.mixed(Form::EitherComma),
+            (None, Some(_)) => self.mixed(Form::EitherPoint),
+            (None, None) => None,
+        };
+        match doubtful {
+            Some(at) => {
+                Err(place(at, "can be read in two ways: is this sign decimal, or between thousands?")
+                    .with_hint(one_way))
+            }
+            None => Ok(comma.or(point).map(|_| comma.is_some())),
+        }
+    }
+
+    /// A number with one sign and three digits behind it in a column where others have no sign: decimals would end in
+    /// zeros there.
+    fn mixed(&self, form: Form) -> Option<(usize, &(usize, String))> {
+        let column = |c: usize| self.rows.iter().filter_map(move |l| Some((l.number, l.fields.get(c)?)));
+        let is = |text: &str, wanted: Form| figures::form(text) == wanted;
+        let large = |text: &str| is(text, Form::Whole) && text.trim_start_matches('-').len() > 1;
+        let is_mixed =
+            |c: &usize| column(*c).any(|(_, f)| large(&f.1)) && column(*c).any(|(_, f)| is(&f.1, form));
+        let c = (0..self.width).find(is_mixed)?;
+        column(c).find(|(_, f)| is(&f.1, form))
+    }
+
+    /// The time, where it is no number in a unit of time: the column that is named, or the first with times.
+    fn clock(&self, named: Option<&str>) -> Option<Clock> {
+        let usual = kinds(&self.rows, self.width);
+        let text = |c: usize| self.rows.iter().filter_map(move |l| l.fields.get(c).map(|f| f.1.as_str()));
+        let stamps = |c: usize| -> Vec<Stamp> { text(c).filter_map(stamp).collect() };
+        let days = |c: &usize| usual[*c] == Kind::Time && stamps(*c).iter().all(|s| s.clock.is_none());
+        let clocks = |c: &usize| usual[*c] == Kind::Time && stamps(*c).iter().any(|s| s.clock.is_some());
+        let asked = |c: &usize| named.is_none_or(|n| self.is_named(*c, n));
+        let order = |c: usize| stamps(c).iter().find_map(|s| s.day.as_ref()?.order());
+        if let Some(column) = (0..self.width).find(|c| clocks(c) && asked(c)) {
+            let is_dated = stamps(column).iter().any(|s| s.day.is_some());
+            let day = (0..self.width).find(days).filter(|_| !is_dated);
+            return Some(Clock { column, day, count: None, day_first: order(day.unwrap_or(column)) });
+        }
+        if let Some(column) = (0..self.width).find(|c| days(c) && asked(c)) {
+            return Some(Clock { column, day: None, count: None, day_first: order(column) });
+        }
+        let column = (0..self.width).find(|c| asked(c) && self.is_counted(*c))?;
+        let count = text(column).find_map(since_1970)?;
+        Some(Clock { column, day: None, count: Some(count), day_first: None })
+    }
+
+    fn is_named(&self, column: usize, name: &str) -> bool {
+        let label = &self.header.fields[column].1;
+        label == name || crate::record::label::label(label).name == name
+    }
+
+    /// Whether a column without a unit counts since 1970: all its numbers do, and its name says so or it is the first.
+    fn is_counted(&self, column: usize) -> bool {
+        let label = self.header.fields[column].1.to_lowercase();
+        let has_unit = crate::record::label::label(&label).unit.is_some()
+            || self.units.get(column).is_some_and(|u| !u.is_empty());
+        let named = COUNTS.iter().any(|c| label.contains(c));
+        let mut texts = self.rows.iter().filter_map(|l| l.fields.get(column));
+        !has_unit && named && texts.all(|f| since_1970(&f.1).is_some())
+    }
+
+    /// Columns that hold words, with one of them.
+    fn words(&self, clock: Option<&Clock>) -> Vec<(usize, String)> {
+        let usual = kinds(&self.rows, self.width);
+        let is_time = |c: usize| clock.is_some_and(|k| k.column == c || k.day == Some(c));
+        let of = |c: usize| {
+            let mut texts = self.rows.iter().filter_map(|l| l.fields.get(c));
+            Some((c, texts.find(|f| matches!(Kind::of(&f.1), Kind::Words | Kind::Time))?.1.clone()))
+        };
+        let texts = |c: usize| self.rows.iter().filter_map(move |l| l.fields.get(c));
+        let has_numbers = |c: usize| texts(c).any(|f| matches!(Kind::of(&f.1), Kind::Number(_)));
+        let is_worded =
+            |c: &usize| matches!(usual[*c], Kind::Words | Kind::Time) && !is_time(*c) && !has_numbers(*c);
+        (0..self.width).filter(is_worded).filter_map(of).collect()
+    }
+}
+
+/// The nanoseconds of one count, where a number can be one since 1970 between 2001 and 2096.
+fn since_1970(text: &str) -> Option<i128> {
+    let whole = text.split(['.', ',']).next()?;
+    let is_count = text.bytes().all(|b| b.is_ascii_digit() || b == b'.' || b == b',');
+    if !is_count || !matches!(whole.as_bytes().first(), Some(b'1'..=b'3')) {
+        return None;
+    }
+    match whole.len() {
+        10 => Some(1_000_000_000),
+        13 => Some(1_000_000),
+        16 => Some(1_000),
+        19 => Some(1),
+        _ => None,
+    }
+}

@@ -1,0 +1,147 @@
+//! The first lines of a table, cut by one separator: what each field holds, how wide the rows are, and where the names
+//! stand.
+
+use super::field::{self, Field};
+use super::figures::{self, Form};
+use super::stamp::stamp;
+use crate::record::label;
+
+/// Beginnings of lines that are words to the reader, and of fields that say that a value is missing.
+const COMMENTS: [&str; 3] = ["#", "%", "//"];
+const MISSING: [&str; 3] = ["#N/A", "#NV", "#NA"];
+
+/// Whether a line is for people.
+pub(super) fn is_comment(line: &str) -> bool {
+    let line = line.trim_start();
+    COMMENTS.iter().any(|c| line.starts_with(c)) && !MISSING.iter().any(|m| line.starts_with(m))
+}
+
+/// A line of the sample, cut.
+pub(super) struct Line {
+    pub(super) number: usize,
+    pub(super) fields: Vec<(usize, String)>,
+}
+
+impl Line {
+    pub(super) fn forms(&self) -> impl Iterator<Item = Kind> + '_ {
+        self.fields.iter().map(|(_, text)| Kind::of(text))
+    }
+}
+
+/// What a field holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Missing,
+    Number(Form),
+    Time,
+    Words,
+}
+
+impl Kind {
+    pub(super) fn of(text: &str) -> Self {
+        match figures::form(text) {
+            Form::Missing => Self::Missing,
+            Form::Text if stamp(text).is_some() => Self::Time,
+            Form::Text => Self::Words,
+            form => Self::Number(form),
+        }
+    }
+
+    pub(super) fn is_datum(self) -> bool {
+        matches!(self, Self::Number(_) | Self::Time)
+    }
+}
+
+/// The number of fields that most lines with numbers have.
+pub(super) fn width(lines: &[Line]) -> Option<usize> {
+    let with_data: Vec<&Line> = lines.iter().filter(|l| l.forms().any(Kind::is_datum)).collect();
+    let count = |n: usize| with_data.iter().filter(|l| l.fields.len() == n).count();
+    let usual = with_data.iter().map(|l| l.fields.len()).max_by_key(|n| (count(*n), *n))?;
+    // a separator at the end of each line makes no column
+    let of_width = || lines.iter().filter(|l| l.fields.len() == usual);
+    let empty_end = usual > 2 && of_width().all(|l| l.fields.last().is_some_and(|f| f.1.is_empty()));
+    Some(if empty_end { usual - 1 } else { usual })
+}
+
+/// What each column usually holds, by the second half of the lines.
+pub(super) fn kinds(lines: &[Line], width: usize) -> Vec<Kind> {
+    let rows: Vec<&Line> = lines.iter().filter(|l| l.fields.len() == width).collect();
+    let later = &rows[rows.len() / 2..];
+    let usual = |c: usize| {
+        let of = |wanted: fn(Kind) -> bool| later.iter().filter(|l| wanted(Kind::of(&l.fields[c].1))).count();
+        let (numbers, times) = (of(|k| matches!(k, Kind::Number(_))), of(|k| k == Kind::Time));
+        let words = of(|k| k == Kind::Words);
+        if words > numbers.max(times) {
+            Kind::Words
+        } else if times > numbers {
+            Kind::Time
+        } else if numbers > 0 {
+            Kind::Number(Form::Whole)
+        } else {
+            Kind::Missing
+        }
+    };
+    (0..width).map(usual).collect()
+}
+
+/// The line of names above the rows, the nearest whose labels all differ, and the units that stand below it.
+pub(super) fn names(above: &[Line], width: usize) -> Option<(usize, Vec<String>)> {
+    let fits =
+        |l: &Line| l.fields.len() == width && l.forms().all(|k| matches!(k, Kind::Words | Kind::Missing));
+    let nearest = above.len().checked_sub(1).filter(|at| fits(&above[*at]))?;
+    let block = (0..=nearest).rev().take_while(|at| fits(&above[*at]));
+    let labels = |at: usize| above[at].fields.iter().map(|f| f.1.as_str());
+    let differ = |at: usize| {
+        let mut seen: Vec<&str> = labels(at).collect();
+        seen.sort_unstable();
+        seen.windows(2).all(|w| w[0] != w[1])
+    };
+    let of_units = |at: usize| {
+        let bare = |t: &str| t.trim_matches(['[', ']', '(', ')']).trim().to_owned();
+        // time stamp and record number, as loggers of the form TOA5 write them
+        let known = |t: &str| ["TS", "RN"].contains(&t) || label::unit(&bare(t)).is_some();
+        let some = labels(at).filter(|t| !t.is_empty()).count();
+        let units = labels(at).filter(|t| !t.is_empty() && known(t)).count();
+        (units > 0 && 2 * units >= some).then(|| labels(at).map(bare).collect::<Vec<_>>())
+    };
+    let mut units = Vec::new();
+    let block: Vec<usize> = block.collect();
+    for (k, at) in block.iter().copied().enumerate() {
+        let is_last = k + 1 == block.len();
+        match of_units(at) {
+            Some(found) if block[k + 1..].iter().any(|above| differ(*above)) => units = found,
+            _ if differ(at) || is_last => return Some((at, units)),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// Labels between blanks, with the units in brackets that belong to them.
+pub(super) fn rejoined(fields: Vec<(usize, String)>) -> Vec<(usize, String)> {
+    let mut out: Vec<(usize, String)> = Vec::new();
+    for (at, text) in fields {
+        match out.last_mut().filter(|_| text.starts_with(['[', '('])) {
+            Some((_, name)) => *name = format!("{name} {text}"),
+            None => out.push((at, text)),
+        }
+    }
+    out
+}
+
+/// Names in the last comment above the rows.
+pub(super) fn in_comment(
+    lines: &[(usize, &str)],
+    before: usize,
+    separator: u8,
+    width: usize,
+) -> Option<Line> {
+    let (number, line) = lines.iter().rev().find(|l| l.0 < before && is_comment(l.1))?;
+    let bare = line.trim_start().trim_start_matches(['#', '%', '/']);
+    let skipped = line.len() - bare.len();
+    let fields = field::split(bare.as_bytes(), separator)?;
+    let text = |f: &Field| (f.at + skipped, String::from_utf8_lossy(f.text.trim_ascii()).into_owned());
+    let fields = fields.iter().map(text).collect();
+    let line = Line { number: *number, fields: if separator == b' ' { rejoined(fields) } else { fields } };
+    (line.fields.len() == width && line.forms().all(|k| k == Kind::Words)).then_some(line)
+}

@@ -1,0 +1,156 @@
+//! Lines of any dialect in the plain one: commas between columns, decimal points, seconds since the first row.
+
+use super::clock::Reading;
+use super::dialect::Dialect;
+use super::field::{self, Field};
+use super::figures::{self, Form};
+use super::header::Cell;
+use super::sample::is_comment;
+use crate::record::label::label;
+use crate::record::request::Zero;
+use crate::{Error, Result};
+
+/// Turns line after line.
+pub(super) struct Translator {
+    dialect: Dialect,
+    reading: Option<Reading>,
+    /// Columns that are read.
+    used: Vec<bool>,
+    plain: Vec<u8>,
+}
+
+impl Translator {
+    /// For a table whose time may count from the zero of another.
+    pub(super) fn new(dialect: Dialect, zero: Option<Zero>) -> Self {
+        let reading = dialect.clock.clone().map(|clock| Reading::new(clock, zero));
+        Self { dialect, reading, used: Vec::new(), plain: Vec::new() }
+    }
+
+    /// Tells which columns are read.
+    pub(super) fn reads(&mut self, used: Vec<bool>) {
+        self.used = used;
+    }
+
+    /// The line of the header, from 1.
+    pub(super) fn header(&self) -> usize {
+        self.dialect.header
+    }
+
+    /// The column of time, where it is no number in a unit of time.
+    pub(super) fn clock(&self) -> Option<usize> {
+        self.dialect.clock.as_ref().map(|c| c.column)
+    }
+
+    /// The labels of the columns.
+    pub(super) fn cells(&self) -> Vec<Cell> {
+        let clock = self.dialect.clock.as_ref();
+        let of = |(index, (at, text)): (usize, &(usize, String))| {
+            if clock.is_some_and(|c| c.column == index) {
+                return Cell {
+                    at: *at,
+                    name: text.clone(),
+                    unit: Some("s".into()),
+                    whole: text.clone(),
+                    is_guessed: false,
+                };
+            }
+            let mut cell = Cell::of(*at, text);
+            if let Some(unit) = self.dialect.units.get(index).filter(|u| !u.is_empty()) {
+                cell = Cell {
+                    at: *at,
+                    name: text.clone(),
+                    unit: crate::record::label::unit(unit),
+                    whole: text.clone(),
+                    is_guessed: false,
+                };
+            }
+            cell
+        };
+        self.dialect.labels.iter().enumerate().map(of).collect()
+    }
+
+    /// The zero of time, once a row was read.
+    pub(super) fn zero(&self) -> Option<&Zero> {
+        self.reading.as_ref()?.zero()
+    }
+
+    /// A line of the body in the plain dialect; none for a comment and for what stands above the rows.
+    ///
+    /// # Errors
+    /// A time that there is not, with its column.
+    pub(super) fn line(&mut self, line: &[u8], number: usize) -> Result<Option<&[u8]>> {
+        if number < self.dialect.body || is_comment(&String::from_utf8_lossy(line)) {
+            return Ok(None);
+        }
+        self.plain.clear();
+        if line.trim_ascii().is_empty() {
+            return Ok(Some(&self.plain));
+        }
+        let Some(mut fields) = field::split(line, self.dialect.separator) else {
+            return Err(Error::bad_input("a double quote is not closed").with_column(1));
+        };
+        let width = self.dialect.labels.len();
+        while fields.len() > width && fields.last().is_some_and(|f| f.text.trim_ascii().is_empty()) {
+            fields.pop();
+        }
+        let seconds = self.reading.as_mut().map(|r| r.seconds(&fields)).transpose()?;
+        let clock = self.dialect.clock.as_ref().map(|c| c.column);
+        for (index, field) in fields.iter().enumerate() {
+            if index > 0 {
+                self.plain.push(b',');
+            }
+            if clock == Some(index) {
+                let seconds = seconds.as_ref().and_then(Option::as_deref);
+                self.plain.extend_from_slice(seconds.unwrap_or_default().as_bytes());
+            } else if self.used.get(index).is_none_or(|used| *used) {
+                put(field, &mut self.dialect.comma, &mut self.plain)?;
+            }
+        }
+        Ok(Some(&self.plain))
+    }
+}
+
+/// A field with a decimal point; what is no number stays as it is, in quotes. The first number that tells the decimal
+/// sign settles it for all that follow.
+fn put(field: &Field, comma: &mut Option<bool>, out: &mut Vec<u8>) -> Result<()> {
+    let text = String::from_utf8_lossy(field.text.trim_ascii()).into_owned();
+    let error = |what: &str| {
+        let hint = "save the table with one sign for decimals, and none between thousands";
+        Err(Error::bad_input(format!("`{text}` {what}")).with_column(field.at + 1).with_hint(hint))
+    };
+    let form = figures::form(&text);
+    let own = match form {
+        Form::Missing => return Ok(()),
+        Form::Text => {
+            out.extend_from_slice(format!("\"{}\"", text.replace('"', " ")).as_bytes());
+            return Ok(());
+        }
+        Form::Comma | Form::GroupedByPoints => Some(true),
+        Form::Point | Form::GroupedByCommas => Some(false),
+        Form::EitherComma | Form::EitherPoint if comma.is_none() => {
+            return error("can be read in two ways: is this sign decimal, or between thousands?");
+        }
+        Form::Whole | Form::EitherComma | Form::EitherPoint => None,
+    };
+    *comma = comma.or(own);
+    if own.is_some_and(|own| *comma != Some(own)) {
+        return error("has another decimal sign than the numbers above it");
+    }
+    // an infinity has no digits and is told by the rows
+    out.extend_from_slice(figures::plain(&text, *comma == Some(true)).unwrap_or(text).as_bytes());
+    Ok(())
+}
+
+impl Cell {
+    /// A label as it stands.
+    pub(super) fn of(at: usize, text: &str) -> Self {
+        let label = label(text);
+        Self {
+            at,
+            name: label.name,
+            unit: label.unit,
+            whole: text.trim().to_owned(),
+            is_guessed: label.is_guessed,
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! What a column's label says: a name, and a unit in one of the ways in which people write it there.
+
+use crate::units::Unit;
+
+/// A column's label.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Label {
+    /// The name, without its unit.
+    pub name: String,
+    /// The unit, in a spelling that the list of units reads if it is there; as it stands if in square brackets.
+    pub unit: Option<String>,
+    /// Whether the unit is only the last word of the name.
+    pub is_guessed: bool,
+}
+
+/// Reads `roll [deg]`, `roll (deg)`, `roll / deg`, `roll_deg` and `roll deg`.
+pub(crate) fn label(text: &str) -> Label {
+    let text = text.trim();
+    let of = |name: &str, unit: Option<String>, is_guessed: bool| Label {
+        name: if is_guessed { bare(name) } else { name.trim_end() }.to_owned(),
+        unit,
+        is_guessed,
+    };
+    if let Some((name, unit)) = text.strip_suffix(']').and_then(|t| t.rsplit_once('[')) {
+        let unit = unit.trim();
+        return of(name, Some(self::unit(unit).unwrap_or_else(|| unit.to_owned())), false);
+    }
+    let last = text.strip_suffix(')').and_then(|t| t.rsplit_once('('));
+    if let Some((name, unit)) = last.and_then(|(name, unit)| Some((name, self::unit(unit)?)))
+        && !name.trim_end().ends_with('/')
+    {
+        return of(name, Some(unit), false);
+    }
+    for (at, _) in text.match_indices('/') {
+        let (name, unit) = (&text[..at], text[at + 1..].trim());
+        let unit = unit.strip_prefix('(').and_then(|u| u.strip_suffix(')')).unwrap_or(unit);
+        if let Some(unit) = self::unit(unit).filter(|u| u != "1" && !name.trim().is_empty()) {
+            return of(name, Some(unit), false);
+        }
+    }
+    match text.rsplit_once(['_', ' ']) {
+        Some((name, word)) if !name.trim().is_empty() => match last_word(name, word) {
+            Some(unit) => of(name, Some(unit), true),
+            None => of(text, None, false),
+        },
+        _ if text.eq_ignore_ascii_case("rpm") => of(text, Some("rpm".into()), true),
+        _ => of(text, None, false),
+    }
+}
+
+/// A name without the word or sign between it and its unit: `roll in deg`, `roll, deg`.
+fn bare(name: &str) -> &str {
+    let name = name.trim_end();
+    name.strip_suffix(" in").unwrap_or(name).trim_end_matches([',', ':']).trim_end()
+}
+
+/// A unit of the list, from its own spelling or a word for it.
+pub(super) fn unit(text: &str) -> Option<String> {
+    let text = text.trim();
+    if Unit::parse(text).is_ok() {
+        return Some(text.to_owned());
+    }
+    let word = match text.to_lowercase().as_str() {
+        "-" | "\u{2013}" | "none" => "1",
+        "sec" | "secs" | "second" | "seconds" | "sek" | "sekunden" => "s",
+        "msec" | "millisec" | "milliseconds" => "ms",
+        "usec" | "microseconds" => "us",
+        "minute" | "minutes" => "min",
+        "hr" | "hrs" | "hour" | "hours" => "h",
+        "degree" | "degrees" => "deg",
+        "deg/sec" | "degrees/s" | "dps" => "deg/s",
+        "radian" | "radians" => "rad",
+        "metre" | "metres" | "meter" | "meters" => "m",
+        "newton" | "newtons" => "N",
+        "volt" | "volts" => "V",
+        "amp" | "amps" | "ampere" => "A",
+        "watt" | "watts" => "W",
+        "kt" | "kts" | "knot" => "kn",
+        "celsius" | "deg c" | "degrees c" => "degC",
+        "percent" | "pct" => "%",
+        _ => return None,
+    };
+    Some(word.to_owned())
+}
+
+/// The unit that the last word of a name means, where it is rather one than a part of the name.
+fn last_word(name: &str, word: &str) -> Option<String> {
+    let of_temperature = name.to_lowercase().starts_with('t');
+    let known = match word {
+        "C" | "c" if of_temperature => "degC".to_owned(),
+        "degs" => "deg/s".to_owned(),
+        "rads" => "rad/s".to_owned(),
+        "ms2" | "mss" => "m/s^2".to_owned(),
+        "mps" => "m/s".to_owned(),
+        // the least of a signal, not its minutes
+        "min" if !name.to_lowercase().starts_with('t') => return None,
+        _ => self::unit(word)?,
+    };
+    // a letter alone is rather an index than a unit, unless it is one of these
+    let doubtful =
+        word.len() == 1 && !["s", "m", "N", "V", "A", "K", "W", "J", "C", "c", "%"].contains(&word);
+    (!doubtful && known != "1" && word.chars().any(|c| c.is_alphabetic() || "°%".contains(c)))
+        .then_some(known)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+
+    #[test]
+    fn units_are_found_where_people_write_them() {
+        for (text, name, unit, is_guessed) in [
+            ("roll [deg]", "roll", Some("deg"), false),
+            ("roll[°]", "roll", Some("°"), false),
+            ("odd [dgr]", "odd", Some("dgr"), false),
+            ("ratio [-]", "ratio", Some("1"), false),
+            ("Load (kg)", "Load", Some("kg"), false),
+            ("Temp (°C)", "Temp", Some("°C"), false),
+            ("Roll (port)", "Roll (port)", None, false),
+            ("Kraft / N", "Kraft", Some("N"), false),
+            ("v/(m/s)", "v", Some("m/s"), false),
+            ("v / m/s", "v", Some("m/s"), false),
+            ("In/Out", "In/Out", None, false),
+            ("Time (sec)", "Time", Some("s"), false),
+            ("heading_deg", "heading", Some("deg"), true),
+            ("t_s", "t", Some("s"), true),
+            ("T_C", "T", Some("degC"), true),
+            ("v_c", "v_c", None, false),
+            ("x_min", "x_min", None, false),
+            ("x_d", "x_d", None, false),
+            ("speed knots", "speed", Some("knots"), true),
+            ("odd one", "odd one", None, false),
+            ("channel 1", "channel 1", None, false),
+            ("rpm", "rpm", Some("rpm"), true),
+            ("Kraft in N", "Kraft", Some("N"), true),
+            ("Temp, °C", "Temp", Some("°C"), true),
+            ("force", "force", None, false),
+            ("", "", None, false),
+        ] {
+            let got = label(text);
+            assert_eq!(
+                (got.name.as_str(), got.unit.as_deref(), got.is_guessed),
+                (name, unit, is_guessed),
+                "{text}"
+            );
+        }
+    }
+}
