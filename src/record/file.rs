@@ -174,7 +174,7 @@ impl File<'_> {
                     let error = Error::bad_input(format!("`{text}` is no date and time{why}"));
                     self.at(error, at.span().start).with_hint("write start = \"2018-12-06T00:00:00Z\"")
                 })?;
-                Ok(Zero { nano, is_dated: true, text })
+                Ok(Zero { nano, is_dated: true, zoned: None, is_open: false, text })
             }
             other => {
                 let error = Error::bad_input("a log needs the zero of its time")

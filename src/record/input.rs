@@ -99,8 +99,13 @@ impl Input {
 
     /// Whether this is a TOML file: by its name, or as its first line that says something is `key = …` or `[table]`.
     pub(crate) fn is_toml(&self) -> bool {
-        let named = self.path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"));
-        named || looks_like_toml(&String::from_utf8_lossy(self.start()))
+        let is = |names: &[&str]| {
+            self.path.extension().is_some_and(|e| names.iter().any(|n| e.eq_ignore_ascii_case(n)))
+        };
+        if is(&["csv", "tsv", "txt", "dat", "asc", "lvm"]) {
+            return false;
+        }
+        is(&["toml"]) || looks_like_toml(&String::from_utf8_lossy(self.start()))
     }
 
     /// The whole text, and the hash of the bytes as they came.
@@ -212,6 +217,10 @@ fn ends_with_returns(start: &[u8]) -> bool {
 fn looks_like_toml(start: &str) -> bool {
     let mut lines = start.lines().map(str::trim).filter(|l| !l.is_empty() && !l.starts_with('#'));
     let Some(line) = lines.next() else { return false };
+    // a spreadsheet's word on what separates its columns
+    if line.to_lowercase().strip_prefix("sep=").is_some_and(|s| s.chars().count() == 1) {
+        return false;
+    }
     let is_key = |text: &str| {
         !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || "_-.\"' ".contains(c))
     };
@@ -375,9 +384,16 @@ mod tests {
         {
             assert!(looks_like_toml(toml), "{toml}");
         }
-        for other in
-            ["t [s],x [m]\n", "", "# words\n", "t,a=b\n0,1\n", "[1,2]\n", "$HEHDT,1*00", "t [s]\n0\n"]
-        {
+        for other in [
+            "t [s],x [m]\n",
+            "",
+            "# words\n",
+            "t,a=b\n0,1\n",
+            "[1,2]\n",
+            "$HEHDT,1*00",
+            "t [s]\n0\n",
+            "sep=;\n",
+        ] {
             assert!(!looks_like_toml(other), "{other}");
         }
     }

@@ -26,17 +26,30 @@ pub(crate) fn label(text: &str) -> Label {
         return of(name, Some(self::unit(unit).unwrap_or_else(|| unit.to_owned())), false);
     }
     let last = text.strip_suffix(')').and_then(|t| t.rsplit_once('('));
-    if let Some((name, unit)) = last.and_then(|(name, unit)| Some((name, self::unit(unit)?)))
+    // `x(1)` is the first of several
+    if let Some((name, unit)) =
+        last.and_then(|(name, unit)| Some((name, self::unit(unit).filter(|u| u != "1")?)))
         && !name.trim_end().ends_with('/')
     {
         return of(name, Some(unit), false);
     }
-    for (at, _) in text.match_indices('/') {
+    // `Q in m³/h` and `v / m/s`: the unit is the last word, stroke and all
+    let stroked = text.rsplit_once(' ').filter(|(_, w)| w.contains('/') && !w.starts_with('/'));
+    if let Some((name, unit)) = stroked.and_then(|(name, word)| Some((name, self::unit(word)?))) {
+        let (name, is_guessed) = name.trim_end().strip_suffix('/').map_or((name, true), |n| (n, false));
+        return of(name, Some(unit), is_guessed);
+    }
+    let is_unit = self::unit(text).is_some();
+    for (at, _) in text.match_indices('/').filter(|_| !is_unit) {
         let (name, unit) = (&text[..at], text[at + 1..].trim());
         let unit = unit.strip_prefix('(').and_then(|u| u.strip_suffix(')')).unwrap_or(unit);
         if let Some(unit) = self::unit(unit).filter(|u| u != "1" && !name.trim().is_empty()) {
             return of(name, Some(unit), false);
         }
+    }
+    if let Some((name, unit)) = quotient(text) {
+        let is_guessed = unit.is_some();
+        return of(name, unit, is_guessed);
     }
     match text.rsplit_once(['_', ' ']) {
         Some((name, word)) if !name.trim().is_empty() => match last_word(name, word) {
@@ -46,6 +59,20 @@ pub(crate) fn label(text: &str) -> Label {
         _ if text.eq_ignore_ascii_case("rpm") => of(text, Some("rpm".into()), true),
         _ => of(text, None, false),
     }
+}
+
+/// The unit of a name that ends with two of them, `v_m_s`, `rate_deg_s`, `rate_deg_per_s`: a length or an angle over a
+/// time; of other pairs none can be told.
+fn quotient(text: &str) -> Option<(&str, Option<String>)> {
+    let (rest, last) = text.rsplit_once('_')?;
+    let (name, top) = rest.strip_suffix("_per").unwrap_or(rest).rsplit_once('_')?;
+    last_word(name, last)?;
+    let is_speed =
+        ["m", "mm", "cm", "km", "ft", "rad", "deg"].contains(&top) && ["s", "min", "h"].contains(&last);
+    if is_speed {
+        return Some((name, Some(format!("{top}/{last}"))));
+    }
+    last_word(name, top).map(|_| (text, None))
 }
 
 /// A name without the word or sign between it and its unit: `roll in deg`, `roll, deg`.
@@ -59,6 +86,17 @@ pub(super) fn unit(text: &str) -> Option<String> {
     let text = text.trim();
     if Unit::parse(text).is_ok() {
         return Some(text.to_owned());
+    }
+    // `m/s2`, `m3/h`
+    let mut raised = String::new();
+    for c in text.chars() {
+        if c.is_ascii_digit() && raised.ends_with(|c: char| c.is_alphabetic()) {
+            raised.push('^');
+        }
+        raised.push(c);
+    }
+    if Unit::parse(&raised).is_ok() {
+        return Some(raised);
     }
     let word = match text.to_lowercase().as_str() {
         "-" | "\u{2013}" | "none" => "1",
@@ -78,6 +116,7 @@ pub(super) fn unit(text: &str) -> Option<String> {
         "kt" | "kts" | "knot" => "kn",
         "celsius" | "deg c" | "degrees c" => "degC",
         "percent" | "pct" => "%",
+        "rpm" | "u/min" => "rpm",
         _ => return None,
     };
     Some(word.to_owned())
@@ -94,6 +133,8 @@ fn last_word(name: &str, word: &str) -> Option<String> {
         "mps" => "m/s".to_owned(),
         // the least of a signal, not its minutes
         "min" if !name.to_lowercase().starts_with('t') => return None,
+        // the second power of a name, rather than of a unit
+        _ if word.ends_with(|c: char| c.is_ascii_digit()) => return None,
         _ => self::unit(word)?,
     };
     // a letter alone is rather an index than a unit, unless it is one of these
@@ -121,6 +162,7 @@ mod tests {
             ("v/(m/s)", "v", Some("m/s"), false),
             ("v / m/s", "v", Some("m/s"), false),
             ("In/Out", "In/Out", None, false),
+            ("x(1)", "x(1)", None, false),
             ("Time (sec)", "Time", Some("s"), false),
             ("heading_deg", "heading", Some("deg"), true),
             ("t_s", "t", Some("s"), true),
@@ -132,6 +174,17 @@ mod tests {
             ("odd one", "odd one", None, false),
             ("channel 1", "channel 1", None, false),
             ("rpm", "rpm", Some("rpm"), true),
+            ("Q in m³/h", "Q", Some("m³/h"), true),
+            ("v / m/s", "v", Some("m/s"), false),
+            ("Speed m/s", "Speed", Some("m/s"), true),
+            ("a in 1/min", "a", Some("1/min"), true),
+            ("m/s", "m/s", None, false),
+            ("v_m_s", "v", Some("m/s"), true),
+            ("yaw_rate_deg_per_s", "yaw_rate", Some("deg/s"), true),
+            ("x_N_s", "x_N_s", None, false),
+            ("acc (m/s2)", "acc", Some("m/s^2"), false),
+            ("n [RPM]", "n", Some("rpm"), false),
+            ("x_m2", "x_m2", None, false),
             ("Kraft in N", "Kraft", Some("N"), true),
             ("Temp, °C", "Temp", Some("°C"), true),
             ("force", "force", None, false),

@@ -34,6 +34,10 @@ pub(super) struct Zero {
     pub nano: i128,
     /// Whether it has a date.
     pub is_dated: bool,
+    /// Whether it has a zone, where that matters.
+    pub zoned: Option<bool>,
+    /// Whether day and month of it are not known.
+    pub is_open: bool,
     /// The row's own words.
     pub text: String,
 }

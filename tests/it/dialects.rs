@@ -30,7 +30,7 @@ fn gives_the_force(name: &str, bytes: &[u8], label: &str) {
 fn forty_dialects_of_one_recording_mean_the_same() {
     let german = "Zeit [s];Kraft [N];Weg [mm]\r\n0,0;1,5;10\r\n0,5;-1234,5;11\r\n1,0;0,25;12\r\n";
     let plain = "t [s],Kraft [N]\n0,1.5\n0.5,-1234.5\n1,0.25\n";
-    let clean: [(&str, &str); 44] = [
+    let clean: [(&str, &str); 52] = [
         ("plain", plain),
         ("spreadsheet, German", german),
         ("byte-order mark", "\u{feff}Zeit [s];Kraft [N]\r\n0;1,5\r\n0,5;-1234,5\r\n1;0,25\r\n"),
@@ -40,6 +40,7 @@ fn forty_dialects_of_one_recording_mean_the_same() {
         ("thousands, French", "t [s];Kraft [N]\n0;1,5\n0,5;-1\u{202f}234,5\n1;0,25\n"),
         ("all quoted", "\"t [s]\";\"Kraft [N]\"\n\"0\";\"1,5\"\n\"0,5\";\"-1234,5\"\n\"1\";\"0,25\"\n"),
         ("carriage returns", "t [s],Kraft [N]\r0,1.5\r0.5,-1234.5\r1,0.25\r"),
+        ("a spreadsheet's word on its separator", "sep=;\nt [s];Kraft [N]\n0;1,5\n0,5;-1234,5\n1;0,25\n"),
         ("tabs", "t [s]\tKraft [N]\n0\t1.5\n0.5\t-1234.5\n1\t0.25\n"),
         ("tabs and decimal commas", "t [s]\tKraft [N]\n0\t1,5\n0,5\t-1234,5\n1\t0,25\n"),
         ("bars", "t [s]|Kraft [N]\n0|1.5\n0.5|-1234.5\n1|0.25\n"),
@@ -101,6 +102,17 @@ fn forty_dialects_of_one_recording_mean_the_same() {
             "a clock with colons",
             "Zeit;Kraft [N]\n12:00:00:000;1,5\n12:00:00:500;-1234,5\n12:00:01:000;0,25\n",
         ),
+        ("minutes and seconds", "Zeit (mm:ss);Kraft [N]\n59:58,5;1,5\n59:59,0;-1234,5\n59:59,5;0,25\n"),
+        ("MATLAB's durations", "Time,Kraft_N\n0 sec,1.5\n0.5 sec,-1234.5\n1 sec,0.25\n"),
+        (
+            "ISO's basic form",
+            "time,Kraft [N]\n20250403T120000Z,1.5\n20250403T120000.5Z,-1234.5\n20250403T120001Z,0.25\n",
+        ),
+        (
+            "UNIX microseconds with their unit",
+            "timestamp_us,Kraft [N]\n1700000000000001,1.5\n1700000000500001,-1234.5\n1700000001000001,0.25\n",
+        ),
+        ("a minus sign of typography", "t [s];Kraft [N]\n0;1,5\n0,5;\u{2212}1234,5\n1;0,25\n"),
         ("UNIX time", "timestamp,Kraft [N]\n1700000000,1.5\n1700000000.5,-1234.5\n1700000001,0.25\n"),
         (
             "UNIX milliseconds",
@@ -112,6 +124,8 @@ fn forty_dialects_of_one_recording_mean_the_same() {
         ),
         ("separators at line ends", "t [s];Kraft [N];\n0;1,5;\n0,5;-1234,5;\n1;0,25;\n"),
         ("rows padded", "t [s],Kraft [N],,\n0,1.5,,\n0.5,-1234.5,,\n1,0.25,,\n"),
+        ("an inch sign", "t [s];Ort;Kraft [N]\n0;12\" Rohr;1,5\n0,5;3\" Rohr;-1234,5\n1;;0,25\n"),
+        ("a line between", "t [s];Kraft [N]\n\n0;1,5\n0,5;-1234,5\n1;0,25\n"),
         ("columns of words", "t [s];Zustand;Kraft [N]\n0;aus;1,5\n0,5;ein, links;-1234,5\n1;aus;0,25\n"),
         ("a column without a unit", "t [s],lfd,Kraft [N]\n0,1,1.5\n0.5,2,-1234.5\n1,3,0.25\n"),
     ];
@@ -159,10 +173,14 @@ fn a_wrong_reading_is_never_silent() {
         ("time,x [m]\n2025-04-03T12:00:00Z,1\n,2\n2025-04-03T12:00:02Z,3\n", (3, 1), "time is empty"),
         ("time,x [m]\n2025-04-03T12:00:00Z,1\n2025-04-03T12:00:00Z,2\n", (3, 1), "stands there twice"),
         ("time;x [m]\n12:00:00;1\n11:00:00;2\n", (3, 1), "backwards"),
+        ("time,x [m]\n2025-04-03T12:00:00Z,1\n2025-04-03T12:00:05,2\n", (3, 1), "no zero in common"),
+        ("Zeit;x [m]\n00:00;1\n00:01;2\n", (2, 1), "(mm:ss)"),
         ("time,x [m]\n0,1\n1,2\n", (1, 1), "has no unit"),
         ("0;1\n1;2\n", (1, 2), "semicolons"),
         ("t [s];x [m]\n0;1,5\n1;2,5;7\n2;3,5\n", (3, 7), "the row has 3 fields"),
         ("t [s];x [m]\n0;1,5\n1;warm\n2;3,5\n", (3, 3), "`warm`"),
+        ("t [s];x [m];n\n0;1,5;\"a\nb\"\n1;2,5;c\n2;3,5;d\n3;4,5;e\n", (2, 1), "double quote"),
+        ("t [s];a [m];b [m]\n0;1,234;1.5\n1;2,345;1.6\n", (2, 3), "read in two ways"),
     ] {
         let error = read(text.as_bytes()).map(|_| ()).expect_err(text);
         assert_eq!((error.line(), error.column()), (Some(place.0), Some(place.1)), "{text}: {error}");
@@ -180,6 +198,8 @@ fn a_wrong_reading_is_never_silent() {
         (whole, "20000;1.234\n", "read in two ways"),
         (whole, "20000;1,234\n", "read in two ways"),
         (whole, "20000;1,5\n20001;1.5\n", "another decimal sign"),
+        (commas, "20000;1.500\n", "read in two ways"),
+        (|i| format!("{i};{}.{:03}\n", 1 + i % 9, i % 1000), "20000;999\n", "read in two ways"),
     ] {
         let error = long(row, last).map(|_| ()).expect_err(last);
         assert!(error.to_string().contains(says) && error.line() >= Some(20_002), "{error}");
@@ -187,8 +207,7 @@ fn a_wrong_reading_is_never_silent() {
     }
     let ends = |r: Result<Recording>| r.unwrap().channels[0].values.last().copied().unwrap();
     assert_eq!(ends(long(commas, "20000;1.234,5\n20001;1.234\n")), 1234.0);
-    assert_eq!(ends(long(whole, "20000;1,5\n20001;1.234\n")), 1234.0);
-    assert_eq!(ends(long(whole, "20000;1.5\n# a pause\n20001;1,234\n")), 1234.0);
+    assert_eq!(ends(long(whole, "20000;1,234.5\n# a pause\n20001;1,234\n")), 1234.0);
     assert!(ends(long(commas, "20000;#NV\n")).is_nan());
     let notes = |text: &str| -> String {
         read(text.as_bytes()).unwrap().notes.iter().map(|n| format!("{n}\n")).collect()
@@ -217,13 +236,24 @@ fn a_column_that_is_left_out_says_why_when_it_is_asked_for() {
     }
 }
 
+#[test]
+fn a_stroke_or_a_second_unit_does_not_cut_the_unit() {
+    let r =
+        read("t [s];Q in m³/h;v_m_s;vel_N;vel_E;n [RPM]\n0;3600;1,5;1;2;60\n1;3600;2,5;1;2;60\n".as_bytes())
+            .unwrap();
+    assert_eq!((r.channel("Q").unwrap().values[0], r.channel("v").unwrap().values[0]), (1.0, 1.5));
+    assert_eq!(r.channel("n").unwrap().unit.text(), "rpm");
+    assert!(r.channel("vel_N").unwrap_err().to_string().contains("no unit"));
+}
+
 /// Two tables with dates lie on one clock; dates beside plain seconds have no zero in common.
 #[test]
 fn tables_with_dates_share_their_zero() {
     let folder = tempfile::tempdir().unwrap();
     let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
     write("a.csv", "time;x [m]\n03.04.2025 12:00:00;1\n03.04.2025 12:00:10;2\n");
-    write("b.csv", "time,y [m]\n2025-04-03T12:00:04Z,1\n2025-04-03T12:00:05Z,2\n");
+    write("b.csv", "time,y [m]\n2025-04-03T12:00:04,1\n2025-04-03T12:00:05,2\n");
+    write("d.csv", "time,z [m]\n2025-04-03T12:00:04Z,1\n2025-04-03T12:00:05Z,2\n");
     write("c.csv", "t [s],z [m]\n0,1\n1,2\n");
     let with = |second: &str| {
         let channel = if second == "b.csv" { "y" } else { "z" };
@@ -240,6 +270,11 @@ fn tables_with_dates_share_their_zero() {
     );
     let error = with("c.csv").unwrap_err();
     assert!(error.to_string().contains("no zero in common") && error.line() == Some(6), "{error}");
+    let error = with("d.csv").unwrap_err();
+    assert!(
+        error.to_string().contains("no zero in common") && error.hint().unwrap().contains("zone"),
+        "{error}"
+    );
 }
 
 #[test]

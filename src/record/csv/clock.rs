@@ -1,7 +1,7 @@
 //! Dates, clocks and seconds since 1970 turned into seconds since the first row.
 
 use super::field::Field;
-use super::stamp::{Day, Stamp, nanoseconds, stamp};
+use super::stamp::{Day, Order, Stamp, nanoseconds, stamp};
 use crate::record::nmea;
 use crate::record::request::Zero;
 use crate::{Error, Result};
@@ -20,8 +20,10 @@ pub(super) struct Clock {
     pub day: Option<usize>,
     /// Nanoseconds of one count since 1970, where it is a count.
     pub count: Option<i128>,
-    /// Whether the day comes before the month, where the rows that were looked at tell.
-    pub day_first: Option<bool>,
+    /// Orders in which the numbers of its days may stand, by the rows that were looked at.
+    pub orders: Vec<Order>,
+    /// Whether a clock of two numbers has hours and minutes, or minutes and seconds, if its label says so.
+    pub has_hours: Option<bool>,
 }
 
 /// A clock as it is read row by row.
@@ -30,8 +32,8 @@ pub(super) struct Reading {
     zero: Option<Zero>,
     /// Whether the zero is another table's.
     is_shared: bool,
-    /// The first day, while it is not known which of its numbers is the month.
-    open: Option<Day>,
+    /// The first day, while it is not known in which order its numbers stand.
+    open: Option<(Day, Order)>,
     last: Option<i128>,
     step: Option<i128>,
     midnights: i128,
@@ -43,9 +45,10 @@ impl Reading {
         Self { clock, zero, is_shared, open: None, last: None, step: None, midnights: 0 }
     }
 
-    /// The zero, once a row was read, and whether day and month are told apart by the rows.
-    pub(super) fn zero(&self) -> Option<&Zero> {
-        self.zero.as_ref()
+    /// The zero, once a row was read.
+    pub(super) fn zero(&self) -> Option<Zero> {
+        let is_open = self.open.is_some() && self.clock.orders.len() > 1;
+        self.zero.clone().map(|zero| Zero { is_open, ..zero })
     }
 
     /// Seconds since the zero as a decimal; none where the field is empty.
@@ -61,94 +64,170 @@ impl Reading {
             return Ok(None);
         }
         let whole = || day.iter().map(String::as_str).chain([text.as_str()]).collect::<Vec<_>>().join(" ");
+        let at = |e: Error| e.with_column(field.at + 1);
         let read = match self.clock.count {
             Some(count) => {
-                counted(&text, count).map(|n| (n, true)).ok_or_else(|| "it is no count since 1970".into())
+                counted(&text, count).map(|nano| Moment { nano, is_dated: true, zoned: Some(true) })
             }
-            None => self.read(&text, day.as_deref()),
+            None => Some(self.read(&text, day.as_deref()).map_err(|why| {
+                at(Error::bad_input(format!("`{}` is no time here: {why}", whole())).with_hint(FORMS))
+            })?),
         };
-        let (nano, is_dated) = read.map_err(|why| {
-            Error::bad_input(format!("`{}` is no time here: {why}", whole()))
-                .with_column(field.at + 1)
-                .with_hint("write the time as seconds in a unit of time, or as 2025-04-03T12:00:00Z")
+        let moment = read.ok_or_else(|| {
+            at(Error::bad_input(format!("`{text}` is no count since 1970")).with_hint(FORMS))
         })?;
+        let nano = moment.nano;
         self.step = self.last.map(|last| nano - last).filter(|step| *step > 0).or(self.step);
         self.last = Some(nano);
-        let zero = self.zero.get_or_insert_with(|| Zero { nano, is_dated, text: whole() });
-        if zero.is_dated != is_dated {
-            return Err(Error::bad_input(format!(
-                "the times of this table and those that count from `{}` have no zero in common",
-                zero.text
-            ))
-            .with_column(field.at + 1)
-            .with_hint("write the times of all tables with their date, or of none"));
+        let unit = self.clock.count.map(|c| format!(" {} since 1970", unit_of(c))).unwrap_or_default();
+        let Moment { is_dated, zoned, .. } = moment;
+        let text = || format!("{}{unit}", whole());
+        let zero =
+            self.zero.get_or_insert_with(|| Zero { nano, is_dated, zoned, text: text(), is_open: false });
+        let unlike = zero.is_dated != is_dated || zero.zoned.zip(zoned).is_some_and(|(a, b)| a != b);
+        if unlike || self.is_shared && zero.is_open {
+            let what = "the times here and those that count from";
+            return Err(at(Error::bad_input(format!("{what} `{}` have no zero in common", zero.text))
+                .with_hint(
+                    "write all times with their date and zone as 2025-04-03T12:00:00Z, or all without",
+                )));
         }
         Ok(Some(decimal(nano - zero.nano)))
     }
 
-    /// Nanoseconds of a date, a clock, or both, and whether there is a date.
-    fn read(&mut self, text: &str, day: Option<&str>) -> Result<(i128, bool), String> {
-        let Stamp { day: own, clock, zone } = stamp(text).ok_or("write it as 2025-04-03T12:00:00")?;
+    /// The moment of a date, a clock, or both, or of a time that went by.
+    fn read(&mut self, text: &str, day: Option<&str>) -> Result<Moment, String> {
+        if let Some(nano) = duration(text) {
+            return Ok(Moment { nano, is_dated: false, zoned: None });
+        }
+        let Stamp { day: own, clock, zone, is_short } =
+            stamp(text).ok_or("write it as 2025-04-03T12:00:00")?;
         let other = day.map(|d| stamp(d).and_then(|s| s.day).ok_or("the day cannot be read")).transpose()?;
         let clock = clock.unwrap_or_else(|| "00:00:00".into());
-        match other.or(own) {
-            Some(day) => Ok((self.dated(&day, &clock, &zone)?, true)),
-            None => Ok((self.of_day(&clock, &zone)?, false)),
-        }
+        let zoned = Some(!zone.is_empty());
+        let (nano, is_dated) = match other.or(own) {
+            Some(day) => (self.dated(&day, &clock, &zone)?, true),
+            None => (self.of_day(&clock, is_short)?, false),
+        };
+        Ok(Moment { nano, is_dated, zoned })
     }
 
-    /// A clock alone, which passes midnight where it falls by half a day or more.
-    fn of_day(&mut self, clock: &str, zone: &str) -> Result<i128, String> {
-        let zero = nanoseconds("2001-01-01", "00:00:00", "")?;
-        let mut nano = nanoseconds("2001-01-01", clock, zone)? - zero + self.midnights * DAY;
-        if self.last.is_some_and(|last| last - nano >= DAY / 2) {
+    /// A clock alone, which passes midnight where it falls by half a day or more; one of two numbers has hours or
+    /// seconds as its label says.
+    fn of_day(&mut self, clock: &str, is_short: bool) -> Result<i128, String> {
+        let mut parts =
+            clock.split([':', '.']).map(|p| p.parse::<i128>().map_err(|_| "it is no clock".to_owned()));
+        let mut next = || parts.next().unwrap_or(Ok(0));
+        let (hour, minute, second) = (next()?, next()?, next()?);
+        if minute > 59 || second > 60 {
+            return Err("an hour has 60 minutes, and a minute 60 seconds".into());
+        }
+        let fraction = clock.split_once('.').map_or("", |f| f.1);
+        let part = format!("{fraction:0<9}")[..9].parse::<i128>().map_err(|_| "it is no clock".to_owned())?;
+        let minutes = match (is_short, self.clock.has_hours) {
+            (true, None) => {
+                return Err(
+                    "hours and minutes, or minutes and seconds? End its label with (hh:mm) or (mm:ss)".into(),
+                );
+            }
+            (true, Some(false)) => return Ok((60 * hour + minute) * NANO),
+            _ => 60 * hour + minute,
+        };
+        let mut nano = (60 * minutes + second) * NANO + part + self.midnights * DAY;
+        if hour < 24 && self.last.is_some_and(|last| last - nano >= DAY / 2) {
             self.midnights += 1;
             nano += DAY;
         }
         Ok(nano)
     }
 
-    /// A day and a clock. Where day and month cannot be told apart, any order does as long as the day stays; where
-    /// it changes, the order is that which goes on as before.
+    /// A day and a clock. Where the order of a day's numbers is not known, any does as long as the day stays; where it
+    /// changes, the order is that which goes on as before.
     fn dated(&mut self, day: &Day, clock: &str, zone: &str) -> Result<i128, String> {
-        let at = |day: &Day, first: bool| nanoseconds(&day.iso(first), clock, zone);
-        if let Some(first) = self.clock.day_first {
+        let at = |day: &Day, order: Order| nanoseconds(&day.iso(order), clock, zone);
+        if !matches!(day, Day::Open(..)) {
+            return at(day, Order::DayMonthYear);
+        }
+        self.clock.orders.retain(|o| day.may_be(*o));
+        let Some(first) = self.clock.orders.first().copied() else {
+            return Err("its numbers have another order than those above it".into());
+        };
+        let Some((open, used)) = self.open.clone() else {
+            if self.is_shared && self.clock.orders.len() > 1 {
+                return Err(ORDER.into());
+            }
+            self.open = Some((day.clone(), first));
             return at(day, first);
-        }
-        if !matches!(day, Day::Either(..)) {
-            return at(day, true);
-        }
-        let Some(open) = self.open.clone() else {
-            self.open = Some(day.clone());
-            return at(day, true);
         };
-        if open == *day {
-            return at(day, true);
+        if open == *day && self.clock.orders.contains(&used) {
+            return at(day, used);
         }
-        let shift = |first: bool| -> Result<i128, String> {
-            Ok(nanoseconds(&open.iso(first), "00:00:00", "")? - nanoseconds(&open.iso(true), "00:00:00", "")?)
-        };
-        let goes_on = |first: bool| {
+        let midnight = |order: Order| nanoseconds(&open.iso(order), "00:00:00", "");
+        let shift = |order: Order| -> Result<i128, String> { Ok(midnight(order)? - midnight(used)?) };
+        let goes_on = |order: &Order| {
             let (Ok(now), Ok(shift), Some(last), Some(step)) =
-                (at(day, first), shift(first), self.last, self.step)
+                (at(day, *order), shift(*order), self.last, self.step)
             else {
                 return false;
             };
             (1..=GAP * step).contains(&(now - last - shift))
         };
-        let order = match (day.order(), goes_on(true), goes_on(false)) {
-            (Some(order), ..) => order,
-            (None, true, false) => true,
-            (None, false, true) => false,
-            _ => return Err("which of its numbers is the month, the rows do not tell".into()),
-        };
+        let mut orders = self.clock.orders.clone();
+        if orders.len() > 1 {
+            orders.retain(goes_on);
+        }
+        let [order] = orders[..] else { return Err(ORDER.into()) };
         let moved = shift(order)?;
-        self.clock.day_first = Some(order);
+        self.clock.orders = vec![order];
+        self.open = Some((day.clone(), order));
         self.last = self.last.map(|last| last + moved);
         if let Some(zero) = self.zero.as_mut().filter(|_| !self.is_shared) {
             zero.nano += moved;
         }
         at(day, order)
+    }
+}
+
+/// What the rows do not tell.
+const ORDER: &str = "which of its numbers is the month, the rows do not tell";
+const FORMS: &str = "write the time as seconds in a unit of time, or as 2025-04-03T12:00:00Z";
+
+/// What a row says of the time.
+struct Moment {
+    /// Nanoseconds since 1970, since midnight, or since a beginning.
+    nano: i128,
+    is_dated: bool,
+    /// Whether it has a zone, where it is one of the clock.
+    zoned: Option<bool>,
+}
+
+/// A time that went by, as `0.5 sec`; nanoseconds.
+pub(super) fn duration(text: &str) -> Option<i128> {
+    let (number, word) = text.trim().split_once(' ')?;
+    let unit = match word.trim() {
+        "sec" | "s" | "seconds" => NANO,
+        "min" | "minutes" => 60 * NANO,
+        "hr" | "h" | "hours" => 3600 * NANO,
+        "ms" => NANO / 1000,
+        _ => return None,
+    };
+    let (sign, size) = number.strip_prefix('-').map_or((1, number), |n| (-1, n));
+    let (whole, fraction) = size.split_once(['.', ',']).unwrap_or((size, ""));
+    let digits = |s: &str| s.len() <= 12 && s.bytes().all(|b| b.is_ascii_digit());
+    if whole.is_empty() || !digits(whole) || !digits(fraction) {
+        return None;
+    }
+    let part = format!("{fraction:0<9}")[..9].parse::<i128>().ok()?;
+    Some(sign * (whole.parse::<i128>().ok()? * unit + part * unit / NANO))
+}
+
+/// The unit of a count.
+fn unit_of(count: i128) -> &'static str {
+    match count {
+        1 => "ns",
+        1_000 => "us",
+        1_000_000 => "ms",
+        _ => "s",
     }
 }
 
@@ -173,6 +252,7 @@ fn decimal(nano: i128) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::stamp::ORDERS;
     use super::*;
 
     fn read(rows: &[&str], clock: Clock) -> Result<Vec<String>> {
@@ -181,8 +261,9 @@ mod tests {
         rows.iter().map(|r| reading.seconds(&field(r)).map(Option::unwrap_or_default)).collect()
     }
 
-    fn of(day_first: Option<bool>, count: Option<i128>) -> Clock {
-        Clock { column: 0, day: None, count, day_first }
+    fn of(order: Option<Order>, count: Option<i128>) -> Clock {
+        let orders = order.map_or(ORDERS.to_vec(), |o| vec![o]);
+        Clock { column: 0, day: None, count, orders, has_hours: None }
     }
 
     #[test]
@@ -197,7 +278,33 @@ mod tests {
         let daily = ["3/4/2025 12:00:00", "4/4/2025 12:00:00"];
         let error = read(&daily, of(None, None)).unwrap_err().to_string();
         assert!(error.contains("which of its numbers is the month"), "{error}");
-        assert_eq!(read(&daily, of(Some(true), None)).unwrap(), ["0", "86400"]);
+        assert_eq!(read(&daily, of(Some(Order::DayMonthYear), None)).unwrap(), ["0", "86400"]);
+    }
+
+    #[test]
+    fn a_year_of_two_digits_may_stand_first() {
+        let rows = ["21/03/04 23:58:00", "21/03/04 23:59:00", "21/03/05 00:00:00"];
+        assert_eq!(read(&rows, of(None, None)).unwrap(), ["0", "60", "120"]);
+        let logger = ["04/03/25 11:59:59 PM", "04/03/25 11:59:59.5 PM", "04/04/25 12:00:00 AM"];
+        assert_eq!(read(&logger, of(None, None)).unwrap(), ["0", "0.500000000", "1"]);
+    }
+
+    #[test]
+    fn clocks_of_two_numbers_say_which() {
+        let clock = |has_hours| Clock { has_hours, ..of(None, None) };
+        let rows = ["00:00", "00:01", "01:00"];
+        assert_eq!(read(&rows, clock(Some(true))).unwrap(), ["0", "60", "3600"]);
+        assert_eq!(read(&rows, clock(Some(false))).unwrap(), ["0", "1", "60"]);
+        assert!(read(&rows, clock(None)).unwrap_err().to_string().contains("(mm:ss)"));
+        assert_eq!(read(&["59:58.5", "59:59.0"], clock(None)).unwrap(), ["0", "0.500000000"]);
+        assert_eq!(read(&["23:59:59", "24:00:00", "25:00:00"], clock(None)).unwrap(), ["0", "1", "3601"]);
+        assert_eq!(read(&["0 sec", "0.5 sec", "1 min"], clock(None)).unwrap(), ["0", "0.500000000", "60"]);
+    }
+
+    #[test]
+    fn with_and_without_a_zone_is_asked() {
+        let error = read(&["2025-04-03T12:00:00Z", "2025-04-03T12:00:05"], of(None, None)).unwrap_err();
+        assert!(error.to_string().contains("no zero in common"), "{error}");
     }
 
     #[test]
@@ -221,9 +328,12 @@ mod tests {
 
     #[test]
     fn what_is_no_time_is_refused_with_its_reason() {
-        for (row, why) in
-            [("2025-02-30 12:00:00", "28 days"), ("calm", "write it as"), ("25:00:00", "hour 25")]
-        {
+        for (row, why) in [
+            ("2025-02-30 12:00:00", "28 days"),
+            ("calm", "write it as"),
+            ("2025-02-03 25:00:00", "hour 25"),
+            ("12:61:00", "60 minutes"),
+        ] {
             let error = read(&[row], of(None, None)).unwrap_err().to_string();
             assert!(error.contains(why), "{error}");
         }

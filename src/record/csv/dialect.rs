@@ -8,8 +8,9 @@ use super::clock::Clock;
 use super::field::{self, Field};
 use super::figures::{self, Form};
 use super::header::{Seen, is_no_text};
-use super::sample::{Kind, Line, in_comment, is_comment, kinds, names, rejoined, width};
-use super::stamp::{Stamp, stamp};
+use super::sample::{Kind, Line, Names, in_comment, is_comment, kinds, names, rejoined, width};
+use super::stamp::{ORDERS, Order, Stamp, stamp};
+use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
 
 /// What may separate columns; a blank stands for any number of them.
@@ -26,6 +27,10 @@ pub(super) struct Dialect {
     pub separator: u8,
     /// Whether commas are decimal; none where no number that was looked at tells.
     pub comma: Option<bool>,
+    /// Whether a number has signs between thousands for sure.
+    pub is_grouped: bool,
+    /// Whether that is told only by signs with three digits behind them, which could stand between thousands.
+    pub is_weak: bool,
     /// Line of the header, from 1.
     pub header: usize,
     /// Its labels.
@@ -67,12 +72,15 @@ impl Dialect {
     }
 }
 
+/// The column of time as a recording names it, and its unit there.
+pub(super) type Named<'a> = (&'a str, Option<&'a Unit>);
+
 /// How a table is written; none where nothing in it looks like rows below a header, which is read as it stands and
 /// refused with its reason. `time` is the column of time, if the recording names it.
 ///
 /// # Errors
 /// Numbers that can be read in two ways.
-pub(super) fn of(start: &[u8], is_whole: bool, time: Option<&str>) -> Result<Option<Dialect>> {
+pub(super) fn of(start: &[u8], is_whole: bool, time: Option<Named<'_>>) -> Result<Option<Dialect>> {
     if is_no_text(start) {
         return Ok(None);
     }
@@ -104,6 +112,8 @@ struct Layout {
     width: usize,
     header: Line,
     units: Vec<String>,
+    /// First line below names and units.
+    body: usize,
     rows: Vec<Line>,
     /// Whether a line was made shorter by an empty field at its end, or stood between header and rows.
     is_mended: bool,
@@ -112,7 +122,8 @@ struct Layout {
 impl Layout {
     fn of(lines: &[(usize, &str)], separator: u8) -> Option<Self> {
         let cut = |(number, line): &(usize, &str)| -> Option<Line> {
-            let fields = field::split(line.as_bytes(), separator)?;
+            // a line with an open quote is no row, and is told of when it is read
+            let fields = field::split(line.as_bytes(), separator).unwrap_or_default();
             let text = |f: &Field| String::from_utf8_lossy(f.text.trim_ascii()).into_owned();
             let fields = fields.iter().map(|f| (f.at, text(f))).collect();
             Some(Line { number: *number, fields: if separator == b' ' { rejoined(fields) } else { fields } })
@@ -120,7 +131,7 @@ impl Layout {
         let plain = lines.iter().filter(|l| !l.1.trim().is_empty() && !is_comment(l.1));
         let mut all: Vec<Line> = plain.filter_map(cut).collect();
         let width = width(&all)?;
-        let longer = all.iter().any(|l| l.fields.len() != width);
+        let longer = all.iter().any(|l| !l.fields.is_empty() && l.fields.len() != width);
         for line in &mut all {
             while line.fields.len() > width && line.fields.last().is_some_and(|f| f.1.is_empty()) {
                 line.fields.pop();
@@ -138,13 +149,17 @@ impl Layout {
             first -= 1;
         }
         let rows = all.split_off(first);
-        let (header, units) = match names(&all, width) {
-            Some((at, units)) => (all.swap_remove(at), units),
-            None => (in_comment(lines, rows[0].number, separator, width)?, Vec::new()),
+        let (header, units, above) = if let Some(Names { at, units, last }) = names(&all, width) {
+            (all.swap_remove(at), units, last)
+        } else {
+            let header = in_comment(lines, rows[0].number, separator, width)?;
+            let number = header.number;
+            (header, Vec::new(), number)
         };
+        let body = above + 1;
         // one column whose label holds what separates columns elsewhere is no table
         let is_torn = width == 1 && header.fields.iter().any(|f| f.1.contains([',', ';', '\t', '|']));
-        (!is_torn).then_some(Self { separator, width, header, units, rows, is_mended: longer })
+        (!is_torn).then_some(Self { separator, width, header, units, body, rows, is_mended: longer })
     }
 
     /// Numbers and times less twice the words.
@@ -159,11 +174,12 @@ impl Layout {
             - 2 * wrong
     }
 
-    fn dialect(self, lines: &[(usize, &str)], time: Option<&str>) -> Result<Dialect> {
+    fn dialect(self, lines: &[(usize, &str)], time: Option<Named<'_>>) -> Result<Dialect> {
         let comma = self.decimal()?;
+        let is_weak = comma.is_some() && self.separator != b',' && self.sure().iter().all(Option::is_none);
         let clock = self.clock(time);
         let words = self.words(clock.as_ref());
-        let body = self.rows.first().map_or(self.header.number + 1, |l| l.number);
+        let body = self.body;
         let has_comments = lines.iter().any(|l| is_comment(l.1));
         let is_plain = self.separator == b','
             && comma == Some(false)
@@ -175,6 +191,8 @@ impl Layout {
         Ok(Dialect {
             separator: self.separator,
             comma,
+            is_weak,
+            is_grouped: self.find(&[Form::GroupedByPoints, Form::GroupedByCommas]).is_some(),
             header: self.header.number,
             labels: self.header.fields,
             units: self.units,
@@ -185,14 +203,21 @@ impl Layout {
         })
     }
 
+    /// The first number of one of these forms, with its line.
+    fn find(&self, wanted: &[Form]) -> Option<(usize, &(usize, String))> {
+        let mut fields = self.rows.iter().flat_map(|l| l.fields.iter().map(move |f| (l.number, f)));
+        fields.find(|(_, (_, text))| wanted.contains(&figures::form(text)))
+    }
+
+    /// The first numbers that have a decimal comma, and a decimal point, for sure.
+    fn sure(&self) -> [Option<(usize, &(usize, String))>; 2] {
+        [&[Form::Comma, Form::GroupedByPoints], &[Form::Point, Form::GroupedByCommas]]
+            .map(|forms| self.find(forms))
+    }
+
     /// Whether commas are decimal, if any number tells.
     fn decimal(&self) -> Result<Option<bool>> {
-        let find = |wanted: &[Form]| {
-            let mut fields = self.rows.iter().flat_map(|l| l.fields.iter().map(move |f| (l.number, f)));
-            fields.find(|(_, (_, text))| wanted.contains(&figures::form(text)))
-        };
-        let commas = find(&[Form::Comma, Form::GroupedByPoints]);
-        let points = find(&[Form::Point, Form::GroupedByCommas]);
+        let [commas, points] = self.sure();
         let place = |(line, (at, text)): (usize, &(usize, String)), what: &str| {
             Error::bad_input(format!("`{text}` {what}")).with_line(line).with_column(at + 1)
         };
@@ -209,7 +234,7 @@ impl Layout {
         if commas.is_some() || points.is_some() {
             return Ok(Some(commas.is_some()));
         }
-        let (comma, point) = (find(&[Form::EitherComma]), find(&[Form::EitherPoint]));
+        let (comma, point) = (self.find(&[Form::EitherComma]), self.find(&[Form::EitherPoint]));
         let doubtful = match (comma, point) {
             (Some(comma), Some(_)) => Some(comma),
             (Some(_), None) => self.mixed(Form::EitherComma),
@@ -238,25 +263,49 @@ impl Layout {
     }
 
     /// The time, where it is no number in a unit of time: the column that is named, or the first with times.
-    fn clock(&self, named: Option<&str>) -> Option<Clock> {
+    fn clock(&self, named: Option<Named<'_>>) -> Option<Clock> {
         let usual = kinds(&self.rows, self.width);
         let text = |c: usize| self.rows.iter().filter_map(move |l| l.fields.get(c).map(|f| f.1.as_str()));
         let stamps = |c: usize| -> Vec<Stamp> { text(c).filter_map(stamp).collect() };
         let days = |c: &usize| usual[*c] == Kind::Time && stamps(*c).iter().all(|s| s.clock.is_none());
         let clocks = |c: &usize| usual[*c] == Kind::Time && stamps(*c).iter().any(|s| s.clock.is_some());
-        let asked = |c: &usize| named.is_none_or(|n| self.is_named(*c, n));
-        let order = |c: usize| stamps(c).iter().find_map(|s| s.day.as_ref()?.order());
-        if let Some(column) = (0..self.width).find(|c| clocks(c) && asked(c)) {
+        let asked = |c: &usize| named.is_none_or(|(n, _)| self.is_named(*c, n));
+        let orders = |c: usize| -> Vec<Order> {
+            let days: Vec<_> = stamps(c).into_iter().filter_map(|s| s.day).collect();
+            ORDERS.into_iter().filter(|o| days.iter().all(|d| d.may_be(*o))).collect()
+        };
+        let of = |column: usize, day: Option<usize>| Clock {
+            column,
+            day,
+            count: None,
+            orders: orders(day.unwrap_or(column)),
+            has_hours: self.has_hours(column),
+        };
+        let mut found = (0..self.width).filter(|c| clocks(c) && asked(c)).peekable();
+        if let Some(first) = found.peek().copied() {
+            // a table of several times has one of that name
+            let is_time = |c: &usize| self.header.fields[*c].1.trim_matches('_').eq_ignore_ascii_case("time");
+            let column = found.find(is_time).unwrap_or(first);
             let is_dated = stamps(column).iter().any(|s| s.day.is_some());
-            let day = (0..self.width).find(days).filter(|_| !is_dated);
-            return Some(Clock { column, day, count: None, day_first: order(day.unwrap_or(column)) });
+            return Some(of(column, (0..self.width).find(days).filter(|_| !is_dated)));
         }
         if let Some(column) = (0..self.width).find(|c| days(c) && asked(c)) {
-            return Some(Clock { column, day: None, count: None, day_first: order(column) });
+            return Some(of(column, None));
         }
-        let column = (0..self.width).find(|c| asked(c) && self.is_counted(*c))?;
-        let count = text(column).find_map(since_1970)?;
-        Some(Clock { column, day: None, count: Some(count), day_first: None })
+        let counts = |c: usize| text(c).find_map(since_1970);
+        let column =
+            (0..self.width).find(|c| asked(c) && self.is_counted(*c, counts(*c), named.and_then(|n| n.1)))?;
+        Some(Clock { count: counts(column), ..of(column, None) })
+    }
+
+    /// Whether a clock of two numbers has hours, if its label says so.
+    fn has_hours(&self, column: usize) -> Option<bool> {
+        let label = self.header.fields[column].1.to_lowercase();
+        let says = |words: [&str; 3]| words.iter().any(|w| label.contains(w));
+        if says(["hh:mm", "h:mm", "h:min"]) {
+            return Some(true);
+        }
+        says(["mm:ss", "min:s", "m:ss"]).then_some(false)
     }
 
     fn is_named(&self, column: usize, name: &str) -> bool {
@@ -264,14 +313,22 @@ impl Layout {
         label == name || crate::record::label::label(label).name == name
     }
 
-    /// Whether a column without a unit counts since 1970: all its numbers do, and its name says so or it is the first.
-    fn is_counted(&self, column: usize) -> bool {
-        let label = self.header.fields[column].1.to_lowercase();
-        let has_unit = crate::record::label::label(&label).unit.is_some()
-            || self.units.get(column).is_some_and(|u| !u.is_empty());
+    /// Whether a column counts since 1970: all its numbers do, its name says so, and its unit, if it has one, is that
+    /// of the count.
+    fn is_counted(&self, column: usize, count: Option<i128>, given: Option<&Unit>) -> bool {
+        let whole = &self.header.fields[column].1;
+        let own = self.units.get(column).filter(|u| !u.is_empty()).cloned();
+        let unit = own.or(crate::record::label::label(whole).unit).map(|u| Unit::parse(&u).ok());
+        let unit = given.cloned().map(Some).or(unit);
+        let fits = |unit: &Option<Unit>| {
+            let time = unit.as_ref().filter(|u| u.dimension() == Dimension::TIME);
+            let nanoseconds = time.map(|u| u.to_si(1e9));
+            nanoseconds.zip(count).is_some_and(|(n, c)| (n - c as f64).abs() < 1e-6 * n)
+        };
+        let label = whole.to_lowercase();
         let named = COUNTS.iter().any(|c| label.contains(c));
         let mut texts = self.rows.iter().filter_map(|l| l.fields.get(column));
-        !has_unit && named && texts.all(|f| since_1970(&f.1).is_some())
+        unit.as_ref().is_none_or(fits) && named && texts.all(|f| since_1970(&f.1).is_some())
     }
 
     /// Columns that hold words, with one of them.

@@ -20,16 +20,19 @@ impl Field {
 }
 
 /// The fields of a line between separators, of which those inside double quotes are none; between blanks, any number
-/// of them separates. `None` where a quote is not closed.
+/// of them separates. A quote inside a field that does not begin with one is a sign like others (12" pipe). `None` where
+/// a quote is not closed.
 pub(super) fn split(line: &[u8], separator: u8) -> Option<Vec<Field>> {
     let mut fields = vec![Field { at: 0, text: Vec::new() }];
-    let (mut quoted, mut is_begun) = (false, separator != b' ');
+    let (mut quoted, mut is_open, mut is_begun) = (false, false, separator != b' ');
     for (at, byte) in line.iter().copied().enumerate() {
         match byte {
-            b'"' => (quoted, is_begun) = (!quoted, true),
+            b'"' if quoted || is_open || fields.last()?.text.trim_ascii().is_empty() => {
+                (quoted, is_open, is_begun) = (!quoted, true, true);
+            }
             _ if byte == separator && !quoted && is_begun => {
                 fields.push(Field { at: at + 1, text: Vec::new() });
-                is_begun = separator != b' ';
+                (is_open, is_begun) = (false, separator != b' ');
             }
             b' ' if separator == b' ' && !quoted => fields.last_mut()?.at = at + 1,
             _ => {
@@ -108,6 +111,8 @@ mod tests {
         };
         assert_eq!(texts("  0.5   1.5 \"a b\"  ", b' '), ["0.5", "1.5", "a b"]);
         assert_eq!(texts("a;\"b;c\";", b';'), ["a", "b;c", ""]);
+        assert_eq!(texts("a;12\" pipe;\"c;\"", b';'), ["a", "12\" pipe", "c;"]);
+        assert!(split(b"a;\"b", b';').is_none());
         assert_eq!(split(b"  a  bc", b' ').unwrap().iter().map(|f| f.at).collect::<Vec<_>>(), [2, 5]);
         assert_eq!(texts("", b' '), [""]);
     }

@@ -6,6 +6,9 @@ const MISSING: [&str; 12] =
 /// Signs between groups of three digits that are neither point nor comma.
 const BETWEEN: [char; 5] = ['\'', '\u{2019}', '\u{a0}', '\u{202f}', ' '];
 
+/// The minus sign of typography.
+const MINUS: char = '\u{2212}';
+
 /// The form of a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Form {
@@ -73,20 +76,20 @@ pub(super) fn plain(text: &str, comma: bool) -> Option<String> {
     if whole.matches(decimal).count() > 1 || whole.contains(group) && !is_grouped(&whole, group, decimal) {
         return None;
     }
-    let sign = if text.starts_with('-') { "-" } else { "" };
+    let sign = if text.starts_with(['-', MINUS]) { "-" } else { "" };
     Some(format!("{sign}{}{exponent}", whole.replace(group, "").replace(decimal, ".")))
 }
 
 /// A number with a decimal point and signs between its thousands, where they cannot mean anything else.
 pub(super) fn grouped(text: &str) -> Option<f64> {
-    let sure = text.contains(BETWEEN) || form(text) == Form::GroupedByCommas;
+    let sure = text.contains(BETWEEN) || text.contains(MINUS) || form(text) == Form::GroupedByCommas;
     plain(text, false).filter(|_| sure)?.parse().ok()
 }
 
 /// The digits of a number with their points and commas, without its sign and the signs between thousands that are
 /// neither, and its power of ten; none where it is no number.
 fn parts(text: &str) -> Option<(String, &str)> {
-    let unsigned = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let unsigned = text.strip_prefix(['-', '+', MINUS]).unwrap_or(text);
     let (mantissa, exponent) = unsigned.split_at(unsigned.find(['e', 'E']).unwrap_or(unsigned.len()));
     let power = exponent.get(1..).map(|p| p.strip_prefix(['-', '+']).unwrap_or(p));
     let digits = |s: &str| !s.is_empty() && s.bytes().all(|b| b.is_ascii_digit());

@@ -79,11 +79,23 @@ impl Header {
         let (index, unit) = match clock {
             Clock::Regular { .. } | Clock::RowNumbers => return Ok(None),
             Clock::FirstColumn => (seen.time.unwrap_or_else(first), None),
-            Clock::Column { name, unit } => (find(cells, name)?, unit.clone()),
+            // what is no number has no unit that could be read otherwise
+            Clock::Column { name, unit } => {
+                let index = find(cells, name)?;
+                (index, unit.clone().filter(|_| seen.time != Some(index)))
+            }
         };
         let cell = &cells[index];
         let wanted = plain(&cell.name, unit);
-        let column = self.column(cell, index, wanted)?;
+        let unitless = |e: Error| {
+            let hint = format!(
+                "write it in the header as `{} [s]`; or give units in a TOML recording, which `gyrospec new recording FILE` \
+                 writes",
+                cell.name
+            );
+            if e.message().ends_with(NO_UNIT) { e.with_hint(hint) } else { e }
+        };
+        let column = self.column(cell, index, wanted).map_err(unitless)?;
         if column.unit.dimension() != Dimension::TIME {
             return Err(Error::new(
                 crate::ErrorKind::Units,
@@ -148,12 +160,12 @@ impl Header {
             }
             (None, Err(e)) => return Err(e.with_column(cell.at + 1)),
             (None, Ok(None)) => {
-                let is_time = index == 0 && cell.name.to_lowercase().starts_with('t');
-                let likely = if is_time { "s" } else { "deg" };
+                let likely = if index == 0 { "s" } else { "deg" };
                 return Err(Error::bad_input(format!("column {} `{}` {NO_UNIT}", index + 1, cell.name))
                     .with_column(cell.at + 1)
                     .with_hint(format!(
-                        "write it in the header as `{} [{likely}]` ([1] for none), or give units in a TOML recording",
+                        "write it in the header as `{} [{likely}]` ([1] for none), or give units in a TOML recording, \
+                         which `gyrospec new recording FILE` writes",
                         cell.name
                     )));
             }
@@ -215,9 +227,9 @@ fn refuse_other_separators(line: &[u8]) -> Result<()> {
         (None, None, Some(at)) => ("tabs", at),
         _ => return Ok(()),
     };
-    Err(Error::bad_input(format!("the columns are separated by {name}"))
+    Err(Error::bad_input(format!("no row of as many numbers follows these columns, which {name} separate"))
         .with_column(at + 1)
-        .with_hint("save the table with commas between columns and decimal points in the numbers"))
+        .with_hint("every row needs the same separators as the header; words stand in columns of their own"))
 }
 
 /// Refuses two columns of the same name.
@@ -259,8 +271,21 @@ fn cell(field: &Field) -> Result<Cell> {
     Ok(Cell::of(field.at, text))
 }
 
-/// Where taking the unit off leaves two columns with one name, guessed units stay with their names.
+/// Where taking the unit off leaves two columns with one name, guessed units stay with their names; a letter that others
+/// of the same name have too is no unit (`vel_N`, `vel_E`).
 pub(super) fn tell_apart(cells: &mut [Cell]) {
+    let letter = |cell: &Cell, stem: &str| {
+        let rest = cell.whole.strip_prefix(stem).and_then(|r| r.strip_prefix('_'));
+        rest.is_some_and(|r| r.chars().count() == 1)
+    };
+    let is_index = |c: &Cell| {
+        c.is_guessed && letter(c, &c.name) && cells.iter().any(|o| o.unit.is_none() && letter(o, &c.name))
+    };
+    let indices: Vec<bool> = cells.iter().map(is_index).collect();
+    for (cell, _) in cells.iter_mut().zip(indices).filter(|(_, is_index)| *is_index) {
+        cell.name.clone_from(&cell.whole);
+        (cell.unit, cell.is_guessed) = (None, false);
+    }
     let names: Vec<String> = cells.iter().map(|c| c.name.clone()).collect();
     for cell in cells.iter_mut().filter(|c| c.is_guessed) {
         if names.iter().filter(|n| **n == cell.name).count() > 1 {

@@ -31,14 +31,14 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     let input = input.into_table();
     let path = &input.path().to_owned();
     let named = match &request.clock {
-        Clock::Column { name, .. } => Some(name.as_str()),
+        Clock::Column { name, unit } => Some((name.as_str(), unit.as_ref())),
         _ => None,
     };
     let dialect = dialect::of(input.start(), input.is_whole(), named).map_err(|e| place(e, path))?;
     let mut reader = Reader::new(request, dialect);
     let coded = input.coded();
     let (source, note) = input::read_lines(input, &mut reader).map_err(|e| place(e, path))?;
-    let zero = reader.translator.as_ref().and_then(Translator::zero).cloned();
+    let zero = reader.translator.as_ref().and_then(Translator::zero);
     let (channels, left_out, mut notes) = reader.finish().map_err(|e| place(e, path))?;
     notes.extend(note.into_iter().chain(coded).map(|says| (None, says)));
     let notes =
@@ -127,7 +127,8 @@ impl<'a> Reader<'a> {
             // what is kept to judge a last line begins behind a line
             plain.push(b'\n');
         }
-        let Some(turned) = by.line(line, self.line).map_err(|e| e.with_line(self.line))? else {
+        let cut = |e: Error| if ended { e } else { e.with_hint(rows::CUT_SHORT) };
+        let Some(turned) = by.line(line, self.line).map_err(|e| cut(e.with_line(self.line)))? else {
             return Ok(());
         };
         plain.extend_from_slice(turned);
@@ -153,6 +154,13 @@ impl<'a> Reader<'a> {
         notes.extend(self.notes);
         let zero = self.translator.as_ref().and_then(Translator::zero);
         notes.extend(zero.map(|z| (None, format!("time counts from {}", z.text))));
+        if self.translator.as_ref().is_some_and(Translator::found_commas) {
+            notes.push((None, "commas are decimal".into()));
+        }
+        if self.translator.as_ref().is_some_and(Translator::is_doubtful) {
+            let says = "the sign in its numbers, with three digits behind it, is taken for decimal, not for thousands";
+            notes.push((None, says.into()));
+        }
         let line = |l: &LeftOut| (l.line, format!("`{}` is left out: {}", l.label, l.why));
         notes.extend(header.left_out.iter().map(line));
         let first = self.request.rows.map_or(0, |r| r.0);

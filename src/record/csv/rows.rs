@@ -9,6 +9,8 @@ use super::field::{self, Field, number};
 use super::header::Header;
 use crate::{Error, Result};
 
+/// What to do about a last line that is wrong and has no end.
+pub(super) const CUT_SHORT: &str = "the file seems to be cut short: copy it again from where it was made";
 /// Bytes of the last whole lines that are kept to judge a last line without its end.
 const SHAPE_BYTES: usize = 4096;
 /// So many numbers above with equal decimals make a fixed format.
@@ -127,7 +129,7 @@ impl Rows {
 
     /// Why a line could not be taken.
     fn explain(&self, index: usize, line: &[u8], ended: bool) -> Error {
-        let cut = "the file seems to be cut short: copy it again from where it was made";
+        let cut = CUT_SHORT;
         let Some(fields) = field::split(line, b',') else {
             let error = Error::bad_input("a double quote is not closed").with_column(1);
             return if ended { error } else { error.with_hint(cut) };
@@ -163,7 +165,7 @@ impl Rows {
                 "numbers need decimal points: a decimal comma (1,5) splits a number into two fields",
             )
         } else {
-            error.with_hint("leave the field empty between its commas where a value is missing")
+            error.with_hint("leave the field empty where a value is missing, between its separators")
         }
     }
 

@@ -1,6 +1,7 @@
 //! The first lines of a table, cut by one separator: what each field holds, how wide the rows are, and where the names
 //! stand.
 
+use super::clock::duration;
 use super::field::{self, Field};
 use super::figures::{self, Form};
 use super::stamp::stamp;
@@ -41,7 +42,9 @@ impl Kind {
     pub(super) fn of(text: &str) -> Self {
         match figures::form(text) {
             Form::Missing => Self::Missing,
-            Form::Text if stamp(text).is_some() => Self::Time,
+            // `20250403120000`, which nobody counts to
+            Form::Whole if text.len() == 14 && stamp(text).is_some() => Self::Time,
+            Form::Text if stamp(text).is_some() || duration(text).is_some() => Self::Time,
             Form::Text => Self::Words,
             form => Self::Number(form),
         }
@@ -84,11 +87,21 @@ pub(super) fn kinds(lines: &[Line], width: usize) -> Vec<Kind> {
     (0..width).map(usual).collect()
 }
 
+/// The line of names, the units below it, and the last line of these.
+pub(super) struct Names {
+    /// Which of the lines.
+    pub at: usize,
+    /// Units that stand in a row of their own, or nothing.
+    pub units: Vec<String>,
+    /// Number of the last line of labels.
+    pub last: usize,
+}
+
 /// The line of names above the rows, the nearest whose labels all differ, and the units that stand below it.
-pub(super) fn names(above: &[Line], width: usize) -> Option<(usize, Vec<String>)> {
+pub(super) fn names(above: &[Line], width: usize) -> Option<Names> {
     let fits =
         |l: &Line| l.fields.len() == width && l.forms().all(|k| matches!(k, Kind::Words | Kind::Missing));
-    let nearest = above.len().checked_sub(1).filter(|at| fits(&above[*at]))?;
+    let nearest = (0..above.len()).rev().find(|at| fits(&above[*at]))?;
     let block = (0..=nearest).rev().take_while(|at| fits(&above[*at]));
     let labels = |at: usize| above[at].fields.iter().map(|f| f.1.as_str());
     let differ = |at: usize| {
@@ -110,7 +123,7 @@ pub(super) fn names(above: &[Line], width: usize) -> Option<(usize, Vec<String>)
         let is_last = k + 1 == block.len();
         match of_units(at) {
             Some(found) if block[k + 1..].iter().any(|above| differ(*above)) => units = found,
-            _ if differ(at) || is_last => return Some((at, units)),
+            _ if differ(at) || is_last => return Some(Names { at, units, last: above[nearest].number }),
             _ => {}
         }
     }

@@ -11,6 +11,8 @@ pub(super) struct Stamp {
     pub clock: Option<String>,
     /// What must be taken off for Greenwich, as `Z` or `+hh:mm`; empty if it says nothing.
     pub zone: String,
+    /// Whether the clock has two numbers, which may be hours and minutes or minutes and seconds.
+    pub is_short: bool,
 }
 
 /// A day of the calendar.
@@ -18,27 +20,46 @@ pub(super) struct Stamp {
 pub(super) enum Day {
     /// Year, month and day.
     Sure(u32, u32, u32),
-    /// Two numbers of which one is the month, and the year.
-    Either(u32, u32, u32),
+    /// Three numbers in an order that is not known; the last is the year where it has four digits.
+    Open([u32; 3], bool),
 }
 
+/// The order of the numbers of a day.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Order {
+    /// Day, month, year.
+    DayMonthYear,
+    /// Month, day, year.
+    MonthDayYear,
+    /// Year of two digits, month, day.
+    YearMonthDay,
+}
+
+/// All orders.
+pub(super) const ORDERS: [Order; 3] = [Order::DayMonthYear, Order::MonthDayYear, Order::YearMonthDay];
+
 impl Day {
-    /// As `yyyy-mm-dd`, the day before the month or behind it.
-    pub(super) fn iso(&self, day_first: bool) -> String {
-        let (year, month, day) = match *self {
-            Self::Either(day, month, year) if day_first => (year, month, day),
-            Self::Sure(year, month, day) | Self::Either(month, day, year) => (year, month, day),
+    /// As `yyyy-mm-dd`.
+    pub(super) fn iso(&self, order: Order) -> String {
+        let century = |year: u32| if year < 100 { 2000 + year } else { year };
+        let (year, month, day) = match (self, order) {
+            (Self::Sure(year, month, day), _) => (*year, *month, *day),
+            (Self::Open([a, b, c], _), Order::DayMonthYear) => (century(*c), *b, *a),
+            (Self::Open([a, b, c], _), Order::MonthDayYear) => (century(*c), *a, *b),
+            (Self::Open([a, b, c], _), Order::YearMonthDay) => (century(*a), *b, *c),
         };
         format!("{year:04}-{month:02}-{day:02}")
     }
 
-    /// Whether the numbers themselves tell that the day, or the month, comes first.
-    pub(super) fn order(&self) -> Option<bool> {
-        match *self {
-            Self::Either(first, _, _) if first > 12 => Some(true),
-            Self::Either(_, second, _) if second > 12 => Some(false),
-            _ => None,
-        }
+    /// Whether the numbers may stand in an order.
+    pub(super) fn may_be(&self, order: Order) -> bool {
+        let Self::Open([a, b, c], short) = self else { return true };
+        let (month, day) = match order {
+            Order::DayMonthYear => (b, a),
+            Order::MonthDayYear => (a, b),
+            Order::YearMonthDay => (b, c),
+        };
+        (order != Order::YearMonthDay || *short) && (1..=12).contains(month) && (1..=31).contains(day)
     }
 }
 
@@ -54,15 +75,37 @@ pub(super) fn stamp(text: &str) -> Option<Stamp> {
     });
     let spaced =
         split.map_or_else(|| text.to_owned(), |(at, _)| format!("{} {}", &text[..at], &text[at + 1..]));
+    let spaced = basic(&spaced).unwrap_or(spaced);
     let words: Vec<&str> = spaced.split_whitespace().collect();
     let at = words.iter().position(|w| w.contains(':'));
     let (before, behind) = words.split_at(at.unwrap_or(words.len()));
     let day = if before.is_empty() { None } else { Some(day(&before.join("-"))?) };
     let Some((first, more)) = behind.split_first() else {
-        return Some(Stamp { day, clock: None, zone: String::new() });
+        return Some(Stamp { day, clock: None, zone: String::new(), is_short: false });
     };
+    let is_short = first.matches(':').count() == 1 && !first.contains(['.', ',']) && more.is_empty();
     let (clock, zone) = clock(first, more)?;
-    Some(Stamp { day, clock: Some(clock), zone })
+    Some(Stamp { day, clock: Some(clock), zone, is_short })
+}
+
+/// The basic form of ISO 8601, `20250403 120000.5Z` or in one word, in the extended one.
+fn basic(text: &str) -> Option<String> {
+    let (day, clock) = text.split_once(' ').or_else(|| Some((text.get(..8)?, text.get(8..)?)))?;
+    let digits = |s: &str| s.bytes().all(|b| b.is_ascii_digit());
+    let (hms, rest) = (clock.get(..6)?, clock.get(6..)?);
+    let is_basic = day.len() == 8 && digits(day) && digits(hms) && day.starts_with(['1', '2']);
+    is_basic.then(|| {
+        let cut = |s: &str, at: usize| s[at..at + 2].to_owned();
+        format!(
+            "{}-{}-{} {}:{}:{}{rest}",
+            &day[..4],
+            cut(day, 4),
+            cut(day, 6),
+            cut(hms, 0),
+            cut(hms, 2),
+            cut(hms, 4)
+        )
+    })
 }
 
 /// A day in three parts between hyphens, slashes or points.
@@ -76,19 +119,24 @@ fn day(text: &str) -> Option<Day> {
     if a.len() == 4 {
         return Some(Day::Sure(number(a)?, number(b).or_else(|| month(b))?, number(c)?));
     }
-    let year = match (c.len(), number(c)?) {
-        (2, year) => 2000 + year,
-        (4, year) => year,
+    let (year, short) = match (c.len(), number(c)?) {
+        (2, year) => (year, true),
+        (4, year) => (year, false),
         _ => return None,
     };
+    let full = if short { 2000 + year } else { year };
     if let Some(month) = month(b) {
-        return Some(Day::Sure(year, month, number(a)?));
+        return Some(Day::Sure(full, month, number(a)?));
     }
     if let Some(month) = month(a) {
-        return Some(Day::Sure(year, month, number(b)?));
+        return Some(Day::Sure(full, month, number(b)?));
     }
-    let (a, b) = (number(a).filter(|a| (1..=31).contains(a))?, number(b).filter(|b| (1..=31).contains(b))?);
-    Some(if sign == '.' { Day::Sure(year, b, a) } else { Day::Either(a, b, year) })
+    let (a, b) = (number(a)?, number(b)?);
+    if sign == '.' && !short {
+        return Some(Day::Sure(full, b, a)).filter(|_| (1..=12).contains(&b) && (1..=31).contains(&a));
+    }
+    let day = Day::Open([a, b, year], short);
+    ORDERS.iter().any(|o| day.may_be(*o)).then_some(day)
 }
 
 /// A month by the first letters of its English or German name.
@@ -129,6 +177,11 @@ fn clock(first: &str, more: &[&str]) -> Option<(String, String)> {
     let parts: Vec<&str> = time.split(':').collect();
     let digits = |s: &str| (1..=9).contains(&s.len()) && s.bytes().all(|b| b.is_ascii_digit());
     let (hour, minute, second, fraction) = match parts[..] {
+        // hours have no fraction of a minute behind them
+        [m, s] if s.contains(['.', ',']) => {
+            let (s, fraction) = s.split_once(['.', ','])?;
+            ("00", m, s, fraction)
+        }
         [h, m] => (h, m, "00", ""),
         [h, m, s] => {
             let (s, fraction) = s.split_once(['.', ',']).unwrap_or((s, ""));
@@ -138,7 +191,12 @@ fn clock(first: &str, more: &[&str]) -> Option<(String, String)> {
         _ => return None,
     };
     let two = |s: &str| digits(s) && s.len() <= 2;
-    if !(two(hour) && two(minute) && two(second) && (fraction.is_empty() || digits(fraction))) {
+    if !(digits(hour)
+        && hour.len() <= 5
+        && two(minute)
+        && two(second)
+        && (fraction.is_empty() || digits(fraction)))
+    {
         return None;
     }
     let hour: u32 = match (hour.parse().ok()?, half) {
@@ -177,23 +235,28 @@ mod tests {
 
     #[test]
     fn dates_and_clocks_are_read() {
-        for (text, day_first, wanted) in [
-            ("2025-04-03T12:00:00Z", None, "2025-04-03 12:00:00 Z"),
-            ("2025-04-03 12:00:00.25+02:00", None, "2025-04-03 12:00:00.25 +02:00"),
-            ("2025-04-03 12:00:00,25 +0200", None, "2025-04-03 12:00:00.25 +02:00"),
-            ("2025/04/03 1:02", None, "2025-04-03 01:02:00 "),
-            ("03.04.2025 12:00:00,5", None, "2025-04-03 12:00:00.5 "),
-            ("3.4.25 12:00", None, "2025-04-03 12:00:00 "),
-            ("03-Apr-2025 12:00:00", None, "2025-04-03 12:00:00 "),
-            ("03 Dez 2025 12:00:00", None, "2025-12-03 12:00:00 "),
-            ("4/3/2025 2:05:07 PM", Some(false), "2025-04-03 14:05:07 "),
-            ("4/3/2025 12:05:07 AM", Some(true), "2025-03-04 00:05:07 "),
-            ("12:00:00:125", None, " 12:00:00.125 "),
-            ("2025-04-03", None, "2025-04-03  "),
-            ("12:00:00 UTC", None, " 12:00:00 Z"),
+        for (text, order, wanted) in [
+            ("2025-04-03T12:00:00Z", Order::DayMonthYear, "2025-04-03 12:00:00 Z"),
+            ("2025-04-03 12:00:00.25+02:00", Order::DayMonthYear, "2025-04-03 12:00:00.25 +02:00"),
+            ("2025-04-03 12:00:00,25 +0200", Order::DayMonthYear, "2025-04-03 12:00:00.25 +02:00"),
+            ("2025/04/03 1:02", Order::DayMonthYear, "2025-04-03 01:02:00 "),
+            ("03.04.2025 12:00:00,5", Order::DayMonthYear, "2025-04-03 12:00:00.5 "),
+            ("03-Apr-2025 12:00:00", Order::DayMonthYear, "2025-04-03 12:00:00 "),
+            ("03 Dez 2025 12:00:00", Order::DayMonthYear, "2025-12-03 12:00:00 "),
+            ("4/3/2025 2:05:07 PM", Order::MonthDayYear, "2025-04-03 14:05:07 "),
+            ("4/3/2025 12:05:07 AM", Order::DayMonthYear, "2025-03-04 00:05:07 "),
+            ("12:00:00:125", Order::DayMonthYear, " 12:00:00.125 "),
+            ("2025-04-03", Order::DayMonthYear, "2025-04-03  "),
+            ("20250403T120000.5Z", Order::DayMonthYear, "2025-04-03 12:00:00.5 Z"),
+            ("20240213100059", Order::DayMonthYear, "2024-02-13 10:00:59 "),
+            ("3.4.25 12:00", Order::DayMonthYear, "2025-04-03 12:00:00 "),
+            ("21/03/04 23:58", Order::YearMonthDay, "2021-03-04 23:58:00 "),
+            ("59:58.5", Order::DayMonthYear, " 00:59:58.5 "),
+            ("31:00:05", Order::DayMonthYear, " 31:00:05 "),
+            ("12:00:00 UTC", Order::DayMonthYear, " 12:00:00 Z"),
         ] {
             let got = stamp(text).unwrap_or_else(|| panic!("{text}"));
-            let day = got.day.map(|d| d.iso(day_first.unwrap_or(true))).unwrap_or_default();
+            let day = got.day.map(|d| d.iso(order)).unwrap_or_default();
             assert_eq!(format!("{day} {} {}", got.clock.unwrap_or_default(), got.zone), wanted, "{text}");
         }
     }
@@ -220,12 +283,15 @@ mod tests {
     }
 
     #[test]
-    fn order_is_told_by_numbers_above_twelve() {
-        let order = |text: &str| stamp(text).unwrap().day.unwrap().order();
-        assert_eq!(
-            (order("13/4/2025"), order("4/13/2025"), order("4/5/2025")),
-            (Some(true), Some(false), None)
-        );
-        assert_eq!(order("04.05.2025"), None);
+    fn orders_that_numbers_allow() {
+        let orders = |text: &str| -> Vec<Order> {
+            let day = stamp(text).unwrap().day.unwrap();
+            ORDERS.into_iter().filter(|o| day.may_be(*o)).collect()
+        };
+        assert_eq!(orders("13/4/2025"), [Order::DayMonthYear]);
+        assert_eq!(orders("4/13/2025"), [Order::MonthDayYear]);
+        assert_eq!(orders("4/5/2025"), [Order::DayMonthYear, Order::MonthDayYear]);
+        assert_eq!(orders("21/03/04"), [Order::DayMonthYear, Order::YearMonthDay]);
+        assert_eq!(orders("04.05.2025"), ORDERS);
     }
 }

@@ -14,6 +14,13 @@ use crate::{Error, Result};
 pub(super) struct Translator {
     dialect: Dialect,
     reading: Option<Reading>,
+    /// Whether a row was met.
+    is_begun: bool,
+    /// Whether the decimal sign was not known at the beginning.
+    is_open: bool,
+    /// Columns with a sign that could stand between thousands, and with numbers of several digits without one, while no
+    /// other number tells.
+    doubtful: Vec<(bool, bool)>,
     /// Columns that are read.
     used: Vec<bool>,
     plain: Vec<u8>,
@@ -23,7 +30,15 @@ impl Translator {
     /// For a table whose time may count from the zero of another.
     pub(super) fn new(dialect: Dialect, zero: Option<Zero>) -> Self {
         let reading = dialect.clock.clone().map(|clock| Reading::new(clock, zero));
-        Self { dialect, reading, used: Vec::new(), plain: Vec::new() }
+        Self {
+            is_begun: false,
+            is_open: dialect.comma.is_none(),
+            dialect,
+            reading,
+            doubtful: Vec::new(),
+            used: Vec::new(),
+            plain: Vec::new(),
+        }
     }
 
     /// Tells which columns are read.
@@ -48,7 +63,7 @@ impl Translator {
             if clock.is_some_and(|c| c.column == index) {
                 return Cell {
                     at: *at,
-                    name: text.clone(),
+                    name: label(text).name,
                     unit: Some("s".into()),
                     whole: text.clone(),
                     is_guessed: false,
@@ -69,8 +84,18 @@ impl Translator {
         self.dialect.labels.iter().enumerate().map(of).collect()
     }
 
+    /// Whether the decimal sign is only the likelier of two readings.
+    pub(super) fn is_doubtful(&self) -> bool {
+        self.dialect.is_weak
+    }
+
+    /// Whether commas were found to be decimal only beyond the lines that were looked at.
+    pub(super) fn found_commas(&self) -> bool {
+        self.is_open && self.dialect.comma == Some(true)
+    }
+
     /// The zero of time, once a row was read.
-    pub(super) fn zero(&self) -> Option<&Zero> {
+    pub(super) fn zero(&self) -> Option<Zero> {
         self.reading.as_ref()?.zero()
     }
 
@@ -84,10 +109,14 @@ impl Translator {
         }
         self.plain.clear();
         if line.trim_ascii().is_empty() {
-            return Ok(Some(&self.plain));
+            // below the names a line may be empty before the first row
+            return Ok(self.is_begun.then_some(&self.plain));
         }
+        self.is_begun = true;
         let Some(mut fields) = field::split(line, self.dialect.separator) else {
-            return Err(Error::bad_input("a double quote is not closed").with_column(1));
+            return Err(Error::bad_input("a double quote is not closed in this line")
+                .with_column(1)
+                .with_hint("close it; a cell of several lines must be made one of one line"));
         };
         let width = self.dialect.labels.len();
         while fields.len() > width && fields.last().is_some_and(|f| f.text.trim_ascii().is_empty()) {
@@ -103,20 +132,54 @@ impl Translator {
                 let seconds = seconds.as_ref().and_then(Option::as_deref);
                 self.plain.extend_from_slice(seconds.unwrap_or_default().as_bytes());
             } else if self.used.get(index).is_none_or(|used| *used) {
-                put(field, &mut self.dialect.comma, &mut self.plain)?;
+                self.doubt(field, index)?;
+                put(field, &mut self.dialect, &mut self.plain)?;
             }
         }
         Ok(Some(&self.plain))
     }
 }
 
+impl Translator {
+    /// Where only signs with three digits behind them tell which is decimal, asks as soon as a column has numbers
+    /// without one too.
+    fn doubt(&mut self, field: &Field, index: usize) -> Result<()> {
+        if !self.dialect.is_weak {
+            return Ok(());
+        }
+        let text = String::from_utf8_lossy(field.text.trim_ascii()).into_owned();
+        self.doubtful.resize(self.dialect.labels.len(), (false, false));
+        let seen = &mut self.doubtful[index];
+        match figures::form(&text) {
+            Form::EitherComma | Form::EitherPoint => seen.0 = true,
+            Form::Whole => seen.1 |= text.trim_start_matches(['-', '+']).len() > 1,
+            Form::Missing | Form::Text => {}
+            _ => self.dialect.is_weak = false,
+        }
+        if self.doubtful[index] == (true, true) {
+            return Err(two_ways(&text, field.at));
+        }
+        Ok(())
+    }
+}
+
+/// That a number can be read in two ways.
+fn two_ways(text: &str, at: usize) -> Error {
+    Error::bad_input(format!("`{text}` can be read in two ways: is this sign decimal, or between thousands?"))
+        .with_column(at + 1)
+        .with_hint(ONE_WAY)
+}
+
+/// What to do about decimal signs.
+const ONE_WAY: &str = "save the table with one sign for decimals, and none between thousands";
+
 /// A field with a decimal point; what is no number stays as it is, in quotes. The first number that tells the decimal
 /// sign settles it for all that follow.
-fn put(field: &Field, comma: &mut Option<bool>, out: &mut Vec<u8>) -> Result<()> {
+fn put(field: &Field, dialect: &mut Dialect, out: &mut Vec<u8>) -> Result<()> {
+    let Dialect { comma, is_grouped, .. } = dialect;
     let text = String::from_utf8_lossy(field.text.trim_ascii()).into_owned();
     let error = |what: &str| {
-        let hint = "save the table with one sign for decimals, and none between thousands";
-        Err(Error::bad_input(format!("`{text}` {what}")).with_column(field.at + 1).with_hint(hint))
+        Err(Error::bad_input(format!("`{text}` {what}")).with_column(field.at + 1).with_hint(ONE_WAY))
     };
     let form = figures::form(&text);
     let own = match form {
@@ -125,10 +188,17 @@ fn put(field: &Field, comma: &mut Option<bool>, out: &mut Vec<u8>) -> Result<()>
             out.extend_from_slice(format!("\"{}\"", text.replace('"', " ")).as_bytes());
             return Ok(());
         }
-        Form::Comma | Form::GroupedByPoints => Some(true),
-        Form::Point | Form::GroupedByCommas => Some(false),
-        Form::EitherComma | Form::EitherPoint if comma.is_none() => {
-            return error("can be read in two ways: is this sign decimal, or between thousands?");
+        Form::GroupedByPoints | Form::GroupedByCommas => {
+            *is_grouped = true;
+            Some(form == Form::GroupedByPoints)
+        }
+        Form::Comma => Some(true),
+        Form::Point => Some(false),
+        // a sign between thousands is taken for one only beside numbers that have both signs
+        Form::EitherComma | Form::EitherPoint
+            if comma.is_none() || !*is_grouped && *comma != Some(form == Form::EitherComma) =>
+        {
+            return Err(two_ways(&text, field.at));
         }
         Form::Whole | Form::EitherComma | Form::EitherPoint => None,
     };
