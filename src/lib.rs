@@ -45,6 +45,8 @@ pub mod exact;
 #[cfg(any(feature = "symbolic", feature = "instruments"))]
 #[doc(hidden)]
 pub mod expression;
+#[cfg(feature = "fmu")]
+mod fmu;
 #[cfg(feature = "instruments")]
 pub mod gyro;
 pub mod integral;

@@ -42,8 +42,8 @@ pub fn run(call: &Call) -> Result<Outcome> {
     output::spare(&place, [&call.model, &call.recording])?;
     let model = Model::read(&call.model)?;
     let mut recording = Recording::read(&call.recording)?;
-    let read: Vec<PathBuf> =
-        recording.sources.iter().map(|s| s.file.clone()).chain([call.model.clone()]).collect();
+    let sources = recording.sources.iter().chain(model.simulated.as_ref().map(|s| &s.source));
+    let read: Vec<PathBuf> = sources.map(|s| s.file.clone()).chain([call.model.clone()]).collect();
     output::spare(&place, &read)?;
     predict_what_is_not_measured(&model, &mut recording);
     let ran =
@@ -67,8 +67,11 @@ pub fn run(call: &Call) -> Result<Outcome> {
 
 /// Outputs that nobody measured are predicted at the times of the first input: their channel is a gap.
 fn predict_what_is_not_measured(model: &Model, recording: &mut Recording) {
-    let Some(first) = model.inputs.first().and_then(|i| recording.find(&i.name)) else { return };
-    let (time, table) = (first.time.clone(), first.table);
+    let own = model.simulated.iter().flat_map(|s| s.channels.iter());
+    let mut inputs = model.inputs.iter().filter_map(|i| recording.find(&i.name)).chain(own);
+    let Some(first) = inputs.next() else { return };
+    let (time, table, input) = (first.time.clone(), first.table, first.name.clone());
+    drop(inputs);
     for o in &model.outputs {
         if recording.find(&o.name).is_none() {
             let gaps = vec![f64::NAN; time.len()];
@@ -76,8 +79,8 @@ fn predict_what_is_not_measured(model: &Model, recording: &mut Recording) {
                 Channel { table, ..Channel::new(o.name.clone(), o.unit.clone(), time.clone(), gaps) };
             recording.channels.push(channel);
             super::warn(&format!(
-                "the recording has no channel `{}`: it is predicted at the times of `{}`, and compared with nothing",
-                o.name, model.inputs[0].name
+                "the recording has no channel `{}`: it is predicted at the times of `{input}`, and compared with nothing",
+                o.name
             ));
         }
     }

@@ -98,7 +98,8 @@ impl Inputs {
     /// Every file that was read.
     fn files(&self) -> impl Iterator<Item = &PathBuf> {
         let recordings = self.recordings.iter().chain(&self.separate);
-        recordings.flat_map(|r| &r.sources).chain([&self.source]).map(|s| &s.file)
+        let simulated = self.model.simulated.as_ref().map(|s| &s.source);
+        recordings.flat_map(|r| &r.sources).chain([&self.source]).chain(simulated).map(|s| &s.file)
     }
 }
 

@@ -184,6 +184,9 @@ pub struct Finding {
     pub share: f64,
     /// Codes that fit as well.
     pub ties: Vec<String>,
+    /// Whether it only resembles what is missing, and a law without a name stands in the model in its place.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub resembles: bool,
     /// What speaks for it beside the other findings; none for a fault of the data, or where it could not be left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub evidence: Option<Evidence>,
@@ -217,6 +220,9 @@ pub struct DataFault {
 
 /// The code of an input that is held between its samples.
 pub const INPUT_HOLD: &str = "input-hold";
+
+/// The code of a law without a name.
+pub const FREE_LAW: &str = catalogue::free_law::CODE;
 
 impl DataFault {
     /// Whether it only says how an input runs between its samples, which is no fault of the data.
@@ -372,6 +378,7 @@ mod tests {
             p_value: 0.0,
             share,
             ties: Vec::new(),
+            resembles: false,
             evidence: None,
         }
     }

@@ -302,6 +302,7 @@ impl Assembly<'_> {
             p_value: taken.p_value,
             share,
             ties: taken.ties.iter().map(|t| t.code.to_string()).collect(),
+            resembles: false,
             evidence: evidence.map(|e| answer::Evidence { holdout_share: share, ..e }),
         }
     }

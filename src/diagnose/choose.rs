@@ -204,7 +204,10 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     for i in near.iter().copied() {
         let p = &round.fitted[i].proposal;
         if p.code == chosen.code && !other_parameter(i) {
-            elsewhere.push(p.clone());
+            // another form of the law at the same place is the same name
+            if p.site != chosen.site {
+                elsewhere.push(p.clone());
+            }
         } else if ties.iter().all(|t| t.code != p.code || other_parameter(i) && t.site != p.site) {
             ties.push(p.clone());
             rival = rival.or(Some(i));

@@ -21,6 +21,7 @@ use crate::estimate::Fit;
 const LUCK: f64 = 0.025;
 
 /// Why there are too few samples.
+#[derive(Clone)]
 pub struct Few {
     /// In words.
     pub says: String,

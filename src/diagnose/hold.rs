@@ -29,6 +29,7 @@ use super::search::Found;
 use super::view::own_tracks;
 use crate::Result;
 use crate::estimate::Fit;
+use crate::model::Model;
 use crate::record::{Channel, Hold, Recording};
 
 /// How far a weight may lie from 1, and its standard deviation: a delay has any weight, and what leaves it so open
@@ -68,14 +69,19 @@ pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit) -> Resul
         return Ok(Settled { fit: base, held: Vec::new(), notes });
     }
     read_held(separate, &held);
-    let evidence = Evidence {
-        log_likelihood_ratio: after.likelihood - before.likelihood,
-        degrees: held.len(),
-        p_value: after.chance_over(before.likelihood, held.len()),
-        holdout_share: f64::NAN,
-    };
+    let evidence = evidence(&after, &before, held.len());
     let held = held.into_iter().map(|name| told(name, &evidence, &[])).collect();
     Ok(Settled { fit, held, notes })
+}
+
+/// What speaks for so many held inputs over straight ones.
+fn evidence(held: &Measure, straight: &Measure, degrees: usize) -> Evidence {
+    Evidence {
+        log_likelihood_ratio: held.likelihood - straight.likelihood,
+        degrees,
+        p_value: held.chance_over(straight.likelihood, degrees),
+        holdout_share: f64::NAN,
+    }
 }
 
 /// Inputs in whose place a delay of half a sample was found: held and without that delay, they fit as well. Such are
@@ -96,12 +102,7 @@ pub fn in_place_of_delays(bench: &mut Bench, separate: &mut [Recording], found: 
         }
         read_held(&mut bench.recordings, &names);
         read_held(separate, &names);
-        let evidence = Evidence {
-            log_likelihood_ratio: held.likelihood - straight.likelihood,
-            degrees: names.len(),
-            p_value: held.chance_over(straight.likelihood, names.len()),
-            holdout_share: f64::NAN,
-        };
+        let evidence = evidence(&held, &straight, names.len());
         let alike = held.likelihood < last.likelihood + TIE;
         let ties: Vec<String> = alike.then(|| t.proposal.code.to_owned()).into_iter().collect();
         return names.into_iter().map(|name| told(name, &evidence, &ties)).collect();
@@ -113,7 +114,7 @@ pub fn in_place_of_delays(bench: &mut Bench, separate: &mut [Recording], found: 
 fn half_a_sample(bench: &Bench, last: &Fit, delay: &Proposal) -> Option<Vec<String>> {
     let names: Vec<String> = match (delay.code, delay.site.kind) {
         ("input-delay", SiteKind::Input) => vec![delay.site.name.clone()],
-        ("output-delay", SiteKind::Output) => last.model.inputs.iter().map(|i| i.name.clone()).collect(),
+        ("output-delay", SiteKind::Output) => measured(&last.model).map(String::clone).collect(),
         _ => return None,
     };
     let late = last.parameters.iter().find(|e| e.name == delay.added[0].name)?.value;
@@ -128,6 +129,11 @@ fn half_a_sample(bench: &Bench, last: &Fit, delay: &Proposal) -> Option<Vec<Stri
     (!names.is_empty() && names.iter().all(half)).then_some(names)
 }
 
+/// Inputs that somebody recorded; how a simulation runs between its samples is no question of the data.
+fn measured(model: &Model) -> impl Iterator<Item = &String> {
+    model.inputs.iter().map(|i| &i.name).filter(|n| !model.is_simulated(n))
+}
+
 /// Inputs that the residual shows to be held, and notes on those that it cannot tell.
 fn weighed(bench: &Bench, base: &Fit) -> Option<(Vec<String>, Vec<String>)> {
     if bench.is_trials() || base.model.states.is_empty() {
@@ -137,7 +143,7 @@ fn weighed(bench: &Bench, base: &Fit) -> Option<(Vec<String>, Vec<String>)> {
         let mut channels = bench.recordings.iter().map(|r| r.find(name));
         bench.moves(name) && channels.all(|c| c.is_some_and(|c| c.hold == Hold::Linear))
     };
-    let names: Vec<&String> = base.model.inputs.iter().map(|i| &i.name).filter(straight).collect();
+    let names: Vec<&String> = measured(&base.model).filter(straight).collect();
     if names.is_empty() {
         return None;
     }
@@ -193,6 +199,7 @@ fn told(name: String, evidence: &Evidence, ties: &[String]) -> DataFault {
         p_value: evidence.p_value,
         share: 0.0,
         ties: ties.to_vec(),
+        resembles: false,
         evidence: Some(evidence.clone()),
     };
     DataFault { finding, masked: true }

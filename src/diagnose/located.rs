@@ -59,8 +59,8 @@ impl Mismatch<'_> {
         }
     }
 
-    /// Sites of the physics: of what was found and fits as well; of the law that is left where no name
-    /// says it all; and where there is neither, of what resembles the residual most, or the output that it
+    /// Sites of the physics: where no name says it all, first of the laws in what the model as given leaves; of what was
+    /// found and fits as well; of the law that is then left; and where there is neither, of what resembles the residual most, or the output that it
     /// shows in.
     fn sites(&self, physics: Verdict) -> Vec<SiteName> {
         if physics == Verdict::NothingMissing {
@@ -70,6 +70,9 @@ impl Mismatch<'_> {
         let all = taken.flat_map(|t| std::iter::once(&t.proposal).chain(&t.ties).chain(&t.elsewhere));
         let mut sites: Vec<SiteName> = all.map(|p| site_name(&p.site)).collect();
         if physics == Verdict::Unknown {
+            if !sites.is_empty() {
+                sites.splice(..0, self.rest.sites().into_iter().map(site_name));
+            }
             sites.extend(self.found.fallen.iter().map(|f| site_name(&f.proposal.site)));
             sites.extend(self.left.iter().flat_map(|rest| rest.sites()).map(site_name));
             if sites.is_empty() {

@@ -19,6 +19,7 @@ mod faults;
 mod few;
 mod foretold;
 mod forgotten;
+mod free_law;
 mod hold;
 mod innovations;
 #[doc(hidden)]
@@ -51,7 +52,7 @@ use crate::estimate::fit::{Progress, setup};
 use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::simulate::{Budget, Early, Stage};
-use answer::{Answer, DataFault};
+use answer::{Answer, DataFault, Verdict};
 use assemble::Assembly;
 use bench::Bench;
 use compared::Cut;
@@ -100,6 +101,9 @@ pub struct Diagnosis {
 /// # Errors
 /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated or fitted at all.
 pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
+    let (recordings, separate) =
+        (request.model.all_joined(request.recordings)?, request.model.all_joined(request.separate)?);
+    let request = &Request { recordings: &recordings, separate: &separate, ..*request };
     setup::keep_apart(request.model, request.recordings, request.separate)?;
     let begin = Instant::now();
     let first = as_it_stands(request)?;
@@ -197,22 +201,35 @@ impl Case<'_> {
         if self.bench.budget.cut() != Some(Early::Time) {
             scan::intervals(&self.bench, &found.taken, &mut found.last);
         }
-        let Self { request, bench, separate, told, spoiled, notes } = self;
-        Assembly {
-            request,
-            bench,
-            separate,
-            found,
-            faults: told,
-            spoiled,
-            is_left,
-            few,
-            is_open: open,
-            notes,
-            ended_early: None,
-            joint: std::cell::OnceCell::new(),
+        let assembled = |found: Found| {
+            Assembly {
+                request: self.request,
+                bench: self.bench.clone(),
+                separate: self.separate.clone(),
+                found,
+                faults: self.told.clone(),
+                spoiled: self.spoiled.clone(),
+                is_left,
+                few: few.clone(),
+                is_open: open,
+                notes: self.notes.clone(),
+                ended_early: None,
+                joint: std::cell::OnceCell::new(),
+            }
+            .finish()
+        };
+        let named = assembled(found.clone())?;
+        let verdict = named.answer.verdict;
+        if verdict != Verdict::Unknown && !free_law::may_be_better(&named.answer) {
+            return Ok(named);
         }
-        .finish()
+        let stands = verdict != Verdict::Unknown;
+        self.bench.budget.begin("law without a name");
+        let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+        match free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)? {
+            Some(lawful) => Ok(free_law::beside(named, assembled(lawful)?)),
+            None => Ok(named),
+        }
     }
 
     /// The fit of the model as given once samples are left out that stand apart from all that it leaves over.

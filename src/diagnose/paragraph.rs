@@ -3,6 +3,7 @@
 use super::answer::{DataFault, Finding, Proof, Verdict, told};
 use super::catalogue::Proposal;
 use super::choose::SURE;
+use super::free_law::is_in;
 use super::rest::Law;
 use super::search::{Found, Taken};
 use super::words;
@@ -129,6 +130,12 @@ impl Paragraph<'_> {
     fn unknown(&self, list: &str) -> String {
         let named = |s: &String| words::signal(self.model, s);
         let law = self.law.map(|l| l.signals.iter().map(named).collect::<Vec<_>>().join(" and "));
+        if is_in(&self.found.taken) {
+            let beyond = "It holds where the data are, and goes on straight beyond them.";
+            return format!(
+                "Something is missing that the catalogue has no name for. As a law without a name it is in the model: {list}. {beyond}"
+            );
+        }
         if let ("", Some(fallen)) = (list, &self.found.fallen) {
             let goes = fallen.proposal.depends.iter().map(named).collect::<Vec<_>>().join(" and ");
             let goes = if goes.is_empty() { goes } else { format!("; it goes with {goes}") };

@@ -72,6 +72,7 @@ pub struct Screened {
 }
 
 /// Outcome of one screening.
+#[derive(Clone)]
 pub struct Screening {
     /// All that could be scored, best first.
     pub screened: Vec<Screened>,
@@ -141,6 +142,16 @@ impl Screening {
         };
         self.p_value < CHANCE && self.screened.iter().take(LAST).any(leaves_nothing)
     }
+}
+
+/// Proposals by what their directions explain of the free run, the largest first, none that moves the outputs as a better
+/// one does.
+pub fn explaining(bench: &Bench, view: &View, proposals: Vec<Proposal>) -> Vec<Screened> {
+    let scored = proposals.into_par_iter().with_max_len(1).map(|p| score_starts(bench, &p, view));
+    let scored: Vec<Vec<Screened>> = scored.collect();
+    let mut all: Vec<Screened> = scored.iter().filter_map(|l| best(l, &|s| s.explained)).collect();
+    all.sort_by(|a, b| b.explained.total_cmp(&a.explained));
+    all
 }
 
 /// The start that is best by some figure, with the next ones.

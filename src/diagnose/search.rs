@@ -85,6 +85,7 @@ pub struct Taken {
 }
 
 /// Where the search ended.
+#[derive(Clone)]
 pub struct Found {
     /// The model as given, fitted.
     pub base: Fit,

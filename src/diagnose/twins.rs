@@ -6,7 +6,7 @@
 //!
 //! # Method
 //! Where the likeliest of a round is a law of a parameter, those of the same law at other parameters whose score is
-//! of its size are fitted too. Whether they fit as well is then told by their likelihoods.
+//! of its size are fitted too, and the same parameter with another form of the law. Whether they fit as well is then told by their likelihoods.
 
 use super::catalogue::{Proposal, SiteKind};
 use super::propose::{Screened, Screening};
@@ -15,7 +15,7 @@ use super::search::Refitted;
 /// Share of its score from which on another is fitted too.
 const NEAR: f64 = 0.5;
 /// How many at most.
-const MOST: usize = 4;
+const MOST: usize = 6;
 
 /// The proposals that may be twins of the likeliest of those fitted, and were not fitted.
 pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Screened> {
@@ -24,7 +24,9 @@ pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Scree
     if best.site.kind != SiteKind::Parameter {
         return Vec::new();
     }
-    let is = |a: &Proposal, b: &Proposal| a.code == b.code && a.site == b.site && a.depends == b.depends;
+    let is = |a: &Proposal, b: &Proposal| {
+        a.code == b.code && a.site == b.site && a.depends == b.depends && a.term == b.term
+    };
     let own = screening.screened.iter().find(|s| is(&s.proposal, best)).map_or(0.0, |s| s.score.chi2);
     let alike = |s: &&Screened| {
         let p = &s.proposal;

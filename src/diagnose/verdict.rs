@@ -4,6 +4,7 @@ use super::answer::{DataFault, Finding, Proof, Value, Verdict};
 use super::catalogue::Proposal;
 use super::choose::{CHANCE, SURE, is_wave};
 use super::few::agree_by_luck;
+use super::free_law::is_in;
 use super::innovations::Unlike;
 use super::rest::Rest;
 use super::search::{Found, is_pressed};
@@ -63,6 +64,9 @@ impl Evidence<'_> {
             let something = left || sure || found.fallen.is_some();
             return if something { Verdict::Unknown } else { Verdict::NothingMissing };
         };
+        if is_in(&self.found.taken) {
+            return Verdict::Unknown;
+        }
         let doubtful = self.is_pressed() || is_wave(&first.proposal);
         if self.outweighs() || self.is_left() && doubtful {
             Verdict::Unknown
@@ -218,6 +222,7 @@ mod tests {
             p_value: 0.0,
             share: 0.0,
             ties: Vec::new(),
+            resembles: false,
             evidence: None,
         };
         let faults = [DataFault { finding, masked: true }];
@@ -247,6 +252,7 @@ mod tests {
             p_value: 0.0,
             share,
             ties: Vec::new(),
+            resembles: false,
             evidence: None,
         };
         let of = |shares: &[f64], p_value: f64| {

@@ -30,8 +30,12 @@ impl Watched {
         let states = model.states.iter().map(|s| (s.name.clone(), SignalKind::State));
         let definitions = model.definitions.iter().map(|d| (d.name.clone(), SignalKind::Definition));
         let outputs = model.outputs.iter().map(|o| (o.name.clone(), SignalKind::Output));
-        let kind = |i: usize| if i < own_inputs { SignalKind::Input } else { SignalKind::Channel };
-        let inputs = model.inputs.iter().enumerate().map(|(i, u)| (u.name.clone(), kind(i)));
+        let kind = |i: usize, name: &str| match i < own_inputs {
+            _ if model.is_simulated(name) => SignalKind::Definition,
+            true => SignalKind::Input,
+            false => SignalKind::Channel,
+        };
+        let inputs = model.inputs.iter().enumerate().map(|(i, u)| (u.name.clone(), kind(i, &u.name)));
         let terms = model.states.iter().enumerate().flat_map(|(i, s)| {
             edit::terms_of(model, edit::sum_of(model, &s.rate)).into_iter().map(move |t| (i, t))
         });

@@ -209,11 +209,15 @@ impl Angles {
             | Function::Atan => none,
             Function::Sqrt => wanted.map(|w| w.plus(w)),
             Function::Abs | Function::Delay | Function::Lag => wanted,
-            Function::Sign | Function::Step => None,
+            Function::Sign | Function::Step | Function::Foreign(_) => None,
             Function::Atan2 | Function::Relay => beside,
             _ => rest,
         };
-        let rest = if matches!(function, Function::Atan2 | Function::Relay) { beside } else { rest };
+        let rest = match function {
+            Function::Atan2 | Function::Relay => beside,
+            Function::Foreign(_) => None,
+            _ => rest,
+        };
         for (i, part) in node.parts.iter().enumerate() {
             self.push(part, if i == 0 { first } else { rest });
         }
@@ -262,6 +266,8 @@ fn of_call(function: Function, parts: &[Node<'_>]) -> Power {
             other => other,
         },
         Function::Abs | Function::Delay | Function::Lag | Function::RateLimit => parts[0].power,
+        Function::Foreign(_) => Power::Open,
+        Function::Curve => parts.iter().skip(2).step_by(2).fold(Power::Any, |p, n| p.beside(n.power)),
         Function::Min | Function::Max | Function::Clamp | Function::Backlash | Function::Hysteresis => {
             parts.iter().fold(Power::Any, |p, n| p.beside(n.power))
         }

@@ -189,12 +189,22 @@ fn of_call(function: Function, d: &[Inferred]) -> Result<Inferred, Fault> {
         Function::Sqrt => Ok(first.and_then(|x| Some(x.power(Ratio::new(1, 2)?)))),
         Function::Abs => Ok(first),
         Function::Sign | Function::Step => Ok(Some(Dimension::NONE)),
+        Function::Foreign(f) => Ok(Some(f.unit().dimension())),
         Function::Min | Function::Max | Function::Clamp | Function::Backlash | Function::Hysteresis => {
             let mut all = d[0];
             for (i, other) in d.iter().enumerate().skip(1) {
                 all = agree(i, all, *other, "what stands before it")?;
             }
             Ok(all)
+        }
+        Function::Curve => {
+            let place = |i: usize| if i % 2 == 1 { 0 } else { 2 };
+            let mut all = [d[0], None, d[2]];
+            for (i, other) in d.iter().enumerate().skip(1) {
+                let what = if i % 2 == 1 { "its signal" } else { "the value at its first knot" };
+                all[place(i)] = agree(i, all[place(i)], *other, what)?;
+            }
+            Ok(all[2])
         }
         Function::Atan2 | Function::Relay => {
             agree(1, d[0], d[1], "what stands before it").map(|_| Some(Dimension::NONE))

@@ -1,5 +1,7 @@
 //! The functions of the language, in one table.
 
+use super::foreign::{self, Foreign};
+
 /// A function of the expression language.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Function {
@@ -53,10 +55,14 @@ pub enum Function {
     Relay,
     /// rate_limit(x, r): follows x with |ẏ| ≤ r
     RateLimit,
+    /// curve(x, x1, y1, x2, y2, …): the monotone cubic through its knots, straight beyond them
+    Curve,
+    /// A result that other people's code computes from all its arguments
+    Foreign(Foreign),
 }
 
-/// Every function with its name and number of arguments.
-const TABLE: [(Function, &str, usize); 25] = [
+/// Every function with its name and its number of arguments, or the least.
+const TABLE: [(Function, &str, usize); 26] = [
     (Function::Sin, "sin", 1),
     (Function::Cos, "cos", 1),
     (Function::Tan, "tan", 1),
@@ -82,6 +88,7 @@ const TABLE: [(Function, &str, usize); 25] = [
     (Function::Hysteresis, "hysteresis", 2),
     (Function::Relay, "relay", 2),
     (Function::RateLimit, "rate_limit", 2),
+    (Function::Curve, "curve", 5),
 ];
 
 impl Function {
@@ -97,10 +104,19 @@ impl Function {
 
     /// The name as written in an expression.
     pub fn name(self) -> &'static str {
-        TABLE.iter().find(|row| row.0 == self).map_or("", |row| row.1)
+        TABLE.iter().find(|row| row.0 == self).map_or(foreign::NAME, |row| row.1)
     }
 
-    /// The number of arguments.
+    /// Whether it can be called with so many arguments.
+    pub fn takes(self, count: usize) -> bool {
+        match self {
+            Self::Curve => count >= self.arity() && count % 2 == 1,
+            Self::Foreign(f) => count == f.arity(),
+            _ => count == self.arity(),
+        }
+    }
+
+    /// The number of arguments; of a curve the least.
     pub fn arity(self) -> usize {
         TABLE.iter().find(|row| row.0 == self).map_or(1, |row| row.2)
     }
@@ -118,6 +134,7 @@ impl Function {
             Self::Hysteresis => "hysteresis(x, gap)",
             Self::Relay => "relay(x, gap)",
             Self::RateLimit => "rate_limit(x, rate)",
+            Self::Curve => "curve(x, x1, y1, x2, y2, …)",
             _ => self.name(),
         }
     }
@@ -148,6 +165,8 @@ impl Function {
             Self::Clamp => a.max(b).min(x.get(2).copied().unwrap_or(f64::NAN)),
             Self::Delay | Self::Lag | Self::Backlash | Self::RateLimit => a,
             Self::Hysteresis => 0.0,
+            Self::Foreign(f) => f.compute().map_or(f64::NAN, |c| c.value(x, usize::from(f.result))),
+            Self::Curve => super::curve::curve(a, x.get(1..).unwrap_or_default()),
             Self::Relay => f64::from(i8::from(a > b / 2.0) - i8::from(a < -b / 2.0)),
         }
     }

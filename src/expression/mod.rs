@@ -17,6 +17,7 @@
 //! | `hysteresis(x, gap)` | x − backlash(x, gap): the elastic-plastic element, within ±gap/2 |
 //! | `relay(x, gap)` | 1 after x rose over gap/2, −1 after it fell under −gap/2 |
 //! | `rate_limit(x, rate)` | follows x with \|ẏ\| ≤ rate |
+//! | `curve(x, x1, y1, x2, y2, …)` | the monotone cubic through its knots, straight beyond them |
 //!
 //! ```
 //! use gyrospec::expression::Expr;
@@ -27,7 +28,9 @@
 //! ```
 
 mod angle;
+mod curve;
 mod dimension;
+pub(crate) mod foreign;
 mod function;
 mod parse;
 mod print;
@@ -39,6 +42,7 @@ pub use angle::Angles;
 #[cfg(feature = "diagnose")]
 pub(crate) use angle::turns;
 pub use dimension::Scope;
+pub use foreign::Foreign;
 pub use function::Function;
 pub use tree::{BinaryOp, Expr};
 pub use turning::Units;

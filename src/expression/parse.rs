@@ -8,7 +8,8 @@
 //! atom    = number | name | function "(" sum { "," sum } ")" | "(" sum ")"
 //! ```
 
-use super::{BinaryOp, Expr, Function};
+use super::foreign;
+use super::{BinaryOp, Expr, Foreign, Function};
 use crate::error::nearest;
 use crate::{Error, Result};
 
@@ -230,6 +231,9 @@ impl Reader<'_> {
     }
 
     fn call(&mut self, word: &str, start: usize, end: usize) -> Result<Spanned> {
+        if word == foreign::NAME {
+            return self.foreign(start, end);
+        }
         let function = Function::named(word).ok_or_else(|| {
             let e = self.error(start, end - start, format!("unknown function {word:?}"));
             match nearest(word, Function::all().map(Function::name)) {
@@ -237,6 +241,23 @@ impl Reader<'_> {
                 None => e.with_hint(format!("for a product write {word}*(…)")),
             }
         })?;
+        let (arguments, children, last) = self.arguments()?;
+        if !function.takes(arguments.len()) {
+            let (name, wants, has) = (function.usage(), function.arity(), arguments.len());
+            if function == Function::Curve {
+                let message =
+                    format!("{name} takes x and two or more knots of two numbers each, not {has} arguments");
+                return Err(self.error(start, last - start, message));
+            }
+            let message =
+                format!("{name} takes {wants} argument{}, not {has}", if wants == 1 { "" } else { "s" });
+            return Err(self.error(start, last - start, message));
+        }
+        Ok((Expr::Call(function, arguments), Span { start, end: last, children }))
+    }
+
+    /// The arguments in parentheses, their places, and where the call ends.
+    fn arguments(&mut self) -> Result<(Vec<Expr>, Vec<Span>, usize)> {
         let opened = self.at;
         self.takes('(');
         let (mut arguments, mut children) = (Vec::new(), Vec::new());
@@ -252,10 +273,25 @@ impl Reader<'_> {
         }
         let last = self.at + 1;
         self.closes(opened)?;
-        if arguments.len() != function.arity() {
-            let (name, wants, has) = (function.usage(), function.arity(), arguments.len());
+        Ok((arguments, children, last))
+    }
+
+    /// fmu(k, …), a result of the unit that the model names.
+    fn foreign(&mut self, start: usize, end: usize) -> Result<Spanned> {
+        let (mut arguments, mut children, last) = self.arguments()?;
+        let number = arguments.first().and_then(Expr::constant).filter(|k| k.fract() == 0.0);
+        let number = number.and_then(|k| u16::try_from(k as i64).ok());
+        let Some(foreign) = number.and_then(Foreign::spoken_of) else {
+            let e = self.error(start, end - start, "there is no such result of an FMU");
+            return Err(e.with_hint("fmu(k, …) stands in models with a line fmu = \"….fmu\""));
+        };
+        arguments.remove(0);
+        children.remove(0);
+        let function = Function::Foreign(foreign);
+        if !function.takes(arguments.len()) {
+            let (wants, has) = (foreign.arity(), arguments.len());
             let message =
-                format!("{name} takes {wants} argument{}, not {has}", if wants == 1 { "" } else { "s" });
+                format!("this FMU takes {wants} arguments (time, states, inputs, parameters), not {has}");
             return Err(self.error(start, last - start, message));
         }
         Ok((Expr::Call(function, arguments), Span { start, end: last, children }))

@@ -1,6 +1,6 @@
 //! Prints an expression so that it reads back to the same tree.
 
-use super::{BinaryOp, Expr};
+use super::{BinaryOp, Expr, Function};
 use std::fmt::{self, Display, Formatter};
 
 /// How tightly a construct binds, loosest first.
@@ -55,6 +55,9 @@ impl Display for Expr {
             }
             Self::Call(function, arguments) => {
                 write!(f, "{}(", function.name())?;
+                if let Function::Foreign(foreign) = function {
+                    write!(f, "{}, ", foreign.result)?;
+                }
                 for (i, a) in arguments.iter().enumerate() {
                     f.write_str(if i == 0 { "" } else { ", " })?;
                     a.fmt(f)?;

@@ -135,7 +135,7 @@ fn any_expr() -> impl Strategy<Value = Expr> {
                 Box::new(a),
                 Box::new(b)
             )),
-            (functions, prop::collection::vec(inner, 3)).prop_map(|(f, mut args)| {
+            (functions, prop::collection::vec(inner, 5)).prop_map(|(f, mut args)| {
                 args.truncate(f.arity());
                 Expr::Call(f, args)
             }),

@@ -110,7 +110,7 @@ impl Expr {
             Self::Name(name) => lookup(name),
             Self::Neg(a) => a.value(lookup).map(|x| -x),
             Self::Binary(op, a, b) => Some(op.of(a.value(lookup)?, b.value(lookup)?)),
-            Self::Call(f, arguments) if !f.has_memory() => {
+            Self::Call(f, arguments) if !f.has_memory() && !matches!(f, Function::Foreign(_)) => {
                 let values: Option<Vec<f64>> = arguments.iter().map(|a| a.value(lookup)).collect();
                 values.map(|v| f.of(&v))
             }

@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::report::fit::{FitReport, json, page, text};
 use crate::simulate::Budget;
+use std::borrow::Cow;
 use std::fmt;
 use std::path::Path;
 
@@ -46,7 +47,8 @@ impl<'a> Fitting<'a> {
     /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated.
     pub fn run(self) -> Result<Fitted<'a>> {
         let Request { model, source, recordings, separate, seed, time_limit, progress } = self.request;
-        estimate::setup::keep_apart(model, recordings, separate)?;
+        let (recordings, separate) = (model.all_joined(recordings)?, model.all_joined(separate)?);
+        estimate::setup::keep_apart(model, &recordings, &separate)?;
         let options = FitOptions {
             seed,
             separate_holdout: !separate.is_empty(),
@@ -54,11 +56,11 @@ impl<'a> Fitting<'a> {
             progress,
             ..FitOptions::default()
         };
-        let mut fit = estimate::fit(model, recordings, &options)?;
+        let mut fit = estimate::fit(model, &recordings, &options)?;
         if fit.ended_early.is_none() {
-            estimate::ascertain(&mut fit, recordings, &options)?;
+            estimate::ascertain(&mut fit, &recordings, &options)?;
         }
-        let held_out = estimate::holdout(&fit, recordings, separate, &options.without_limit())?;
+        let held_out = estimate::holdout(&fit, &recordings, &separate, &options.without_limit())?;
         let spectra = residual_spectra(&fit);
         // a model that was not read from a file: its own text stands among the inputs
         let source =
@@ -73,8 +75,8 @@ pub struct Fitted<'a> {
     source: Source,
     held_out: Vec<HeldOut>,
     spectra: Vec<ResidualSpectrum>,
-    recordings: &'a [Recording],
-    separate: &'a [Recording],
+    recordings: Cow<'a, [Recording]>,
+    separate: Cow<'a, [Recording]>,
     seed: u64,
 }
 
@@ -168,8 +170,8 @@ impl Fitted<'_> {
             fit: &self.fit,
             source: &self.source,
             held_out: &self.held_out,
-            recordings: self.recordings,
-            separate: self.separate,
+            recordings: &self.recordings,
+            separate: &self.separate,
             spectra: &self.spectra,
             seed: self.seed,
         }

@@ -47,6 +47,7 @@ impl Model {
             let text = places.text(&path).unwrap_or(&printed);
             e.expect_dimension(wanted.dimension(), &scope, text)
                 .and_then(|()| e.expect_turning(wanted, &units, text))
+                .and_then(|()| self.rising_knots(e))
                 .map_err(|e| places.put(&path, e))
         };
         let second = Unit::of(Dimension::TIME);

@@ -100,6 +100,11 @@ impl<'a> Form<'a> {
         self.fields.iter().find(|f| f.key == key)
     }
 
+    /// The error with the place of a span.
+    pub fn at(&self, e: Error, span: &Range<usize>) -> Error {
+        self.text.at(e, span)
+    }
+
     fn wrong(&self, f: &Field<'_>, wanted: &str) -> Error {
         let found = f.value.type_str();
         let e = Error::bad_input(format!(

@@ -21,19 +21,29 @@ mod angular;
 mod builtin;
 mod check;
 mod form;
+mod knots;
+#[cfg(feature = "fmu")]
+mod mockup;
+#[cfg(not(feature = "fmu"))]
+#[path = "no_mockup.rs"]
+mod mockup;
 mod numbers;
 mod parts;
 mod places;
 pub(crate) mod program;
 mod read;
 mod scalar;
+mod simulated;
 mod write;
 
 pub use builtin::BUILTIN;
+#[cfg(feature = "fmu")]
+pub use mockup::Mockup;
 pub use numbers::{Number, Numbers};
 pub use parts::{Definition, Initial, Input, Model, Output, Parameter, State};
 pub(crate) use scalar::power_slopes;
 pub use scalar::{Dual, Scalar};
+pub use simulated::Simulated;
 
 #[cfg(test)]
 mod tests;

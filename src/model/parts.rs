@@ -1,5 +1,8 @@
 //! What a model is made of.
 
+#[cfg(feature = "fmu")]
+use super::Mockup;
+use super::Simulated;
 use crate::expression::Expr;
 use crate::units::Unit;
 
@@ -100,4 +103,9 @@ pub struct Model {
     pub states: Vec<State>,
     /// Measured signals that it predicts.
     pub outputs: Vec<Output>,
+    /// What a simulation elsewhere computed, where the model speaks of that.
+    pub simulated: Option<Simulated>,
+    /// The Functional Mock-up Unit that it begins with.
+    #[cfg(feature = "fmu")]
+    pub fmu: Option<Mockup>,
 }

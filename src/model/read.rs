@@ -5,7 +5,7 @@
 
 use super::form::{Form, toml};
 use super::places::{Places, Text};
-use super::{Definition, Initial, Input, Model, Output, Parameter, State, builtin};
+use super::{Definition, Initial, Input, Model, Output, Parameter, State, builtin, mockup, simulated};
 use crate::expression::{Expr, Function, is_name};
 use crate::record::{Source, read_text};
 use crate::text::one_line;
@@ -33,12 +33,17 @@ impl Model {
     /// # Errors
     /// As [`Model::read`].
     pub fn read_with_source(path: &Path) -> Result<(Self, Source)> {
+        if mockup::is_unit(path) {
+            return mockup::read_whole(path);
+        }
         let builtin = path.to_str().filter(|_| !path.exists()).and_then(|name| builtin::text(name).ok());
         let (text, source) = match builtin {
             Some(text) => (text.to_owned(), Source::of(path, text.as_bytes())),
             None => read_text(path)?,
         };
-        let model = Self::parse(&text).map_err(|e| e.with_file(path))?;
+        let folder = path.parent().filter(|_| path != Path::new("-"));
+        let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };
+        let model = Self::parse_in(&text, folder).map_err(place)?;
         Ok((model, source))
     }
 
@@ -58,11 +63,29 @@ impl Model {
     /// # Errors
     /// As [`Model::read`].
     pub fn parse(text: &str) -> Result<Self> {
+        Self::parse_in(text, None)
+    }
+
+    /// The same; files that the text names lie in a folder.
+    fn parse_in(text: &str, folder: Option<&Path>) -> Result<Self> {
         let text = Text(text);
         let table = toml(&text)?;
         let root = Form::root(&table, &text);
-        root.allow(&["name", "extends", "inputs", "parameters", "definitions", "states", "outputs"])?;
-        let mut reader = Reader { model: start(&root)?, places: Places::default(), text: &text };
+        root.allow(&[
+            "name",
+            "extends",
+            "inputs",
+            "parameters",
+            "definitions",
+            "states",
+            "outputs",
+            "simulated",
+        ])?;
+        let simulated = simulated::place(&root, folder)?;
+        let is_simulated = simulated.is_some();
+        let model = start(&root, folder)?;
+        let _speaking = mockup::speaking(&model);
+        let mut reader = Reader { model, places: Places::default(), text: &text, is_simulated };
         if let Some(name) = root.string("name")? {
             reader.model.name = one_line(name);
         }
@@ -74,13 +97,20 @@ impl Model {
                 .with_hint("add [outputs] with the measured signals that it predicts");
             return Err(e);
         }
+        mockup::finish(&mut reader.model, &root)?;
+        if let Some(file) = simulated {
+            simulated::attach(&mut reader.model, &root, file)?;
+        }
         reader.model.check_at(&reader.places)?;
         reader.model.turns_or_radians(&reader.places)?;
         Ok(reader.model)
     }
 }
 
-fn start(root: &Form<'_>) -> Result<Model> {
+fn start(root: &Form<'_>, folder: Option<&Path>) -> Result<Model> {
+    if let Some(model) = mockup::begun(root, folder)? {
+        return Ok(model);
+    }
     if let Some(name) = root.string("extends")? {
         return Model::builtin(name).map_err(|e| root.error("extends", e));
     }
@@ -96,12 +126,16 @@ struct Reader<'a> {
     model: Model,
     places: Places,
     text: &'a Text<'a>,
+    /// Whether an output may be a column of what was simulated.
+    is_simulated: bool,
 }
 
 impl Reader<'_> {
     fn section(&mut self, root: &Form<'_>, name: &str) -> Result<()> {
         let Some(section) = root.table(name)? else { return Ok(()) };
-        for (entry, span, fields) in section.tables()? {
+        for (key, span, fields) in section.tables()? {
+            let own = mockup::name_of(&self.model, key);
+            let entry = own.as_str();
             self.name(entry, name, &span)?;
             if let (Some(field), Some(unit)) = (fields.field("unit"), fields.string("unit")?) {
                 self.places.add(fields.path_of("unit"), self.text, &field.span, unit);
@@ -159,7 +193,11 @@ impl Reader<'_> {
     }
 
     fn input(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
-        fields.allow(&["unit", "meaning"])?;
+        fields.allow(if mockup::has(&self.model) {
+            &["unit", "meaning", "channel"]
+        } else {
+            &["unit", "meaning"]
+        })?;
         let old = self.model.inputs.iter().find(|x| x.name == name).cloned();
         let entry = Input {
             name: name.to_string(),
@@ -221,11 +259,13 @@ impl Reader<'_> {
     }
 
     fn output(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
-        fields.allow(&["equals", "unit", "meaning"])?;
+        let known = ["equals", "unit", "meaning", "channel"];
+        fields.allow(&known[..if mockup::has(&self.model) { 4 } else { 3 }])?;
         let old = self.model.outputs.iter().find(|x| x.name == name).cloned();
+        let own = self.is_simulated.then(|| simulated::own_column(name));
         let entry = Output {
             name: name.to_string(),
-            equals: self.expression(fields, "equals", old.as_ref().map(|o| &o.equals))?,
+            equals: self.expression(fields, "equals", old.as_ref().map(|o| &o.equals).or(own.as_ref()))?,
             unit: Self::unit(fields, old.as_ref().map(|o| &o.unit))?,
             meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
         };
@@ -281,6 +321,9 @@ impl Model {
             definitions: Vec::new(),
             states: Vec::new(),
             outputs: Vec::new(),
+            simulated: None,
+            #[cfg(feature = "fmu")]
+            fmu: None,
         }
     }
 

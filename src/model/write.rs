@@ -1,6 +1,6 @@
 //! Writes a model as a file that reads back to the same model.
 
-use super::{Initial, Model, Parameter};
+use super::{Initial, Input, Model, Parameter};
 use crate::text::toml_string;
 use crate::units::Unit;
 use std::fmt::Write;
@@ -15,9 +15,11 @@ impl Model {
     /// # Ok::<(), gyrospec::Error>(())
     /// ```
     pub fn to_toml(&self) -> String {
-        let mut out = format!("name = {}\n", toml_string(&self.name));
-        section(&mut out, "inputs", &self.inputs, |x| {
-            line(&x.name, vec![], &x.unit, vec![], x.meaning.as_ref())
+        let mut out = format!("name = {}\n{}", toml_string(&self.name), self.begun_line());
+        let measured: Vec<&Input> = self.inputs.iter().filter(|i| !self.is_simulated(&i.name)).collect();
+        section(&mut out, "inputs", &measured, |x| {
+            let (key, channel) = self.key_of("inputs", &x.name);
+            line(&key, vec![], &x.unit, by(channel), x.meaning.as_ref())
         });
         section(&mut out, "parameters", &self.parameters, parameter);
         section(&mut out, "definitions", &self.definitions, |x| {
@@ -39,11 +41,12 @@ impl Model {
             line(&x.name, rate, &x.unit, vec![("initial", initial)], x.meaning.as_ref())
         });
         section(&mut out, "outputs", &self.outputs, |x| {
+            let (key, channel) = self.key_of("outputs", &x.name);
             line(
-                &x.name,
+                &key,
                 vec![("equals", toml_string(&x.equals.to_string()))],
                 &x.unit,
-                vec![],
+                by(channel),
                 x.meaning.as_ref(),
             )
         });
@@ -60,6 +63,11 @@ fn section<T>(out: &mut String, name: &str, list: &[T], spell: impl Fn(&T) -> St
             out.push_str(&spell(entry));
         }
     }
+}
+
+/// The channel that holds a signal under another name.
+fn by(channel: Option<String>) -> Fields {
+    channel.map(|c| ("channel", toml_string(&c))).into_iter().collect()
 }
 
 fn line(name: &str, before: Fields, unit: &Unit, after: Fields, meaning: Option<&String>) -> String {

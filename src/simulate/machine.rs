@@ -118,7 +118,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
     fn load_made(&mut self) {
         match self.native {
             Some(native) if self.switching == Switching::Hold => native.time(&mut self.r),
-            _ => execute(&self.program.per_time, &mut self.r, self.switching),
+            _ => execute(self.program, &self.program.per_time, &mut self.r, self.switching),
         }
     }
 
@@ -126,14 +126,14 @@ impl<'a, T: Scalar> Machine<'a, T> {
     pub fn outputs(&mut self) {
         match self.native {
             Some(native) if self.is_smooth() => native.output(&mut self.r),
-            _ => execute(&self.program.output_code, &mut self.r, self.switching),
+            _ => execute(self.program, &self.program.output_code, &mut self.r, self.switching),
         }
     }
 
     /// Loads a time, and computes what the inputs and the time alone make.
     pub fn load_data(&mut self, t: f64) {
         self.load_inputs(t);
-        execute(&self.program.per_data, &mut self.r, self.switching);
+        execute(self.program, &self.program.per_data, &mut self.r, self.switching);
     }
 
     fn load_inputs(&mut self, t: f64) {
@@ -165,7 +165,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
             self.load_pasts(t);
         }
         if self.sliding.is_empty() {
-            execute(&self.program.per_state, &mut self.r, self.switching);
+            execute(self.program, &self.program.per_state, &mut self.r, self.switching);
         } else {
             self.slide();
         }
@@ -194,15 +194,15 @@ impl<'a, T: Scalar> Machine<'a, T> {
 
     /// The motion of the guards; states and time must be loaded.
     pub fn motions(&mut self) {
-        execute(&self.program.motion_code, &mut self.r, self.switching);
+        execute(self.program, &self.program.motion_code, &mut self.r, self.switching);
     }
 
     fn try_signs(&mut self, signs: impl Fn(usize) -> f64) {
         for (j, k) in self.sliding.iter().enumerate() {
             self.r[at(self.program.watches[*k].sign)] = T::constant(signs(j));
         }
-        execute(&self.program.per_state, &mut self.r, self.switching);
-        execute(&self.program.motion_code, &mut self.r, self.switching);
+        execute(self.program, &self.program.per_state, &mut self.r, self.switching);
+        execute(self.program, &self.program.motion_code, &mut self.r, self.switching);
     }
 
     /// Finds the signs u of the sliding switches for which their guards stand still.
@@ -228,7 +228,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
             self.r[at(self.program.watches[*k].sign)] = table[i * (n + 1) + n];
         }
         self.scratch = table;
-        execute(&self.program.per_state, &mut self.r, self.switching);
+        execute(self.program, &self.program.per_state, &mut self.r, self.switching);
     }
 
     fn guard_motion(&self, sliding: usize) -> T {
@@ -258,7 +258,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
 
     /// The Jacobian ∂f/∂x row by row and ∂f/∂t at the loaded time and state.
     pub fn slopes(&mut self, jacobian: &mut [T], explicit_time: &mut [T]) {
-        execute(&self.program.jacobian_code, &mut self.r, self.switching);
+        execute(self.program, &self.program.jacobian_code, &mut self.r, self.switching);
         for (o, register) in jacobian.iter_mut().zip(&self.program.jacobian) {
             *o = self.r[at(*register)];
         }
@@ -277,7 +277,7 @@ pub(super) fn registers<T: Scalar>(program: &Program, parameters: &[T]) -> Vec<T
     for (register, value) in program.parameters.iter().zip(parameters) {
         r[at(*register)] = *value;
     }
-    execute(&program.once, &mut r, Switching::Follow);
+    execute(program, &program.once, &mut r, Switching::Follow);
     r
 }
 

@@ -138,7 +138,7 @@ fn native(op: &Op) -> Option<gyrospec_native::Op> {
         Action::Whole => Native::Whole(whole, whole_slope),
         Action::SignNow => Native::Flat(if op.b == 0 { sign } else { sign_or_one }),
         Action::One(f) => one(f)?,
-        Action::Sign | Action::Relay => return None,
+        Action::Sign | Action::Relay | Action::Foreign | Action::ForeignSlope => return None,
     };
     Some(gyrospec_native::Op { action, to: op.to, a: op.a, b: op.b, c: op.c })
 }

@@ -1,6 +1,6 @@
 //! The outputs of a model beside the channels that measured them.
 
-use super::gaps::{gaps, inside};
+use super::gaps::{inside, stretches};
 use super::mesh::Samples;
 use super::probe::Clock;
 use crate::model::Model;
@@ -144,7 +144,7 @@ pub fn coverage(model: &Model, recording: &Recording) -> Result<Vec<OutputSignal
     let mut outputs = outputs(model, recording)?;
     let span = span(&samples, &outputs, None)?;
     match recording.kind {
-        Kind::Time => cover(&mut outputs, span, &gaps(&samples)),
+        Kind::Time => cover(&mut outputs, span, &stretches(&samples)),
         Kind::Trials => cover_trials(&mut outputs, &samples, span),
     }
     Ok(outputs)

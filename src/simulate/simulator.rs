@@ -64,8 +64,8 @@ pub struct Simulator {
     pub(super) careful: Option<Plan>,
     pub(super) tolerance: f64,
     pub(super) budget: Budget,
-    /// What was taken for radians though its unit says nothing of an angle.
-    pub(crate) radians: Vec<String>,
+    /// What a user should know of the recording's channels.
+    pub(crate) cautions: Vec<String>,
 }
 
 impl Simulator {
@@ -76,11 +76,12 @@ impl Simulator {
     /// that is no number at the first step.
     pub fn new(model: &Model, recording: &Recording, options: &Options) -> Result<Self> {
         let program = model.compile()?;
+        let recording = &*model.joined(recording)?;
         absent::inputs_present(model, recording)?;
         let samples = signals::inputs(model, recording)?;
         let mut outputs = signals::outputs(model, recording)?;
         let span = signals::span(&samples, &outputs, options.window)?;
-        let blanks = gaps::gaps(&samples);
+        let blanks = gaps::stretches(&samples);
         match recording.kind {
             Kind::Time => signals::cover(&mut outputs, span, &blanks),
             Kind::Trials => signals::cover_trials(&mut outputs, &samples, span),
@@ -102,7 +103,7 @@ impl Simulator {
             careful: None,
             tolerance: options.tolerance,
             budget: options.budget.clone(),
-            radians: signals::taken_as_radians(model, recording),
+            cautions: signals::taken_as_radians(model, recording),
         };
         if simulator.is_dynamic() {
             if recording.kind == Kind::Trials {
@@ -150,13 +151,17 @@ impl Simulator {
         if self.blanks.is_empty() {
             return;
         }
-        let slowest = self.slowest_time(&self.parameters(), &self.initials());
-        if let Ok(Some(slowest)) = slowest {
-            let covered = |o: &OutputSignal| -> Vec<f64> {
-                o.time.iter().zip(&o.covered).filter(|(_, c)| **c).map(|(t, _)| *t).collect()
-            };
-            self.blanks = gaps::with_waits(&self.blanks, self.outputs.iter().flat_map(covered), slowest);
-            signals::cover(&mut self.outputs, self.span, &self.blanks);
+        let Some(memory) = self.memory(&self.parameters(), &self.initials()) else { return };
+        let gaps = gaps::gaps(&self.samples, memory);
+        let covered = |o: &OutputSignal| -> Vec<f64> {
+            o.time.iter().zip(&o.covered).filter(|(_, c)| **c).map(|(t, _)| *t).collect()
+        };
+        match gaps::with_waits(&gaps, self.outputs.iter().flat_map(covered), memory) {
+            Some(longer) => {
+                self.blanks = longer;
+                signals::cover(&mut self.outputs, self.span, &self.blanks);
+            }
+            None => self.cautions.extend(gaps::lasting(&gaps, &self.model)),
         }
     }
 

@@ -17,6 +17,7 @@ use super::simulator::Simulator;
 use super::start::start;
 use crate::Result;
 use crate::poly;
+use num_complex::Complex64;
 
 /// A coefficient below this share of its natural size counts as 0.
 const NONE: f64 = 1e-10;
@@ -28,20 +29,30 @@ impl Simulator {
     /// # Errors
     /// No steady state.
     pub fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Result<Option<f64>> {
-        let roots = self.roots_at_start(parameters, initials)?;
-        let slowest = roots.into_iter().fold(f64::INFINITY, f64::min);
+        let (roots, _) = self.roots_at_start(parameters, initials)?;
+        let slowest = roots.iter().map(|r| r.norm()).fold(f64::INFINITY, f64::min);
         Ok((slowest.is_finite() && slowest > 0.0).then(|| 1.0 / slowest))
+    }
+
+    /// How long the model remembers, near the start of the run: the longest 1/|Re λ|, s; infinite where it never
+    /// forgets, none where it has no dynamics.
+    pub(super) fn memory(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {
+        let (roots, states) = self.roots_at_start(parameters, initials).ok()?;
+        let fading = |r: &Complex64| if r.re < -NONE * r.norm() { -1.0 / r.re } else { f64::INFINITY };
+        let integrates = roots.len() < states;
+        let longest = roots.iter().map(fading).fold(0.0, f64::max);
+        (states > 0).then_some(if integrates { f64::INFINITY } else { longest })
     }
 
     /// The shortest time constant near the start, s; none where the model has no dynamics.
     pub(super) fn fastest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {
-        let roots = self.roots_at_start(parameters, initials).ok()?;
-        let fastest = roots.into_iter().fold(0.0, f64::max);
+        let (roots, _) = self.roots_at_start(parameters, initials).ok()?;
+        let fastest = roots.iter().map(|r| r.norm()).fold(0.0, f64::max);
         (fastest.is_finite() && fastest > 0.0).then(|| 1.0 / fastest)
     }
 
-    /// The magnitudes of the eigenvalues at the start that are not 0, 1/s.
-    fn roots_at_start(&self, parameters: &[f64], initials: &[f64]) -> Result<Vec<f64>> {
+    /// The eigenvalues at the start that are not 0, 1/s, and the number of all.
+    fn roots_at_start(&self, parameters: &[f64], initials: &[f64]) -> Result<(Vec<Complex64>, usize)> {
         let parameters = self.with_constants(parameters);
         let mesh = self.mesh_at(&parameters);
         let mut m = Machine::<f64>::new(&self.program, &mesh, &parameters);
@@ -51,12 +62,12 @@ impl Simulator {
         let (mut jacobian, mut explicit) = (vec![0.0; n * n], vec![0.0; n]);
         m.load(mesh.time[0], &x);
         m.slopes(&mut jacobian, &mut explicit);
-        Ok(roots(&jacobian, n))
+        Ok((roots(&jacobian, n), n))
     }
 }
 
-/// The magnitudes of the eigenvalues that are not 0.
-fn roots(a: &[f64], n: usize) -> Vec<f64> {
+/// The eigenvalues that are not 0.
+fn roots(a: &[f64], n: usize) -> Vec<Complex64> {
     let size = a.iter().fold(0.0f64, |m, x| m.max(x.abs()));
     if n == 0 || size == 0.0 || !size.is_finite() {
         return Vec::new();
@@ -75,7 +86,7 @@ fn roots(a: &[f64], n: usize) -> Vec<f64> {
     while c.len() > 1 && c[c.len() - 1].abs() <= NONE * size.powi(c.len() as i32 - 1) {
         c.pop();
     }
-    if c.len() == 1 { Vec::new() } else { poly::roots::roots(&c).iter().map(|r| r.norm()).collect() }
+    if c.len() == 1 { Vec::new() } else { poly::roots::roots(&c) }
 }
 
 fn times(a: &[f64], b: &[f64], n: usize) -> Vec<f64> {

@@ -20,9 +20,9 @@ pub(super) fn run<T: Scalar>(
         let mut near = vec![0; program.columns.len()];
         for t in clock.time.iter() {
             load(program, samples, &mut r, *t, &mut near);
-            execute(&program.per_data, &mut r, Switching::Follow);
-            execute(&program.per_time, &mut r, Switching::Follow);
-            execute(&program.output_code, &mut r, Switching::Follow);
+            execute(program, &program.per_data, &mut r, Switching::Follow);
+            execute(program, &program.per_time, &mut r, Switching::Follow);
+            execute(program, &program.output_code, &mut r, Switching::Follow);
             values.extend(clock.registers.iter().map(|k| r[usize::from(*k)]));
         }
         out.push(values);

@@ -5,7 +5,7 @@ use crate::record::principal;
 
 /// What the user should know about the run though it went on.
 pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
-    let mut out = s.radians.clone();
+    let mut out = s.cautions.clone();
     if let Some((t, state)) = ran.blew_up {
         let states = &s.model().states;
         let name = states.get(state).map_or("a lag or another hidden state", |x| x.name.as_str());

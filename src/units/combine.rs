@@ -2,6 +2,9 @@
 
 use super::{Dimension, Unit, names};
 
+/// What stands in the sums of balances.
+const USUAL: [&str; 9] = ["N", "N*m", "W", "V", "A", "kg/s", "m^3/s", "mol/s", "Pa"];
+
 impl Unit {
     /// The unit of a product of a value in this unit and one in the other.
     ///
@@ -29,6 +32,25 @@ impl Unit {
     #[must_use]
     pub fn power(&self, exponent: f64) -> Self {
         Self::one().joined(self, exponent)
+    }
+
+    /// The same unit as people write it of a force, a flow or a rate, where that is shorter.
+    ///
+    /// ```
+    /// use gyrospec::units::Unit;
+    /// assert_eq!(Unit::parse("V*s*A/rad")?.usual().text(), "N*m");
+    /// assert_eq!(Unit::parse("J/K*K/s")?.usual().text(), "W");
+    /// assert_eq!(Unit::parse("kg*km/s^2")?.usual().text(), "kg*km/s^2");
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    #[must_use]
+    pub fn usual(&self) -> Self {
+        let joints = |text: &str| text.matches(['*', '/']).count();
+        let known = USUAL.iter().filter_map(|text| Self::parse(text).ok());
+        let same =
+            |u: &Self| u.dimension == self.dimension && u.to_si(1.0) == self.of_differences().to_si(1.0);
+        let shorter = |u: &Self| joints(u.text()) < joints(&self.text);
+        known.filter(shorter).find(same).unwrap_or_else(|| self.clone())
     }
 
     fn joined(&self, other: &Self, sign: f64) -> Self {

@@ -17,7 +17,7 @@ pub(super) struct Named {
 type Row = (&'static str, f64, i32, [i32; 5], &'static str);
 
 /// Symbol, mantissa, decade, powers of (m, kg, s, A, K), prefixes allowed.
-const TABLE: [Row; 33] = [
+const TABLE: [Row; 35] = [
     ("m", 1.0, 0, [1, 0, 0, 0, 0], "kdcmun"),
     ("g", 1.0, -3, [0, 1, 0, 0, 0], "Mkmu"),
     ("s", 1.0, 0, [0, 0, 1, 0, 0], "mun"),
@@ -35,6 +35,8 @@ const TABLE: [Row; 33] = [
     ("V", 1.0, 0, [2, 1, -3, -1, 0], "kmun"),
     ("ohm", 1.0, 0, [2, 1, -3, -2, 0], "Mkm"),
     ("T", 1.0, 0, [0, 1, -2, -1, 0], "mun"),
+    ("H", 1.0, 0, [2, 1, -2, -2, 0], "mun"),
+    ("F", 1.0, 0, [-2, -1, 4, 2, 0], "mun"),
     ("Hz", 1.0, 0, [0, 0, -1, 0, 0], "Mkm"),
     ("rad", 1.0, 0, [0; 5], "mun"),
     ("deg", PI / 180.0, 0, [0; 5], "m"),

@@ -1,6 +1,7 @@
 //! Fit and proof change places where the earlier part does not show what the later one does.
 
 use crate::diagnose::diagnosed;
+use crate::held_inputs::AXIS;
 use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording, Span};
@@ -11,22 +12,6 @@ use rand_distr::{Distribution, StandardNormal};
 
 const STEP: f64 = 0.02;
 const COUNT: usize = 6000;
-
-/// M q″ = F − b q′ − k q.
-const AXIS: &str = r#"
-    name = "axis"
-    [inputs]
-    F = { unit = "N" }
-    [parameters]
-    M = { value = 2, unit = "kg", fit = true, min = 0.1, max = 100 }
-    b = { value = 3, unit = "N*s/m", fit = true, min = 0, max = 100 }
-    k = { value = 60, unit = "N/m", fit = true, min = 1, max = 1e4 }
-    [states]
-    q = { rate = "v", unit = "m", initial = "fit" }
-    v = { rate = "(F - b*v - k*q)/M", unit = "m/s", initial = "fit" }
-    [outputs]
-    position = { equals = "q", unit = "m" }
-"#;
 
 /// The force, straight between samples.
 fn force(t: f64) -> f64 {

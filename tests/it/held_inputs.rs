@@ -85,7 +85,7 @@ fn a_delay_of_two_samples_is_no_hold() {
 }
 
 /// M q″ = F − b q′ − k q.
-const AXIS: &str = r#"
+pub const AXIS: &str = r#"
     name = "axis"
     [inputs]
     F = { unit = "N" }

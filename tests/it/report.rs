@@ -40,6 +40,7 @@ fn finding(verdict: Verdict) -> Option<Finding> {
         p_value: 1e-30,
         share: 1.0,
         ties,
+        resembles: false,
         evidence: None,
     })
 }

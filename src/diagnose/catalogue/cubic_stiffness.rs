@@ -18,7 +18,7 @@
 //! # Example
 //! The righting arm of a ship rolled beyond ten degrees.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, field};
 use crate::units::Unit;
 
 /// Stiffness that grows or falls with the deflection.
@@ -51,5 +51,6 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let k = d.amplitude("k3", &unit, ANY, "cubic stiffness, positive where it hardens");
     d.force(&m.state, &format!("-{k}*{q}^3"));
     d.start(&[m.size / scene.size(q).powi(3)]);
-    d.done(&format!("the restoring force grows with the third power of {}, {{0}}", scene.words(q)))
+    let [_, back] = field::words(m);
+    d.done(&format!("{back} grows with the third power of {}, {{0}}", scene.words(q)))
 }

@@ -344,6 +344,19 @@ impl<'a> Draft<'a> {
         self.failed |= !found;
     }
 
+    /// Changes every rate and definition; fails if nothing changed.
+    pub fn each_rate(&mut self, with: &dyn Fn(&Expr) -> Expr) {
+        let mut found = false;
+        edit::for_each(&mut self.proposal.model, |place, expression| {
+            if !matches!(place, Place::Output(_)) {
+                let new = with(expression);
+                found |= new != *expression;
+                *expression = new;
+            }
+        });
+        self.failed |= !found;
+    }
+
     /// Replaces the lag factor 1 + w²T² of a formula for trials.
     pub fn lag_factor(&mut self, text: &str) {
         let Some(new) = self.read(text) else { return };

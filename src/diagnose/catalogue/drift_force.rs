@@ -20,7 +20,7 @@
 //! # Example
 //! A ballast tank that slowly fills during the trial.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, field};
 use crate::units::Unit;
 
 /// A force that drifts with time.
@@ -55,5 +55,6 @@ fn at(scene: &Scene, m: &Motion, shifted: bool) -> Option<Proposal> {
         d.force(&m.state, &format!("{rate}*(t - {start})"));
         d.start(&[grown]);
     }
-    d.done(&format!("a force on {} drifts by {{0}}", scene.words(&m.state)))
+    let [what, _] = field::words(m);
+    d.done(&format!("{what} on {} drifts by {{0}}", scene.words(&m.state)))
 }

@@ -31,6 +31,8 @@ pub fn unit_of(e: &Expr, of_name: &dyn Fn(&str) -> Option<Unit>) -> Unit {
             | Function::Backlash
             | Function::Hysteresis
             | Function::RateLimit => unit_of(&args[0], of_name),
+            Function::Curve => unit_of(&args[2], of_name),
+            Function::Foreign(f) => f.unit(),
             _ => Unit::one(),
         },
     }

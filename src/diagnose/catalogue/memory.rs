@@ -19,7 +19,7 @@
 //! # Example
 //! A hull whose roll radiates waves.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE, field};
 use crate::units::Unit;
 
 /// A force that remembers many times.
@@ -53,5 +53,6 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     for time in scene.times() {
         d.start(&[0.1 * m.size / scene.size(q), 10.0 * time]);
     }
-    d.done(&format!("the force on {} remembers its past over {{1}}", scene.words(&m.state)))
+    let what = field::words(m)[0].trim_start_matches("a ");
+    d.done(&format!("the {what} on {} remembers its past over {{1}}", scene.words(&m.state)))
 }

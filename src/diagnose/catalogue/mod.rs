@@ -6,7 +6,9 @@
 
 mod draft;
 pub(crate) mod edit;
+mod field;
 mod scene;
+mod terms;
 
 pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind};
 pub use scene::{MasslessLag, Motion, Scene, Shift, Signal, SignalKind};
@@ -35,6 +37,8 @@ pub enum Group {
     Output,
     /// Faulty data.
     Fault,
+    /// What has no name.
+    Unnamed,
 }
 
 impl Group {
@@ -50,6 +54,7 @@ impl Group {
             Self::Input => "Input",
             Self::Output => "Output: the sensor, not the thing",
             Self::Fault => "Faulty data",
+            Self::Unnamed => "Without a name",
         }
     }
 }
@@ -111,7 +116,7 @@ fn no_proposals(_: &Scene) -> Vec<Proposal> {
 
 macro_rules! mechanisms {
     ($($file:ident),* $(,)?) => {
-        $(mod $file;)*
+        $(pub(super) mod $file;)*
         /// Every mechanism, in the order of the list that `gyrospec explain` prints.
         pub const ALL: &[Mechanism] = &[$($file::MECHANISM),*];
     };
@@ -119,18 +124,18 @@ macro_rules! mechanisms {
 
 mechanisms! {
     dry_friction, asymmetric_friction, stribeck_friction, load_friction, linear_damping,
-    quadratic_damping, cubic_damping,
+    quadratic_damping, cubic_damping, power_law,
     constant_force, cubic_stiffness, quadratic_stiffness, gravity_pendulum, end_stop, dead_zone,
     backlash, hysteresis, periodic_force, drift_force,
-    neglected_inertia, extra_lag, extra_resonance, memory,
+    neglected_inertia, extra_lag, extra_resonance, memory, product_coupling,
     rectified_motion,
-    square_root_flow, overflow,
+    square_root_flow, overflow, exchange, radiation, saturable_rate,
     cross_coupling, parameter_dependence, parameter_change, parameter_drift,
     input_delay, input_lag, input_square, input_saturation, input_dead_zone, input_rate_limit,
     input_offset, misalignment,
     output_offset, output_scale, output_delay, output_lag, output_drift, output_saturation,
     output_cross_axis, clock_offset, clock_drift, clock_jump,
-    frozen_channel, outliers, quantisation, gap, wrapped_angle, wrong_sign, wrong_unit, input_hold,
+    frozen_channel, outliers, quantisation, gap, wrapped_angle, wrong_sign, wrong_unit, input_hold, free_law,
 }
 
 /// The mechanism of a code.
@@ -196,6 +201,6 @@ mod tests {
             assert!(ALL[..i].iter().all(|other| other.code != m.code), "{}", m.code);
             assert!(m.source.contains(&format!("\"{}\"", m.code)), "{}", m.code);
         }
-        assert_eq!(ALL.len(), 54);
+        assert_eq!(ALL.len(), 60);
     }
 }

@@ -6,7 +6,10 @@
 //!
 //! # Equation
 //! ```text
-//!     p -> p (1 + a (u - mean u))
+//!     p -> p (1 + a (u - mean u))        with an input, a channel or a state
+//!     p -> p (1 + a x^2)                 with a state that goes through 0
+//!     p -> p/(1 + a |x|)                 with a state, saturating
+//!     p -> p exp(a (u - mean u))
 //! ```
 //!
 //! # What else looks like this
@@ -18,9 +21,14 @@
 //! dependent parameter estimation, Int. J. Control 74 (2001) 1837.
 //!
 //! # Example
-//! The lag of a gyrosphere's liquid that grows as it cools.
+//! The lag of a gyrosphere's liquid that grows as it cools; the force factor of a loudspeaker, which falls as its coil
+//! leaves the gap; an inductance whose iron saturates with the current.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
+use super::terms::has_factor;
+use super::{
+    Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, draft::POSITIVE, edit,
+};
+use crate::expression::Expr;
 use crate::units::Unit;
 
 /// A parameter that varies with a signal.
@@ -37,7 +45,74 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         scene.moving(&[SignalKind::Channel, SignalKind::Input]).filter(|s| !s.is_heading()).collect();
     let names = scene.acting_parameters();
     let pairs = names.iter().flat_map(|p| signals.iter().map(move |s| (p, *s)));
-    pairs.filter_map(|(p, s)| at(scene, p, s)).collect()
+    let mut all: Vec<Proposal> = pairs.clone().filter_map(|(p, s)| at(scene, p, s)).collect();
+    if !scene.trials {
+        all.extend(pairs.filter_map(|(p, s)| on_state(scene, p, s, Form::Exponential)));
+        let states: Vec<&Signal> = scene.moving(&[SignalKind::State]).filter(|s| !s.is_heading()).collect();
+        for p in &names {
+            let own = states.iter().filter(|s| !stands_alone(scene, p, &s.name));
+            all.extend(own.flat_map(|s| FORMS.iter().filter_map(|f| on_state(scene, p, s, *f))));
+        }
+    }
+    all
+}
+
+/// How a parameter may vary with a state.
+#[derive(Clone, Copy, PartialEq)]
+enum Form {
+    Linear,
+    Quadratic,
+    Saturating,
+    Exponential,
+}
+
+const FORMS: [Form; 4] = [Form::Linear, Form::Quadratic, Form::Saturating, Form::Exponential];
+
+/// Whether a parameter times that state alone is a term of the model: its law is a damping or a stiffness, which have
+/// names of their own.
+fn stands_alone(scene: &Scene, p: &str, state: &str) -> bool {
+    let is_plain = |t: &Expr| {
+        let names = t.names();
+        has_factor(t, p) && has_factor(t, state) && names.len() == 2
+    };
+    let rates =
+        scene.model.states.iter().map(|s| edit::terms_of(scene.model, edit::sum_of(scene.model, &s.rate)));
+    rates.flatten().any(|t| is_plain(&t))
+}
+
+fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Proposal> {
+    let (s, size) = (&signal.name, signal.size());
+    let level = signal.mean.abs() > signal.spread;
+    // about a level that is never 0 a square is a slope
+    if form == Form::Quadratic && level || form == Form::Exponential && !level {
+        return None;
+    }
+    let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
+    let unit = scene.unit(s);
+    let power = if form == Form::Quadratic { 2.0 } else { 1.0 };
+    let limits = if form == Form::Saturating { POSITIVE } else { ANY };
+    let a =
+        d.amplitude("a", &Unit::one().over(&unit.power(power)), limits, "relative change of the parameter");
+    let part =
+        if form == Form::Quadratic || form == Form::Saturating { s.clone() } else { d.centred(signal) };
+    let text = match form {
+        Form::Linear => format!("({p}*(1 + {a}*{part}))"),
+        Form::Quadratic => format!("({p}*(1 + {a}*{s}^2))"),
+        Form::Saturating => format!("({p}/(1 + {a}*abs({s})))"),
+        Form::Exponential => format!("({p}*exp({a}*{part}))"),
+    };
+    d.uses(s);
+    d.replace(p, &text, |_| true);
+    let start =
+        if form == Form::Linear || form == Form::Exponential { signal.spread } else { size.powf(power) };
+    d.start(&[0.3 / start]);
+    let how = match form {
+        Form::Linear => "",
+        Form::Quadratic => " with the square",
+        Form::Saturating => " (it falls as something saturates)",
+        Form::Exponential => " (exponentially)",
+    };
+    d.done(&format!("{} varies{how} with {}, relatively by {{0}}", scene.words(p), scene.words(s)))
 }
 
 fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {

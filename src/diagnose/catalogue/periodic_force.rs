@@ -20,7 +20,7 @@
 //! # Example
 //! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, field};
 use crate::units::Unit;
 
 /// A periodic force.
@@ -53,10 +53,8 @@ fn with_time(scene: &Scene, m: &Motion, peak: f64) -> Option<Proposal> {
     );
     d.force(&m.state, &format!("{a}*sin({w}*t) + {b}*cos({w}*t)"));
     d.start(&[m.size, m.size, peak]);
-    d.done(&format!(
-        "a force of {{0}} and {{1}} (sine and cosine) acts on {} at {{2}}",
-        scene.words(&m.state)
-    ))
+    let [what, _] = field::words(m);
+    d.done(&format!("{what} of {{0}} and {{1}} (sine and cosine) acts on {} at {{2}}", scene.words(&m.state)))
 }
 
 fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
@@ -83,5 +81,6 @@ fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
             d.start(&[m.size, m.size, teeth]);
         }
     }
-    d.done(&format!("a force repeats with {}, {{0}} and {{1}} (sine and cosine) at {{2}}", scene.words(q)))
+    let [what, _] = field::words(m);
+    d.done(&format!("{what} repeats with {}, {{0}} and {{1}} (sine and cosine) at {{2}}", scene.words(q)))
 }

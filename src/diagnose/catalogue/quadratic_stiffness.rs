@@ -18,7 +18,7 @@
 //! # Example
 //! A ship with a list: other righting arms to port and starboard.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, field};
 
 /// Stiffness that differs to both sides.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -40,5 +40,6 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let k = d.amplitude("k2", &unit, ANY, "quadratic stiffness");
     d.force(&m.state, &format!("-{k}*{q}^2"));
     d.start(&[m.size / scene.size(q).powi(2)]);
-    d.done(&format!("the restoring force has a part with the square of {}, {{0}}", scene.words(q)))
+    let [_, back] = field::words(m);
+    d.done(&format!("{back} has a part with the square of {}, {{0}}", scene.words(q)))
 }

@@ -175,7 +175,7 @@ impl Scene<'_> {
                 None if is_rate => (Some(state.name.clone()), None),
                 None => (None, Some(state.name.clone())),
             };
-            let force = self.unit_of(edit::sum_of(self.model, &state.rate));
+            let force = self.unit_of(edit::sum_of(self.model, &state.rate)).usual();
             motions.push(Motion { state: state.name.clone(), speed, position, force, size: *size });
         }
         motions

@@ -191,6 +191,7 @@ fn fault(m: &Mend<'_>, others: &[Mend<'_>]) -> DataFault {
         p_value: 0.0,
         share: 0.0,
         ties,
+        resembles: false,
         evidence: None,
     };
     DataFault { finding, masked: true }

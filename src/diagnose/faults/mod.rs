@@ -17,6 +17,7 @@ use crate::record::{Channel, Hold, Kind, Recording, unwrap};
 use crate::units::significant;
 
 /// A fault where it was found.
+#[derive(Clone)]
 pub struct Spoiled {
     /// Number of the recording: the fitted ones, then the separate ones.
     pub recording: usize,

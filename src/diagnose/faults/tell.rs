@@ -22,6 +22,7 @@ pub fn told(model: &Model, recording: &Recording, f: &Fault, place: &str) -> Dat
         p_value: 0.0,
         share: 0.0,
         ties: Vec::new(),
+        resembles: false,
         evidence: None,
     };
     DataFault { finding, masked: f.kind != FaultKind::Quantisation }

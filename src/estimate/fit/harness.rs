@@ -112,8 +112,8 @@ pub struct Record {
     pub initials: Vec<f64>,
     /// Samples that are there but lie outside the inputs or in their gaps.
     pub lost: usize,
-    /// What was taken for radians though its unit says nothing of an angle.
-    pub radians: Vec<String>,
+    /// What a user should know of its channels.
+    pub cautions: Vec<String>,
     /// States whose start is fitted.
     pub free_initials: Vec<usize>,
     /// Between what the start of each of them may lie.

@@ -25,8 +25,8 @@ pub struct Ready {
     pub constants: Vec<(usize, f64)>,
     /// Samples that are there but lie outside the inputs or in their gaps.
     pub lost: usize,
-    /// What was taken for radians though its unit says nothing of an angle.
-    pub radians: Vec<String>,
+    /// What a user should know of its channels.
+    pub cautions: Vec<String>,
 }
 
 /// Builds the simulator over a window and gathers the samples to compare.
@@ -58,7 +58,7 @@ pub fn ready(
         lost: simulator.outputs().iter().map(missed).sum(),
         start: simulator.span().0,
         constants: simulator.constants().to_vec(),
-        radians: simulator.radians.clone(),
+        cautions: simulator.cautions.clone(),
         harness: Box::new(Simulated { simulator, rows }),
         tracks,
     })

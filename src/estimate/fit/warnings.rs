@@ -21,8 +21,8 @@ impl Assembly<'_> {
             });
         }
         found.extend(too_short(self));
-        let radians = self.problem.records.iter().flat_map(|r| &r.radians);
-        found.extend(radians.map(|text| Warning { message: text.clone() }));
+        let cautions = self.problem.records.iter().flat_map(|r| &r.cautions);
+        found.extend(cautions.map(|text| Warning { message: text.clone() }));
         found.extend(self.problem.records.iter().filter(|r| worth_telling(r)).map(|r| Warning {
             message: format!(
                 "{} samples of '{}' are not compared: they lie outside the inputs, in a gap of theirs, or too soon after one",

@@ -4,7 +4,7 @@
 //! becomes hidden states, held values or kept pasts.
 
 use super::graph::{Column, Graph, Id, Level, Memory, Node, PassSwitches, Switch, Two, reachable};
-use crate::expression::{BinaryOp, Expr, Function};
+use crate::expression::{BinaryOp, Expr, Foreign, Function};
 use crate::model::Model;
 use crate::{Error, Result};
 use std::collections::HashMap;
@@ -42,8 +42,8 @@ pub(super) fn build(model: &Model) -> Result<Built> {
     Ok(Built { graph, rates, outputs, definitions })
 }
 
-struct Builder {
-    graph: Graph,
+pub(super) struct Builder {
+    pub(super) graph: Graph,
     names: HashMap<String, Id>,
     states: usize,
 }
@@ -128,6 +128,8 @@ impl Builder {
                 let half = self.half(x[1]);
                 self.graph.relay(x[0], half)
             }
+            Function::Curve => return self.curve(x[0], &x[1..]),
+            Function::Foreign(f) => self.graph.foreign(f, x),
             _ => self.graph.one(f, x[0]),
         })
     }
@@ -224,8 +226,9 @@ impl Builder {
                 g.column(Column { input, delay: Some(total) })
             }
             Node::Sign(k) => {
-                let Switch { argument, half_width, at_zero, .. } = g.switches[k];
+                let Switch { argument, half_width, at_zero, is_smooth, .. } = g.switches[k];
                 match half_width {
+                    None if is_smooth => g.side(map[&argument]),
                     Some(w) => g.relay(map[&argument], map.get(&w).copied().unwrap_or(w)),
                     None => g.sign(map[&argument], at_zero),
                 }
@@ -245,6 +248,11 @@ impl Builder {
             Node::One(f, a) => g.one(f, map[&a]),
             Node::Whole(a, n) => g.add(Node::Whole(map[&a], n)),
             Node::Select(s, a, b) => g.select(map[&s], map[&a], map[&b]),
+            Node::Foreign(call, result) => {
+                let (f, arguments) = g.calls[call].clone();
+                let then: Vec<Id> = arguments.iter().map(|a| map.get(a).copied().unwrap_or(*a)).collect();
+                g.foreign(Foreign::of(f.code(), result), &then)
+            }
             _ => id,
         }
     }

@@ -1,6 +1,6 @@
 //! The instructions and the loop that runs them.
 
-use super::Register;
+use super::{Program, Register};
 use crate::expression::Function;
 use crate::model::scalar::Scalar;
 
@@ -38,6 +38,10 @@ pub(crate) enum Action {
     /// Relay of a with half width b, when signs follow.
     Relay,
     One(Function),
+    /// Result b of call a.
+    Foreign,
+    /// The derivative of result b of call a by its argument c.
+    ForeignSlope,
 }
 
 /// One instruction: `to` = action(a, b, c).
@@ -52,7 +56,7 @@ pub(crate) struct Op {
 
 /// Runs a segment.
 #[inline]
-pub(crate) fn execute<T: Scalar>(code: &[Op], r: &mut [T], switching: Switching) {
+pub(crate) fn execute<T: Scalar>(program: &Program, code: &[Op], r: &mut [T], switching: Switching) {
     for op in code {
         let a = r[usize::from(op.a)];
         let value = match op.action {
@@ -70,6 +74,7 @@ pub(crate) fn execute<T: Scalar>(code: &[Op], r: &mut [T], switching: Switching)
                 r[usize::from(from)]
             }
             Action::Sign | Action::Relay if switching == Switching::Hold => continue,
+            Action::Foreign | Action::ForeignSlope => program.calls[usize::from(op.a)].result(op, r),
             _ => rare(op, a, r),
         };
         r[usize::from(op.to)] = value;

@@ -64,6 +64,17 @@ fn derivative(g: &mut Graph, id: Id, d: &[Id], by: By<'_>) -> Id {
             let slope = g.product(factor, lower);
             g.product(slope, d[a])
         }
+        (Node::Foreign(call, result), _) => {
+            // Σ ∂f/∂aⱼ·aⱼ′
+            let arguments = g.calls[call].1.clone();
+            let mut whole = zero;
+            for (j, a) in arguments.into_iter().enumerate().filter(|(_, a)| d[*a] != zero) {
+                let slope = g.add(Node::ForeignSlope(call, result, j as u16));
+                let part = g.product(slope, d[a]);
+                whole = g.sum(whole, part);
+            }
+            whole
+        }
         (Node::One(f, a), _) => {
             if d[a] == zero {
                 return zero;

@@ -3,8 +3,10 @@
 use super::build::Built;
 use super::code::{Action, Op};
 use super::derive::{By, derivatives};
+use super::foreign::Call;
 use super::graph::{Graph, Id, Level, Memory, Node, PassSwitches, Two, reachable};
 use super::{InputColumn, Program, Register, Remembered, Watch};
+use crate::expression::Foreign;
 use crate::model::Model;
 use crate::{Error, Result};
 
@@ -66,6 +68,7 @@ pub(super) fn program(model: &Model, mut built: Built) -> Result<Program> {
         motion_code,
         jacobian_code,
         output_code,
+        calls: emitter.calls(),
         has_memory: !g.memories.is_empty() || g.switches.iter().any(|s| s.half_width.is_some()),
     })
 }
@@ -159,6 +162,16 @@ impl<'a> Emitter<'a> {
         Ok(Self { graph, register: register?, uses, once: Vec::new() })
     }
 
+    fn calls(&self) -> Vec<Call> {
+        let call = |(f, arguments): &(Foreign, Vec<Id>)| {
+            Some(Call {
+                code: f.compute()?,
+                arguments: arguments.iter().map(|a| self.register[*a]).collect(),
+            })
+        };
+        self.graph.calls.iter().filter_map(call).collect()
+    }
+
     fn leaf(&self, node: Node) -> Register {
         let at = self.graph.nodes.iter().position(|n| *n == node);
         at.map_or(Register::MAX, |id| self.register[id])
@@ -187,6 +200,7 @@ impl<'a> Emitter<'a> {
         (0..self.graph.nodes.len())
             .filter(|id| watched(*id))
             .filter_map(|id| if let Node::Sign(k) = self.graph.nodes[id] { Some((id, k)) } else { None })
+            .filter(|(_, k)| !self.graph.switches[*k].is_smooth)
             .map(|(id, k)| Watch {
                 sign: self.register[id],
                 guard: self.register[self.graph.switches[k].guard],
@@ -264,9 +278,11 @@ impl<'a> Emitter<'a> {
             Node::Whole(a, 3) => op(Action::Cube, r(a), 0, 0),
             Node::Whole(a, n) => op(Action::Whole, r(a), n as i16 as Register, 0),
             Node::Select(s, a, b) => op(Action::Select, r(s), r(a), r(b)),
+            Node::Foreign(call, result) => op(Action::Foreign, call as Register, result, 0),
+            Node::ForeignSlope(call, result, by) => op(Action::ForeignSlope, call as Register, result, by),
             Node::Sign(k) => {
                 let switch = self.graph.switches[k];
-                let held = moving[id] && self.graph.levels[id] > Level::Run;
+                let held = moving[id] && self.graph.levels[id] > Level::Run && !switch.is_smooth;
                 let (argument, at_zero) = (r(switch.argument), Register::from(switch.at_zero));
                 match (switch.half_width, held) {
                     (Some(w), _) => op(Action::Relay, argument, r(w), 0),

@@ -4,7 +4,7 @@
 //! A node's level says when it must be computed anew: never, for a run, for a time of a recording, for a time of a run,
 //! for a state.
 
-use crate::expression::Function;
+use crate::expression::{Foreign, Function};
 use std::collections::HashMap;
 
 /// Number of a node.
@@ -54,10 +54,14 @@ pub(super) enum Node {
     Whole(Id, i32),
     /// The second where the first is positive, else the third.
     Select(Id, Id, Id),
+    /// A result of a call of other people's code, by their numbers.
+    Foreign(usize, u16),
+    /// The derivative of such a result by an argument.
+    ForeignSlope(usize, u16, u16),
 }
 
 /// A switch: its register is the sign of the argument, with memory for a relay.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Switch {
     pub argument: Id,
     /// Half width of a relay.
@@ -66,6 +70,8 @@ pub(super) struct Switch {
     pub guard: Id,
     /// The sign of 0: 0 or 1.
     pub at_zero: u8,
+    /// Whether what it switches goes on with its value and slope, so that no event is needed.
+    pub is_smooth: bool,
 }
 
 /// A column of input data: an input, perhaps some time ago.
@@ -94,6 +100,8 @@ pub(super) struct Graph {
     pub switches: Vec<Switch>,
     pub columns: Vec<Column>,
     pub memories: Vec<Memory>,
+    /// Calls of other people's code: any of its results, and the arguments.
+    pub calls: Vec<(Foreign, Vec<Id>)>,
 }
 
 impl Graph {
@@ -118,6 +126,8 @@ impl Graph {
             Node::Column(_) | Node::ColumnSlope(_) => Level::Time,
             Node::State(_) | Node::Held(_) | Node::Past(_) | Node::PastSlope(_) => Level::State,
             Node::Sign(k) => self.switch_level(k),
+            // no result of other people's code is a constant to us
+            Node::Foreign(..) | Node::ForeignSlope(..) => self.together(self.parts(node)).max(Level::Run),
             _ => self.together(self.parts(node)),
         }
     }
@@ -147,6 +157,7 @@ impl Graph {
             Node::Two(_, a, b) => vec![a, b],
             Node::Negative(a) | Node::One(_, a) | Node::Whole(a, _) => vec![a],
             Node::Select(s, a, b) => vec![s, a, b],
+            Node::Foreign(call, _) | Node::ForeignSlope(call, ..) => self.calls[call].1.clone(),
             Node::Sign(k) => {
                 let s = self.switches[k];
                 std::iter::once(s.argument).chain(s.half_width).collect()
@@ -235,6 +246,16 @@ impl Graph {
         }
     }
 
+    /// A result of other people's code; equal calls are one.
+    pub fn foreign(&mut self, f: Foreign, arguments: &[Id]) -> Id {
+        let whole = Foreign::of(f.code(), 0);
+        let call = self.calls.iter().position(|c| c.0 == whole && c.1 == arguments).unwrap_or_else(|| {
+            self.calls.push((whole, arguments.to_vec()));
+            self.calls.len() - 1
+        });
+        self.add(Node::Foreign(call, f.result))
+    }
+
     pub fn atan2(&mut self, a: Id, b: Id) -> Id {
         self.add(Node::Two(Two::Atan2, a, b))
     }
@@ -258,9 +279,20 @@ impl Graph {
         if let Some(x) = self.value(argument) {
             return self.constant(if x == 0.0 { f64::from(at_zero) } else { x.signum() });
         }
-        let same = |s: &Switch| s.argument == argument && s.half_width.is_none() && s.at_zero == at_zero;
-        let k = self.switches.iter().position(same).unwrap_or_else(|| {
-            self.switches.push(Switch { argument, half_width: None, guard: argument, at_zero });
+        self.switch(Switch { argument, half_width: None, guard: argument, at_zero, is_smooth: false })
+    }
+
+    /// On which side of 0 a node is, where value and slope of what it decides are the same on both.
+    pub fn side(&mut self, argument: Id) -> Id {
+        if let Some(x) = self.value(argument) {
+            return self.constant(if x > 0.0 { 1.0 } else { 0.0 });
+        }
+        self.switch(Switch { argument, half_width: None, guard: argument, at_zero: 0, is_smooth: true })
+    }
+
+    fn switch(&mut self, new: Switch) -> Id {
+        let k = self.switches.iter().position(|s| *s == new).unwrap_or_else(|| {
+            self.switches.push(new);
             self.switches.len() - 1
         });
         self.add(Node::Sign(k))
@@ -269,7 +301,13 @@ impl Graph {
     /// A relay of a node: ±1, switching half a width beyond zero.
     pub fn relay(&mut self, argument: Id, half_width: Id) -> Id {
         let k = self.switches.len();
-        self.switches.push(Switch { argument, half_width: Some(half_width), guard: argument, at_zero: 1 });
+        self.switches.push(Switch {
+            argument,
+            half_width: Some(half_width),
+            guard: argument,
+            at_zero: 1,
+            is_smooth: false,
+        });
         let sign = self.add(Node::Sign(k));
         // g = x + r·w/2 keeps the sign of r between its switchings
         let shift = self.product(sign, half_width);

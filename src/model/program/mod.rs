@@ -6,11 +6,15 @@
 
 mod build;
 mod code;
+mod curve;
 mod derive;
 mod emit;
+mod foreign;
 mod graph;
 
 pub(crate) use code::{Action, Op, Switching, execute, slope, whole_power_parts};
+
+use foreign::Call;
 
 use super::Model;
 use crate::Result;
@@ -81,6 +85,8 @@ pub(crate) struct Program {
     pub motion_code: Vec<Op>,
     pub jacobian_code: Vec<Op>,
     pub output_code: Vec<Op>,
+    /// Calls of other people's code.
+    pub calls: Vec<Call>,
     /// Whether something besides the states remembers.
     pub has_memory: bool,
 }
@@ -100,8 +106,14 @@ impl Program {
         ];
         let watched = self.watches.iter().flat_map(|w| [w.guard, w.sign, w.motion]);
         let remembered = self.remembered.iter().flat_map(Remembered::registers);
-        for r in operands.chain(named.into_iter().flatten().copied()).chain(watched).chain(remembered) {
-            // an operand may be a whole power instead
+        let called = self.calls.iter().flat_map(|c| c.arguments.iter().copied());
+        for r in operands
+            .chain(called)
+            .chain(named.into_iter().flatten().copied())
+            .chain(watched)
+            .chain(remembered)
+        {
+            // an operand may be a whole power, or the number of a call, instead
             if let Some(is_read) = is_read.get_mut(usize::from(r)) {
                 *is_read = true;
             }

@@ -5,10 +5,9 @@
 //! equally many fields, is taken. Commas before semicolons where they tie.
 
 use super::clock::Clock;
-use super::field::{self, Field};
-use super::figures::{self, Form};
+use super::figures::{self, Form, ONE_WAY, two_ways};
 use super::header::{Seen, is_no_text};
-use super::sample::{Kind, Line, Names, in_comment, is_comment, kinds, names, rejoined, width};
+use super::sample::{Kind, Line, Names, in_comment, is_comment, kinds, names, width};
 use super::stamp::{ORDERS, Order, Stamp, stamp};
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
@@ -121,15 +120,8 @@ struct Layout {
 
 impl Layout {
     fn of(lines: &[(usize, &str)], separator: u8) -> Option<Self> {
-        let cut = |(number, line): &(usize, &str)| -> Option<Line> {
-            // a line with an open quote is no row, and is told of when it is read
-            let fields = field::split(line.as_bytes(), separator).unwrap_or_default();
-            let text = |f: &Field| String::from_utf8_lossy(f.text.trim_ascii()).into_owned();
-            let fields = fields.iter().map(|f| (f.at, text(f))).collect();
-            Some(Line { number: *number, fields: if separator == b' ' { rejoined(fields) } else { fields } })
-        };
-        let plain = lines.iter().filter(|l| !l.1.trim().is_empty() && !is_comment(l.1));
-        let mut all: Vec<Line> = plain.filter_map(cut).collect();
+        let plain = lines.iter().filter(|l| !l.1.trim().is_empty() && !is_comment(l.1.as_bytes()));
+        let mut all: Vec<Line> = plain.map(|(number, line)| Line::of(*number, line, separator)).collect();
         let width = width(&all)?;
         let longer = all.iter().any(|l| !l.fields.is_empty() && l.fields.len() != width);
         for line in &mut all {
@@ -180,7 +172,7 @@ impl Layout {
         let clock = self.clock(time);
         let words = self.words(clock.as_ref());
         let body = self.body;
-        let has_comments = lines.iter().any(|l| is_comment(l.1));
+        let has_comments = lines.iter().any(|l| is_comment(l.1.as_bytes()));
         let is_plain = self.separator == b','
             && comma == Some(false)
             && clock.is_none()
@@ -218,10 +210,6 @@ impl Layout {
     /// Whether commas are decimal, if any number tells.
     fn decimal(&self) -> Result<Option<bool>> {
         let [commas, points] = self.sure();
-        let place = |(line, (at, text)): (usize, &(usize, String)), what: &str| {
-            Error::bad_input(format!("`{text}` {what}")).with_line(line).with_column(at + 1)
-        };
-        let one_way = "save the table with one sign for decimals, and none between thousands";
         if self.separator == b',' {
             // a comma cannot be both; the rows say so of the number
             return Ok(Some(false));
@@ -229,7 +217,9 @@ impl Layout {
         if let (Some(comma), Some(point)) = (commas, points) {
             let (first, second) = if comma.0 <= point.0 { (comma, point) } else { (point, comma) };
             let what = format!("and `{}` in line {} cannot have the same decimal sign", first.1.1, first.0);
-            return Err(place(second, &what).with_hint(one_way));
+            let (line, (at, text)) = second;
+            let error = Error::bad_input(format!("`{text}` {what}")).with_line(line).with_column(at + 1);
+            return Err(error.with_hint(ONE_WAY));
         }
         if commas.is_some() || points.is_some() {
             return Ok(Some(commas.is_some()));
@@ -242,10 +232,7 @@ impl Layout {
             (None, None) => None,
         };
         match doubtful {
-            Some(at) => {
-                Err(place(at, "can be read in two ways: is this sign decimal, or between thousands?")
-                    .with_hint(one_way))
-            }
+            Some((line, (at, text))) => Err(two_ways(text, *at).with_line(line)),
             None => Ok(comma.or(point).map(|_| comma.is_some())),
         }
     }

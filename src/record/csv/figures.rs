@@ -1,5 +1,7 @@
 //! Numbers as programs of many languages write them: decimal commas, signs of thousands, marks of what is missing.
 
+use crate::Error;
+
 /// Marks of a missing value, beside an empty field; capitals do not matter.
 const MISSING: [&str; 12] =
     ["nan", "na", "n/a", "null", "none", "#n/a", "#nv", "#na", "-", "--", "---", "\u{2013}"];
@@ -31,6 +33,16 @@ pub(super) enum Form {
     /// No number.
     Text,
 }
+
+/// That a number can be read in two ways.
+pub(super) fn two_ways(text: &str, at: usize) -> Error {
+    Error::bad_input(format!("`{text}` can be read in two ways: is this sign decimal, or between thousands?"))
+        .with_column(at + 1)
+        .with_hint(ONE_WAY)
+}
+
+/// What to do about decimal signs.
+pub(super) const ONE_WAY: &str = "save the table with one sign for decimals, and none between thousands";
 
 /// Whether a field says that its value is missing.
 pub(super) fn is_missing(text: &str) -> bool {

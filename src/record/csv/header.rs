@@ -5,6 +5,7 @@ use super::super::request::{Clock, Request, Wanted};
 use super::super::{Hold, LeftOut};
 use super::field::{self, Field};
 use crate::error::nearest;
+use crate::record::label::label;
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
 
@@ -269,6 +270,20 @@ fn cell(field: &Field) -> Result<Cell> {
     let text = std::str::from_utf8(&field.text)
         .map_err(|_| Error::bad_input("the header is no UTF-8 text").with_column(field.at + 1))?;
     Ok(Cell::of(field.at, text))
+}
+
+impl Cell {
+    /// A label as it stands.
+    pub(super) fn of(at: usize, text: &str) -> Self {
+        let label = label(text);
+        Self {
+            at,
+            name: label.name,
+            unit: label.unit,
+            whole: text.trim().to_owned(),
+            is_guessed: label.is_guessed,
+        }
+    }
 }
 
 /// Where taking the unit off leaves two columns with one name, guessed units stay with their names; a letter that others

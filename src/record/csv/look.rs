@@ -72,9 +72,6 @@ impl Sink for Look {
                     if let Some(plain) = by.line(line, self.line).map_err(|e| e.with_line(self.line))? {
                         self.row(plain);
                     }
-                    if let (Some(column), Some(zero)) = (by.clock(), by.zero()) {
-                        self.columns[column].since = Some(zero.text.clone());
-                    }
                     self.translator = Some(by);
                 }
                 None if self.line == 1 => {
@@ -83,6 +80,10 @@ impl Sink for Look {
                 }
                 None => self.row(line),
             }
+        }
+        let clock = self.translator.as_ref().and_then(|by| by.clock().zip(by.zero()));
+        if let Some((column, zero)) = clock {
+            self.columns[column].since = Some(zero.text);
         }
         Ok(())
     }

@@ -12,9 +12,10 @@ const COMMENTS: [&str; 3] = ["#", "%", "//"];
 const MISSING: [&str; 3] = ["#N/A", "#NV", "#NA"];
 
 /// Whether a line is for people.
-pub(super) fn is_comment(line: &str) -> bool {
-    let line = line.trim_start();
-    COMMENTS.iter().any(|c| line.starts_with(c)) && !MISSING.iter().any(|m| line.starts_with(m))
+pub(super) fn is_comment(line: &[u8]) -> bool {
+    let line = line.trim_ascii_start();
+    let begins = |marks: &[&str]| marks.iter().any(|m| line.starts_with(m.as_bytes()));
+    begins(&COMMENTS) && !begins(&MISSING)
 }
 
 /// A line of the sample, cut.
@@ -24,6 +25,14 @@ pub(super) struct Line {
 }
 
 impl Line {
+    /// The line between separators; one with an open quote has no fields, and is told of when it is read.
+    pub(super) fn of(number: usize, line: &str, separator: u8) -> Self {
+        let fields = field::split(line.as_bytes(), separator).unwrap_or_default();
+        let text = |f: &Field| String::from_utf8_lossy(f.text.trim_ascii()).into_owned();
+        let fields = fields.iter().map(|f| (f.at, text(f))).collect();
+        Self { number, fields: if separator == b' ' { rejoined(fields) } else { fields } }
+    }
+
     pub(super) fn forms(&self) -> impl Iterator<Item = Kind> + '_ {
         self.fields.iter().map(|(_, text)| Kind::of(text))
     }
@@ -131,7 +140,7 @@ pub(super) fn names(above: &[Line], width: usize) -> Option<Names> {
 }
 
 /// Labels between blanks, with the units in brackets that belong to them.
-pub(super) fn rejoined(fields: Vec<(usize, String)>) -> Vec<(usize, String)> {
+fn rejoined(fields: Vec<(usize, String)>) -> Vec<(usize, String)> {
     let mut out: Vec<(usize, String)> = Vec::new();
     for (at, text) in fields {
         match out.last_mut().filter(|_| text.starts_with(['[', '('])) {
@@ -149,12 +158,10 @@ pub(super) fn in_comment(
     separator: u8,
     width: usize,
 ) -> Option<Line> {
-    let (number, line) = lines.iter().rev().find(|l| l.0 < before && is_comment(l.1))?;
+    let (number, line) = lines.iter().rev().find(|l| l.0 < before && is_comment(l.1.as_bytes()))?;
     let bare = line.trim_start().trim_start_matches(['#', '%', '/']);
     let skipped = line.len() - bare.len();
-    let fields = field::split(bare.as_bytes(), separator)?;
-    let text = |f: &Field| (f.at + skipped, String::from_utf8_lossy(f.text.trim_ascii()).into_owned());
-    let fields = fields.iter().map(text).collect();
-    let line = Line { number: *number, fields: if separator == b' ' { rejoined(fields) } else { fields } };
+    let mut line = Line::of(*number, bare, separator);
+    line.fields.iter_mut().for_each(|(at, _)| *at += skipped);
     (line.fields.len() == width && line.forms().all(|k| k == Kind::Words)).then_some(line)
 }

@@ -3,7 +3,7 @@
 use super::clock::Reading;
 use super::dialect::Dialect;
 use super::field::{self, Field};
-use super::figures::{self, Form};
+use super::figures::{self, Form, ONE_WAY, two_ways};
 use super::header::Cell;
 use super::sample::is_comment;
 use crate::record::label::label;
@@ -104,7 +104,7 @@ impl Translator {
     /// # Errors
     /// A time that there is not, with its column.
     pub(super) fn line(&mut self, line: &[u8], number: usize) -> Result<Option<&[u8]>> {
-        if number < self.dialect.body || is_comment(&String::from_utf8_lossy(line)) {
+        if number < self.dialect.body || is_comment(line) {
             return Ok(None);
         }
         self.plain.clear();
@@ -163,16 +163,6 @@ impl Translator {
     }
 }
 
-/// That a number can be read in two ways.
-fn two_ways(text: &str, at: usize) -> Error {
-    Error::bad_input(format!("`{text}` can be read in two ways: is this sign decimal, or between thousands?"))
-        .with_column(at + 1)
-        .with_hint(ONE_WAY)
-}
-
-/// What to do about decimal signs.
-const ONE_WAY: &str = "save the table with one sign for decimals, and none between thousands";
-
 /// A field with a decimal point; what is no number stays as it is, in quotes. The first number that tells the decimal
 /// sign settles it for all that follow.
 fn put(field: &Field, dialect: &mut Dialect, out: &mut Vec<u8>) -> Result<()> {
@@ -209,18 +199,4 @@ fn put(field: &Field, dialect: &mut Dialect, out: &mut Vec<u8>) -> Result<()> {
     // an infinity has no digits and is told by the rows
     out.extend_from_slice(figures::plain(&text, *comma == Some(true)).unwrap_or(text).as_bytes());
     Ok(())
-}
-
-impl Cell {
-    /// A label as it stands.
-    pub(super) fn of(at: usize, text: &str) -> Self {
-        let label = label(text);
-        Self {
-            at,
-            name: label.name,
-            unit: label.unit,
-            whole: text.trim().to_owned(),
-            is_guessed: label.is_guessed,
-        }
-    }
 }

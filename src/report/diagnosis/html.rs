@@ -5,7 +5,7 @@ use super::tables;
 use super::text::title;
 use super::text::{headline, hints};
 use crate::diagnose::Diagnosis;
-use crate::diagnose::answer::{Answer, Finding, Verdict, told};
+use crate::diagnose::answer::{Answer, FREE_LAW, Finding, Verdict, told};
 use crate::diagnose::pictures::Pictures;
 use crate::estimate::Direction;
 use crate::report::fit;
@@ -99,6 +99,11 @@ fn physics(a: &Answer, found: &[&Finding]) -> String {
                 listed(&ties)
             )
         }
+        Verdict::Unknown if found.iter().any(|f| f.code == FREE_LAW) => format!(
+            "Something is missing that no name of the catalogue fits; as {} it is in the model{}.",
+            title(FREE_LAW),
+            place(&found.iter().filter(|f| f.code == FREE_LAW).copied().collect::<Vec<_>>())
+        ),
         Verdict::Unknown => "Something is missing that no name of the catalogue fits.".into(),
         Verdict::NothingMissing | Verdict::DataFault => "Nothing is missing.".into(),
         Verdict::NotIdentifiable => "This recording cannot tell what is missing.".into(),

@@ -16,7 +16,9 @@ pub fn findings(a: &Answer) -> String {
         .filter(|f| !f.is_fault())
         .map(|f| {
             let values: Vec<String> = text::values(f).iter().map(|v| escaped(v)).collect();
-            let ties = if f.ties.is_empty() {
+            let ties = if f.resembles {
+                "<br><span class=\"note\">only resembles it, and is not in the model</span>".to_owned()
+            } else if f.ties.is_empty() {
                 String::new()
             } else {
                 format!("<br><span class=\"note\">fits as well: {}</span>", escaped(&f.ties.join(", ")))

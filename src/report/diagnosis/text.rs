@@ -1,7 +1,7 @@
 //! A diagnosis in the terminal.
 
 use crate::diagnose::Diagnosis;
-use crate::diagnose::answer::{Answer, DataFault, Finding, Proof, Value, Verdict};
+use crate::diagnose::answer::{Answer, DataFault, FREE_LAW, Finding, Proof, Value, Verdict};
 use crate::diagnose::catalogue;
 use crate::report::fit::untold;
 use crate::report::page::{estimate, estimates, interval};
@@ -55,13 +55,17 @@ fn findings(out: &mut String, a: &Answer) {
         return;
     }
     let sure = !matches!(a.verdict, Verdict::Unknown | Verdict::NotIdentifiable);
-    let head = if sure { "finding" } else { "it resembles" };
+    let is_law = a.findings.iter().any(|f| f.resembles || f.code == FREE_LAW);
+    let head = if sure || is_law { "finding" } else { "it resembles" };
     let _ = writeln!(out, "\n  {:<22} {:<22} {:>6}   values with 95 % intervals", head, "where", "share");
     for f in a.findings.iter().filter(|f| !f.is_fault()) {
         let site = format!("{} {}", f.site.kind, f.site.name);
         let share = share(f);
         let _ = writeln!(out, "  {:<22} {site:<22} {share:>6}   {}", f.code, values(f).join(", "));
         let _ = writeln!(out, "      {}", f.term);
+        if f.resembles {
+            out.push_str("      only resembles it, and is not in the model\n");
+        }
         if !f.ties.is_empty() {
             let _ = writeln!(out, "      fits as well: {}", f.ties.join(", "));
         }

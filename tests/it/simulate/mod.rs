@@ -1,6 +1,7 @@
 //! The simulator against closed forms, against an independent integrator, and against itself.
 
 mod closed_forms;
+mod curves;
 mod faults;
 mod memory;
 mod sensitivities;

@@ -3,7 +3,7 @@ use gyrospec::record::{Hold, Recording};
 use gyrospec::simulate::{Simulator, Unknown};
 
 /// Compares exact tangents with central differences, as shares of the largest tangent.
-fn check(s: &Simulator, step: f64, within: f64) {
+pub fn check(s: &Simulator, step: f64, within: f64) {
     let (p, x) = (s.parameters(), s.initials());
     let parameters = (0..p.len()).map(Unknown::Parameter);
     let unknowns: Vec<Unknown> = parameters.chain((0..x.len()).map(Unknown::Initial)).collect();

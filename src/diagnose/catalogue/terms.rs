@@ -1,0 +1,77 @@
+//! The terms of a sum as products of factors: where a law stands in a model.
+
+use crate::expression::{BinaryOp, Expr};
+
+/// Passes every term of the sums in an expression through `with`: what stands between + and −, however deep under
+/// quotients and products.
+pub(super) fn rewritten(e: &Expr, with: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
+    let again = |x: &Expr| Box::new(rewritten(x, with));
+    match e {
+        Expr::Neg(a) => Expr::Neg(again(a)),
+        Expr::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), a, b) => Expr::Binary(*op, again(a), again(b)),
+        term => match with(term) {
+            Some(new) => new,
+            None => match term {
+                Expr::Binary(op @ (BinaryOp::Mul | BinaryOp::Div), a, b) => {
+                    Expr::Binary(*op, again(a), again(b))
+                }
+                other => other.clone(),
+            },
+        },
+    }
+}
+
+/// The factors of a product, without those that it is divided by.
+pub(super) fn factors(term: &Expr) -> Vec<&Expr> {
+    match term {
+        Expr::Neg(a) | Expr::Binary(BinaryOp::Div, a, _) => factors(a),
+        Expr::Binary(BinaryOp::Mul, a, b) => [factors(a), factors(b)].concat(),
+        other => vec![other],
+    }
+}
+
+/// Whether a product has a name as one of its factors.
+pub(super) fn has_factor(term: &Expr, name: &str) -> bool {
+    factors(term).iter().any(|f| matches!(f, Expr::Name(n) if n == name))
+}
+
+/// A product with one of its factors replaced, the first that equals it.
+pub(super) fn with_factor(term: &Expr, factor: &Expr, new: &Expr) -> Expr {
+    if term == factor {
+        return new.clone();
+    }
+    match term {
+        Expr::Neg(a) => Expr::Neg(Box::new(with_factor(a, factor, new))),
+        Expr::Binary(BinaryOp::Mul, a, b) => {
+            let first = with_factor(a, factor, new);
+            let second = if first == **a { with_factor(b, factor, new) } else { (**b).clone() };
+            Expr::Binary(BinaryOp::Mul, Box::new(first), Box::new(second))
+        }
+        Expr::Binary(BinaryOp::Div, a, b) => {
+            Expr::Binary(BinaryOp::Div, Box::new(with_factor(a, factor, new)), b.clone())
+        }
+        other => other.clone(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn e(text: &str) -> Expr {
+        Expr::parse(text).unwrap()
+    }
+
+    #[test]
+    fn a_law_is_replaced_in_its_terms_alone() {
+        let new = e("S/(1 + a*S)");
+        let with = |t: &Expr| {
+            (has_factor(t, "mu") && has_factor(t, "S")).then(|| with_factor(t, &Expr::name("S"), &new))
+        };
+        let of = |text: &str| rewritten(&e(text), &with).to_string();
+        assert_eq!(of("D*(Sin - S) - mu*S*X/Y"), "D*(Sin - S) - mu*(S/(1 + a*S))*X/Y");
+        assert_eq!(of("(u - mu*S)/M"), "(u - mu*(S/(1 + a*S)))/M");
+        assert_eq!(of("mu*(S - X)"), "mu*(S - X)");
+        assert_eq!(of("S*k/mu"), "S*k/mu");
+    }
+}

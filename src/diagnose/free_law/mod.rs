@@ -1,0 +1,249 @@
+//! A model of what has no name.
+//!
+//! # Purpose
+//! Where something is surely missing and no name stands for it, the law itself is put into the model, as a curve of one
+//! signal at the place where it explains most.
+//!
+//! # Method
+//! Curves through few knots are screened as the catalogue is, at every place and for every signal; the best are fitted
+//! with everything else. The likeliest of those that lower the error of left-out blocks most is then tried through more
+//! knots, which it keeps only where those blocks fall again. A second law may follow on the same terms. What is offered
+//! must also lower the error of what was held out.
+//!
+//! # References
+//! Leave-block-out as in `measure`; S. N. Wood, Generalized Additive Models, 2nd ed. (2017), ch. 4, on curves by knots.
+
+mod looks;
+
+use super::answer::{Answer, Finding, Verdict};
+use super::bench::Bench;
+use super::catalogue::Proposal;
+use super::catalogue::edit;
+use super::catalogue::free_law::{CODE, laws};
+use super::choose::{CHANCE, SURE, floor, gain};
+use super::compared::{patiently, same_samples};
+use super::measure::{Measure, Scale};
+use super::propose::{Screened, explaining};
+use super::search::{Found, Taken, is_over};
+use super::view::View;
+use super::{Diagnosis, prove, race};
+use crate::Result;
+use crate::estimate::Fit;
+use crate::estimate::fit::Progress;
+use crate::expression::{Expr, Function};
+use crate::record::Recording;
+
+/// Knots of a curve: first, and where it is looked at again.
+const KNOTS: [usize; 3] = [5, 9, 15];
+/// Laws that are fitted.
+const FITTED: usize = 6;
+/// Those of one signal among them.
+const OF_SIGNAL: usize = 3;
+/// Share of the free-run residual's square that a law must explain at first sight.
+const LEAST: f64 = 0.03;
+/// Times that a law must lower the error of left-out blocks further than a name that stands.
+const TWICE: f64 = 2.0;
+/// Laws that are added at most.
+const MOST: usize = 2;
+
+/// A law fitted inside the model.
+struct Lawful {
+    proposal: Proposal,
+    fit: Fit,
+    measure: Measure,
+    p_value: f64,
+    tried: f64,
+}
+
+/// Where the search ended without a name that stands, or with one that leaves much, with a law in place of what is
+/// missing; none where no law of one
+/// signal lowers the error of left-out blocks.
+///
+/// # Errors
+/// Where a fitted model cannot be run.
+pub fn instead(
+    bench: &Bench,
+    separate: &[Recording],
+    (found, stands): (&Found, bool),
+    given: &[f64],
+    progress: &dyn Progress,
+) -> Result<Option<Found>> {
+    if bench.is_trials() || is_over(bench) {
+        return Ok(None);
+    }
+    progress.report("no name explains all: looking for the law itself", None);
+    let scale = Scale::of(&found.base, false);
+    let mut current = found.base.clone();
+    let mut now = Measure::of(&current, &scale);
+    let start = now;
+    let mut taken: Vec<Taken> = Vec::new();
+    // three times as many steps as were spent before, and no more
+    let most = 4 * bench.budget.spent();
+    while taken.len() < MOST && !is_over(bench) && bench.budget.spent() < most {
+        // a second law must halve what the first left: curves bend to much
+        let least = if taken.is_empty() { floor(0.0) } else { TWICE.ln() };
+        let ground = Ground { bench, separate, scale: &scale, given, taken: &taken, most, progress };
+        let Some(law) = one(&ground, &current, &now, least)? else { break };
+        taken.push(Taken {
+            proposal: law.proposal,
+            p_value: law.p_value,
+            tried: law.tried,
+            ties: Vec::new(),
+            elsewhere: Vec::new(),
+            rivals: None,
+        });
+        (current, now) = (law.fit, law.measure);
+    }
+    // names that only resemble it may do better together; one that stands gives way to a law twice as good
+    let resembling = Measure::of(&found.last, &scale);
+    if taken.is_empty() || gain(&resembling, &now) < if stands { TWICE.ln() } else { 0.0 } {
+        return Ok(None);
+    }
+    bench.ascertain(&mut current)?;
+    for t in &mut taken {
+        if let Some(like) = looks::likeness(&t.proposal, &current) {
+            t.proposal.says += &format!("; it looks like {like}");
+        }
+    }
+    let without = vec![None; taken.len()];
+    let mut new = found.clone();
+    (new.last, new.taken, new.without, new.measures) = (current, taken, without, (start, now));
+    (new.fallen, new.is_trace) = (None, false);
+    Ok(Some(new))
+}
+
+/// What a law is looked for in.
+struct Ground<'a> {
+    bench: &'a Bench,
+    separate: &'a [Recording],
+    scale: &'a Scale,
+    given: &'a [f64],
+    taken: &'a [Taken],
+    /// Steps that may have been spent.
+    most: u64,
+    progress: &'a dyn Progress,
+}
+
+/// The next law, if one stands.
+fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<Option<Lawful>> {
+    let bench = ground.bench;
+    let view = patiently(bench, || View::of(bench, current))?;
+    let scene = bench.scene(&current.model, &view.stand)?;
+    let is_new = |p: &Proposal| {
+        !ground.taken.iter().any(|t| t.proposal.site == p.site || t.proposal.depends == p.depends)
+    };
+    let proposals: Vec<Proposal> = laws(&scene, KNOTS[0]).into_iter().filter(is_new).collect();
+    let tried = proposals.len() as f64;
+    let screened = explaining(bench, &view, proposals);
+    let chosen = likeliest(&screened);
+    let squares = ground.scale.squares(current);
+    let fitted = race::run(bench, &view, ground.given, &chosen, (squares, ground.scale), ground.progress);
+    let measured = fitted.into_iter().filter(|f| same_samples(current, &f.fit)).map(|f| {
+        let measure = Measure::of(&f.fit, ground.scale);
+        let p_value = (tried * measure.chance_over(now.likelihood, f.proposal.added.len())).min(1.0);
+        Lawful { proposal: f.proposal, fit: f.fit, measure, p_value, tried }
+    });
+    let stands = |l: &Lawful| l.p_value < CHANCE && gain(now, &l.measure) > least;
+    let mut standing: Vec<Lawful> = measured.filter(stands).collect();
+    standing.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
+    let runs = |l: &Lawful| prove::runs(bench, &l.fit, ground.separate);
+    let Some(mut best) = standing.into_iter().find(runs) else { return Ok(None) };
+    for knots in &KNOTS[1..] {
+        if bench.budget.spent() > ground.most {
+            break;
+        }
+        let same = |p: &Proposal| p.site == best.proposal.site && p.depends == best.proposal.depends;
+        let finer =
+            laws(&scene, *knots).into_iter().find(same).and_then(|p| through_more(ground, &view, &best, p));
+        match finer.filter(|l| gain(&best.measure, &l.measure) > floor(0.0) && runs(l)) {
+            Some(law) => best = law,
+            None => break,
+        }
+    }
+    Ok(Some(best))
+}
+
+/// Those that explain most, a few of each signal.
+fn likeliest(screened: &[Screened]) -> Vec<&Screened> {
+    let mut chosen: Vec<&Screened> = Vec::new();
+    for s in screened.iter().filter(|s| s.explained > LEAST) {
+        let same = chosen.iter().filter(|c| c.proposal.depends == s.proposal.depends).count();
+        if same < OF_SIGNAL && chosen.len() < FITTED {
+            chosen.push(s);
+        }
+    }
+    chosen
+}
+
+/// A law through more knots, fitted from where it stands through fewer.
+fn through_more(ground: &Ground<'_>, view: &View, coarse: &Lawful, finer: Proposal) -> Option<Lawful> {
+    let known = |n: &str| coarse.fit.model.parameters.iter().find(|p| p.name == n).map(|p| p.value);
+    let term = Expr::parse(&finer.term).ok()?;
+    let places: Vec<f64> = arguments(&term)?[1..].iter().step_by(2).filter_map(Expr::constant).collect();
+    let old = Expr::parse(&coarse.proposal.term).ok()?;
+    let knots: Option<Vec<f64>> = arguments(&old)?[1..].iter().map(|e| e.value(&known)).collect();
+    let knots = knots?;
+    let mut model = finer.model.clone();
+    for p in &mut model.parameters {
+        p.value = known(&p.name).unwrap_or(p.value);
+    }
+    for (added, z) in finer.added.iter().zip(&places) {
+        let height = Function::Curve.of(&[&[*z], &knots[..]].concat());
+        model.parameters.iter_mut().filter(|p| p.name == added.name).for_each(|p| p.value = height);
+    }
+    let heat = race::walk(ground.bench, &model, coarse.fit.starts(), 2, view)?;
+    let fit = race::to_the_end(ground.bench, &finer, &heat, &ground.bench.part())?;
+    let measure = Measure::of(&fit, ground.scale);
+    same_samples(&coarse.fit, &fit).then(|| Lawful {
+        proposal: finer,
+        fit,
+        measure,
+        p_value: coarse.p_value,
+        tried: coarse.tried,
+    })
+}
+
+/// The arguments of the curve in a term.
+fn arguments(term: &Expr) -> Option<&[Expr]> {
+    match edit::find(term, &|e| matches!(e, Expr::Call(Function::Curve, _)))? {
+        Expr::Call(_, arguments) => Some(arguments),
+        _ => None,
+    }
+}
+
+/// The answer with the law in the model, if it lowers what was held out; else the one without.
+pub fn beside(without: Diagnosis, with: Diagnosis) -> Diagnosis {
+    let proof = &with.answer.proof;
+    let rises: f64 =
+        proof.iter().map(|p| (p.holdout_after / p.holdout_before).ln()).filter(|r| !r.is_nan()).sum();
+    let falls = proof.iter().any(|p| p.improvement_low > 0.0);
+    if !falls || rises >= 0.0 {
+        return without;
+    }
+    let mut with = with;
+    if without.answer.verdict == Verdict::Unknown {
+        // where it is missing was told before a law was tried; the law's own place stands in its finding
+        with.answer.located = without.answer.located;
+    }
+    let resembling: Vec<Finding> =
+        without.answer.findings.into_iter().map(|f| Finding { resembles: true, ..f }).collect();
+    if !resembling.is_empty() {
+        let all: Vec<&str> = resembling.iter().map(|f| f.says.as_str()).collect();
+        with.answer.says += &format!(" It resembles: {}.", all.join("; "));
+    }
+    with.answer.findings.extend(resembling);
+    with
+}
+
+/// Whether names that stand may yet be patches of something else: a law is surely left, or a wave had to help.
+pub fn may_be_better(a: &Answer) -> bool {
+    let named = matches!(a.verdict, Verdict::Named | Verdict::Tie);
+    let left = a.unexplained.as_ref().is_some_and(|u| u.p_value < SURE);
+    let helped = a.findings.len() > 1 && a.findings.iter().any(|f| f.code == "periodic-force");
+    named && (left || helped)
+}
+
+/// Whether a law without a name stands in a model.
+pub fn is_in(taken: &[Taken]) -> bool {
+    taken.first().is_some_and(|t| t.proposal.code == CODE)
+}

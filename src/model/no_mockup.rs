@@ -1,0 +1,56 @@
+//! What stands for Functional Mock-up Units where they are not built in.
+
+use super::Model;
+use super::form::Form;
+use crate::record::{Recording, Source};
+use crate::{Error, Result};
+use std::path::Path;
+
+fn refused() -> Error {
+    Error::bad_input("this build reads no Functional Mock-up Units")
+        .with_hint("build it with its feature fmu")
+}
+
+pub(super) fn is_unit(path: &Path) -> bool {
+    path.extension().is_some_and(|e| e.eq_ignore_ascii_case("fmu"))
+}
+
+pub(super) fn read_whole(path: &Path) -> Result<(Model, Source)> {
+    Err(refused().with_file(path))
+}
+
+pub(super) fn begun(root: &Form<'_>, _: Option<&Path>) -> Result<Option<Model>> {
+    if root.field("fmu").is_some() { Err(root.error("fmu", refused())) } else { Ok(None) }
+}
+
+pub(super) fn speaking(_: &Model) {}
+
+pub(super) fn has(_: &Model) -> bool {
+    false
+}
+
+pub(super) fn name_of(_: &Model, key: &str) -> String {
+    key.to_owned()
+}
+
+pub(super) fn finish(_: &mut Model, _: &Form<'_>) -> Result<()> {
+    Ok(())
+}
+
+impl Model {
+    pub(super) fn steps(&self, _: &str) -> bool {
+        false
+    }
+
+    pub(super) fn unit_line(&self) -> String {
+        String::new()
+    }
+
+    pub(super) fn key_of(&self, _: &str, name: &str) -> (String, Option<String>) {
+        (name.to_owned(), None)
+    }
+
+    pub(super) fn stepped(&self, _: &Recording) -> Result<Option<Recording>> {
+        Ok(None)
+    }
+}

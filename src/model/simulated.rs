@@ -1,0 +1,243 @@
+//! A simulation of which only the output is known: its table stands in the place of equations.
+//!
+//! `simulated = "sim.csv"` brings a column `x` of that table into expressions as `x_simulated`; an output without
+//! `equals` is the column of its own name.
+
+use super::form::Form;
+use super::{Input, Model, Output};
+use crate::error::nearest;
+use crate::expression::Expr;
+use crate::record::{Channel, Kind, Recording, Source, columns};
+use crate::text::toml_string;
+use crate::{Error, Result};
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What stands behind the name of a column in expressions.
+pub(super) const ENDING: &str = "_simulated";
+
+/// The series that a simulation elsewhere computed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Simulated {
+    /// Its table.
+    pub file: PathBuf,
+    /// The columns that the model speaks of, by their names there; SI, on a clock of their own.
+    pub channels: Arc<[Channel]>,
+    /// The table with its hash.
+    pub source: Source,
+}
+
+impl Simulated {
+    /// Whether an input of the model is one of its columns.
+    pub fn gives(&self, input: &str) -> bool {
+        self.channels.iter().any(|c| c.name == input)
+    }
+}
+
+impl Model {
+    /// Whether an input is what a simulation computed, rather than what was measured.
+    pub(crate) fn is_simulated(&self, input: &str) -> bool {
+        self.simulated.as_ref().is_some_and(|s| s.gives(input)) || self.steps(input)
+    }
+
+    /// A recording with the series that the model brings along.
+    ///
+    /// # Errors
+    /// `BadInput` where the recording has a channel of the name of such a series, or holds steady trials.
+    pub(crate) fn joined<'r>(&self, recording: &'r Recording) -> Result<Cow<'r, Recording>> {
+        if let Some(stepped) = self.stepped(recording)? {
+            return Ok(Cow::Owned(stepped));
+        }
+        let Some(simulated) = &self.simulated else { return Ok(Cow::Borrowed(recording)) };
+        let file = simulated.file.display();
+        if recording.sources.contains(&simulated.source)
+            && simulated.channels.iter().all(|c| recording.find(&c.name).is_some())
+        {
+            return Ok(Cow::Borrowed(recording));
+        }
+        if recording.kind == Kind::Trials {
+            let e = Error::bad_input(format!(
+                "'{}' holds steady trials, '{file}' a course of time",
+                recording.name
+            ));
+            return Err(e.with_hint("give a recording on a clock"));
+        }
+        if let Some(c) = simulated.channels.iter().find(|c| recording.find(&c.name).is_some()) {
+            let e = Error::bad_input(format!(
+                "'{}' has a channel {:?}, which is what '{file}' gives",
+                recording.name, c.name
+            ));
+            return Err(e.with_hint("rename that channel of the recording"));
+        }
+        let mut joined = recording.clone();
+        let table = joined.channels.iter().map(|c| c.table + 1).max().unwrap_or(0);
+        joined.channels.extend(simulated.channels.iter().map(|c| Channel { table, ..c.clone() }));
+        joined.sources.push(simulated.source.clone());
+        Ok(Cow::Owned(joined))
+    }
+
+    /// Recordings with the series that the model brings along.
+    ///
+    /// # Errors
+    /// As for one.
+    pub(crate) fn all_joined<'r>(&self, recordings: &'r [Recording]) -> Result<Cow<'r, [Recording]>> {
+        if self.inputs.iter().all(|i| !self.is_simulated(&i.name)) {
+            return Ok(Cow::Borrowed(recordings));
+        }
+        recordings
+            .iter()
+            .map(|r| self.joined(r).map(Cow::into_owned))
+            .collect::<Result<Vec<_>>>()
+            .map(Cow::Owned)
+    }
+
+    /// The line of a model file that names the table, or the FMU.
+    pub(super) fn begun_line(&self) -> String {
+        let mut out = self.unit_line();
+        if let Some(s) = &self.simulated {
+            let _ = writeln!(out, "simulated = {}", toml_string(&s.file.to_string_lossy()));
+        }
+        out
+    }
+}
+
+/// Where a table that a model file names lies: beside the file.
+pub(super) fn place(root: &Form<'_>, folder: Option<&Path>) -> Result<Option<PathBuf>> {
+    let Some(file) = root.string("simulated")? else { return Ok(None) };
+    let path = folder.unwrap_or(Path::new("")).join(file);
+    let whole = std::path::absolute(&path).unwrap_or(path);
+    if whole.is_file() {
+        return Ok(Some(whole));
+    }
+    let e = Error::bad_input(format!("there is no file '{}' with what was simulated", whole.display()));
+    Err(root.error("simulated", e.with_hint("simulated = \"…\" names a table, beside the model file")))
+}
+
+/// The expression of an output that gives none.
+pub(super) fn own_column(output: &str) -> Expr {
+    Expr::Name(format!("{output}{ENDING}"))
+}
+
+/// Reads the columns that the model speaks of, and makes each an input.
+pub(super) fn attach(model: &mut Model, root: &Form<'_>, file: PathBuf) -> Result<()> {
+    let at = |e: Error| root.error("simulated", e);
+    let names = spoken_of(model);
+    if names.is_empty() {
+        let e = Error::bad_input("no output speaks of what was simulated");
+        return Err(at(e.with_hint("an output without `equals` is the column of its own name")));
+    }
+    let read = table(&file, &names, model)?;
+    let mut channels = Vec::new();
+    for name in &names {
+        let stem = name.strip_suffix(ENDING).unwrap_or(name);
+        let output = model.outputs.iter().find(|o| o.name == stem && o.equals == own_column(stem));
+        let unit = output.map(|o| &o.unit);
+        let channel = column(&file, &read, stem);
+        let channel = channel.map_err(|e| if e.file().is_some() { e } else { at(e) })?;
+        if let Some(unit) = unit.filter(|u| u.dimension() != channel.unit.dimension()) {
+            let e = Error::new(
+                crate::ErrorKind::Units,
+                format!(
+                    "{stem} has the unit {unit} in the model, but {} in '{}'",
+                    channel.unit,
+                    file.display()
+                ),
+            );
+            return Err(at(e));
+        }
+        model.inputs.push(Input {
+            name: name.clone(),
+            unit: channel.unit.clone(),
+            meaning: Some(format!("{stem} as it was simulated")),
+        });
+        channels.push(Channel { name: name.clone(), ..channel });
+    }
+    let source = read.sources.last().cloned().unwrap_or_else(|| Source::of(&file, &[]));
+    model.simulated = Some(Simulated { file, channels: channels.into(), source });
+    Ok(())
+}
+
+/// The names in expressions that end as what was simulated does and that nothing else in the model has.
+fn spoken_of(model: &Model) -> BTreeSet<String> {
+    let rates = model.states.iter().map(|s| &s.rate);
+    let all = rates
+        .chain(model.definitions.iter().map(|d| &d.equals))
+        .chain(model.outputs.iter().map(|o| &o.equals));
+    let scope = model.scope();
+    let mut names = BTreeSet::new();
+    for e in all {
+        let mut known = e.names();
+        known.retain(|n| n.len() > ENDING.len() && n.ends_with(ENDING) && !scope.contains_key(*n));
+        names.extend(known.into_iter().map(str::to_owned));
+    }
+    names
+}
+
+/// A column of the table.
+fn column(file: &Path, read: &Recording, name: &str) -> Result<Channel> {
+    if let Some(channel) = read.find(name) {
+        return Ok(channel.clone());
+    }
+    if let (Some(_), Err(error)) = (read.left_out.iter().find(|l| l.is_named(name)), read.channel(name)) {
+        return Err(error);
+    }
+    let names: Vec<&str> = read.channels.iter().map(|c| c.name.as_str()).collect();
+    Err(absent(file, name, &names))
+}
+
+/// The error of a column that the table does not have.
+fn absent(file: &Path, name: &str, there: &[&str]) -> Error {
+    let error = Error::bad_input(format!("'{}' has no column {name:?}", file.display()));
+    let meant = nearest(name, there.iter().copied()).or(there.first().copied()).unwrap_or("x");
+    error.with_hint(format!("it has {}; `equals = \"{meant}{ENDING}\"` takes {meant}", there.join(", ")))
+}
+
+/// The unit of the output of a column's name, else of one that is that column and nothing more.
+fn unit_of_column<'m>(model: &'m Model, name: &str) -> Option<&'m str> {
+    let is_own = |o: &&Output| o.name == name.strip_suffix(ENDING).unwrap_or(name);
+    let is_it = |o: &&Output| matches!(&o.equals, Expr::Name(n) if n == name);
+    let output = model.outputs.iter().find(is_own).or_else(|| model.outputs.iter().find(is_it));
+    output.map(|o| o.unit.text())
+}
+
+/// Reads the table. Simulations seldom write units: time is then in s, a column in the unit of the output of its name.
+fn table(file: &Path, names: &BTreeSet<String>, model: &Model) -> Result<Recording> {
+    let whole = Recording::read(file);
+    if whole.as_ref().is_ok_and(|r| r.origins.len() != 1 || r.left_out.is_empty()) {
+        return whole;
+    }
+    let Ok(raw) = columns(file) else { return whole };
+    let Some(time) = raw.first() else { return whole };
+    if let Some(since) = raw.iter().find_map(|c| c.since.as_ref()) {
+        let e = Error::bad_input(format!("what was simulated has times that count from {since}"));
+        return Err(e
+            .with_file(file)
+            .with_hint("write its times in seconds from the first sample of the recording"));
+    }
+    let mut text = format!(
+        "name = \"simulated\"\n[[tables]]\nfile = {}\ntime = {{ column = {}, unit = {} }}\n[tables.channels]\n",
+        toml_string(&file.to_string_lossy()),
+        toml_string(&time.name),
+        toml_string(time.unit.as_deref().unwrap_or("s")),
+    );
+    for name in names {
+        let stem = name.strip_suffix(ENDING).unwrap_or(name);
+        let Some(own) = raw.iter().find(|c| c.name == stem) else {
+            let there: Vec<&str> = raw.iter().skip(1).map(|c| c.name.as_str()).collect();
+            return Err(absent(file, stem, &there));
+        };
+        if let Some(unit) = own.unit.as_deref().or(unit_of_column(model, name)) {
+            let column = toml_string(&own.name);
+            let _ = writeln!(text, "{stem} = {{ column = {column}, unit = {} }}", toml_string(unit));
+        }
+    }
+    let mut read = Recording::parse(&text, "").or_else(|e| whole.map_err(|_| e))?;
+    // the first source is the text above, which is no file
+    if read.sources.len() > 1 {
+        read.sources.remove(0);
+    }
+    Ok(read)
+}

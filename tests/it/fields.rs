@@ -1,0 +1,272 @@
+//! Laws of heat, flow, reactions and rotation, each beside a look-alike and beside nothing; and a law without a name.
+
+use crate::diagnose::diagnosed;
+use gyrospec::diagnose::answer::{Answer, Verdict};
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Recording};
+use gyrospec::units::Unit;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// A plant of some states, all of them measured, solved by Runge and Kutta's method at a quarter of a sample.
+struct Plant<'a> {
+    step: f64,
+    start: &'a [f64],
+    /// Names and units of inputs and states.
+    inputs: &'a [(&'a str, &'a str)],
+    states: &'a [(&'a str, &'a str)],
+    /// An input's mean and size.
+    sizes: &'a [(f64, f64)],
+    /// Noise, as a share of an output's spread.
+    noise: f64,
+}
+
+const COUNT: usize = 1500;
+
+impl Plant<'_> {
+    /// An input: five sines of periods from a fifteenth of the recording to some ten samples, straight between samples.
+    fn input(&self, k: usize, t: f64) -> f64 {
+        let (mean, size) = self.sizes[k];
+        let at = |i: f64| {
+            let whole = COUNT as f64 / 15.0;
+            let sine = |j: i32| {
+                let turns = f64::from(1 << j) * (1.0 + 0.07 * k as f64) / whole;
+                (std::f64::consts::TAU * turns * i + 1.7 * f64::from(j) * (1.0 + k as f64)).sin()
+            };
+            mean + size * (0..4).map(sine).sum::<f64>() / 2.0
+        };
+        let (sample, rest) = ((t / self.step + 1e-9).floor(), (t / self.step + 1e-9).fract());
+        at(sample) + rest * (at(sample + 1.0) - at(sample))
+    }
+
+    fn recorded(&self, rates: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Recording {
+        let h = self.step / 4.0;
+        let of = |x: &[f64], t: f64| {
+            let u: Vec<f64> = (0..self.inputs.len()).map(|k| self.input(k, t)).collect();
+            rates(x, &u)
+        };
+        let add =
+            |x: &[f64], h: f64, d: &[f64]| -> Vec<f64> { x.iter().zip(d).map(|(x, d)| x + h * d).collect() };
+        let (mut x, mut states) = (self.start.to_vec(), vec![Vec::new(); self.start.len()]);
+        for i in 0..4 * COUNT {
+            if i % 4 == 0 {
+                states.iter_mut().zip(&x).for_each(|(s, x)| s.push(*x));
+            }
+            let t = h * i as f64;
+            let a = of(&x, t);
+            let b = of(&add(&x, h / 2.0, &a), t + h / 2.0);
+            let c = of(&add(&x, h / 2.0, &b), t + h / 2.0);
+            let d = of(&add(&x, h, &c), t + h);
+            let mean: Vec<f64> =
+                (0..x.len()).map(|k| (a[k] + 2.0 * b[k] + 2.0 * c[k] + d[k]) / 6.0).collect();
+            x = add(&x, h, &mean);
+        }
+        let time: Vec<f64> = (0..COUNT).map(|i| self.step * i as f64).collect();
+        let unit = |text: &str| Unit::parse(text).unwrap();
+        let mut channels: Vec<Channel> = Vec::new();
+        for (k, (name, of)) in self.inputs.iter().enumerate() {
+            let values = time.iter().map(|t| self.input(k, *t)).collect();
+            channels.push(Channel::new(*name, unit(of), time.clone(), values));
+        }
+        let mut rng = ChaCha8Rng::seed_from_u64(11);
+        for ((name, of), values) in self.states.iter().zip(states) {
+            let mean = values.iter().sum::<f64>() / COUNT as f64;
+            let spread = (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / COUNT as f64).sqrt();
+            let mut noise = || -> f64 { Distribution::<f64>::sample(&StandardNormal, &mut rng) };
+            let values = values.iter().map(|v| v + self.noise * spread * noise()).collect();
+            channels.push(Channel::new(format!("{name}_meas"), unit(of), time.clone(), values));
+        }
+        Recording::from_channels("made", channels).unwrap()
+    }
+
+    fn diagnosed(&self, model: &str, rates: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Answer {
+        diagnosed(&Model::parse(model).unwrap(), self.recorded(rates)).answer
+    }
+}
+
+/// The first finding's code, or the verdict where there is none.
+fn first(a: &Answer) -> &str {
+    a.findings.first().map_or("nothing", |f| &f.code)
+}
+
+fn value(a: &Answer, name: &str) -> [f64; 3] {
+    let v = a.findings[0].parameters.iter().find(|v| v.name == name).unwrap();
+    [v.low, v.value, v.high]
+}
+
+const FURNACE: Plant<'_> = Plant {
+    step: 30.0,
+    start: &[600.0],
+    inputs: &[("P", "W"), ("Ta", "K")],
+    states: &[("T", "K")],
+    sizes: &[(3000.0, 2000.0), (293.0, 4.0)],
+    noise: 0.01,
+};
+const FURNACE_MODEL: &str = r#"
+    name = "furnace"
+    [inputs]
+    P = { unit = "W" }
+    Ta = { unit = "K" }
+    [parameters]
+    C = { value = 2000, unit = "J/K", fit = true, min = 10 }
+    h = { value = 8, unit = "W/K", fit = true, min = 0 }
+    [states]
+    T = { rate = "(P - h*(T - Ta))/C", unit = "K", initial = "fit" }
+    [outputs]
+    T_meas = { equals = "T", unit = "K" }
+"#;
+
+#[test]
+fn a_furnace_radiates_or_loses_more_in_a_draught_or_nothing_is_missing() {
+    let of = |radiation: f64, power: f64| {
+        FURNACE.diagnosed(FURNACE_MODEL, |x, u| {
+            let over = x[0] - u[1];
+            let loss = 6.0 * over * (over.abs() / 300.0).powf(power);
+            vec![(u[0] - loss - radiation * (x[0].powi(4) - u[1].powi(4))) / 2500.0]
+        })
+    };
+    let radiating = of(1e-8, 0.0);
+    assert_eq!((radiating.verdict, first(&radiating)), (Verdict::Named, "radiation"), "{}", radiating.says);
+    let [low, _, high] = value(&radiating, "c4");
+    assert!(low < 1e-8 && 1e-8 < high, "{low} to {high}");
+    assert!(radiating.says.contains("heat of T leaves as radiation") && !radiating.says.contains("force"));
+    let powered = of(0.0, 0.25);
+    assert_eq!(first(&powered), "power-law", "{}", powered.says);
+    let [low, _, high] = value(&powered, "p");
+    assert!(low < 0.25 && 0.25 < high, "{low} to {high}");
+    assert_eq!(of(0.0, 0.0).verdict, Verdict::NothingMissing);
+}
+
+const ROOMS: Plant<'_> = Plant {
+    step: 300.0,
+    start: &[290.0, 294.0],
+    inputs: &[("P1", "W"), ("P2", "W"), ("Ta", "K")],
+    states: &[("T1", "K"), ("T2", "K")],
+    sizes: &[(800.0, 700.0), (500.0, 600.0), (280.0, 4.0)],
+    noise: 0.01,
+};
+const ROOMS_MODEL: &str = r#"
+    name = "rooms"
+    [inputs]
+    P1 = { unit = "W" }
+    P2 = { unit = "W" }
+    Ta = { unit = "K" }
+    [parameters]
+    C1 = { value = 1.5e5, unit = "J/K", fit = true, min = 1 }
+    C2 = { value = 2.5e5, unit = "J/K", fit = true, min = 1 }
+    h1 = { value = 50, unit = "W/K", fit = true, min = 0 }
+    h2 = { value = 35, unit = "W/K", fit = true, min = 0 }
+    [states]
+    T1 = { rate = "(P1 - h1*(T1 - Ta))/C1", unit = "K", initial = "fit" }
+    T2 = { rate = "(P2 - h2*(T2 - Ta))/C2", unit = "K", initial = "fit" }
+    [outputs]
+    T1_meas = { equals = "T1", unit = "K" }
+    T2_meas = { equals = "T2", unit = "K" }
+"#;
+
+#[test]
+fn what_leaves_one_room_enters_the_other() {
+    let of = |wall: f64, one_way: f64| {
+        ROOMS.diagnosed(ROOMS_MODEL, |x, u| {
+            let through = wall * (x[0] - x[1]);
+            vec![
+                (u[0] - 40.0 * (x[0] - u[2]) - through) / 2e5,
+                (u[1] - 30.0 * (x[1] - u[2]) + through + one_way * (x[0] - 295.0)) / 3e5,
+            ]
+        })
+    };
+    let walled = of(12.0, 0.0);
+    assert_eq!((walled.verdict, first(&walled)), (Verdict::Named, "exchange"), "{}", walled.says);
+    let [low, _, high] = value(&walled, "c");
+    assert!(low < 12.0 && 12.0 < high, "{low} to {high}");
+    let coupled = of(0.0, 12.0);
+    assert_ne!(first(&coupled), "exchange", "{}", coupled.says);
+}
+
+const DRUG: Plant<'_> = Plant {
+    step: 0.1,
+    start: &[1.5],
+    inputs: &[("dose", "kg/(m^3*s)")],
+    states: &[("c", "kg/m^3")],
+    sizes: &[(0.7, 0.6)],
+    noise: 0.01,
+};
+const DRUG_MODEL: &str = r#"
+    name = "drug"
+    [inputs]
+    dose = { unit = "kg/(m^3*s)" }
+    [parameters]
+    g = { value = 0.8, unit = "1", fit = true, min = 0.01 }
+    ke = { value = 0.3, unit = "1/s", fit = true, min = 0 }
+    [states]
+    c = { rate = "g*dose - ke*c", unit = "kg/m^3", initial = "fit" }
+    [outputs]
+    c_meas = { equals = "c", unit = "kg/m^3" }
+"#;
+
+#[test]
+fn an_elimination_saturates() {
+    let saturating = DRUG.diagnosed(DRUG_MODEL, |x, u| vec![u[0] - x[0] / (1.0 + 0.5 * x[0])]);
+    let codes: Vec<&str> =
+        saturating.findings.iter().flat_map(|f| f.ties.iter().chain([&f.code])).map(String::as_str).collect();
+    assert!(codes.contains(&"saturable-rate"), "{}", saturating.says);
+    let plain = DRUG.diagnosed(DRUG_MODEL, |x, u| vec![u[0] - 0.5 * x[0]]);
+    assert_eq!(plain.verdict, Verdict::NothingMissing, "{}", plain.says);
+}
+
+const DRONE: Plant<'_> = Plant {
+    step: 0.05,
+    start: &[0.0, 0.0],
+    inputs: &[("Mx", "N*m"), ("My", "N*m"), ("r", "rad/s")],
+    states: &[("p", "rad/s"), ("q", "rad/s")],
+    sizes: &[(0.0, 0.06), (0.0, 0.06), (0.0, 2.0)],
+    noise: 0.01,
+};
+const DRONE_MODEL: &str = r#"
+    name = "drone"
+    [inputs]
+    Mx = { unit = "N*m" }
+    My = { unit = "N*m" }
+    r = { unit = "rad/s" }
+    [parameters]
+    Ix = { value = 0.015, unit = "kg*m^2", fit = true, min = 1e-4 }
+    Iy = { value = 0.03, unit = "kg*m^2", fit = true, min = 1e-4 }
+    d1 = { value = 0.01, unit = "N*m*s", fit = true, min = 0 }
+    d2 = { value = 0.01, unit = "N*m*s", fit = true, min = 0 }
+    [states]
+    p = { rate = "(Mx - d1*p)/Ix", unit = "rad/s", initial = "fit" }
+    q = { rate = "(My - d2*q)/Iy", unit = "rad/s", initial = "fit" }
+    [outputs]
+    p_meas = { equals = "p", unit = "rad/s" }
+    q_meas = { equals = "q", unit = "rad/s" }
+"#;
+
+#[test]
+fn a_gyroscopic_moment_is_a_product() {
+    let of = |gyro: f64| {
+        DRONE.diagnosed(DRONE_MODEL, |x, u| {
+            vec![(u[0] - 0.02 * x[0] - gyro * x[1] * u[2]) / 0.02, (u[1] - 0.02 * x[1]) / 0.025]
+        })
+    };
+    let turning = of(0.012);
+    assert_eq!((turning.verdict, first(&turning)), (Verdict::Named, "product-coupling"), "{}", turning.says);
+    let [low, _, high] = value(&turning, "c");
+    assert!(low < -0.012 && -0.012 < high, "{low} to {high}");
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}
+
+#[test]
+fn what_has_no_name_is_put_into_the_model_as_a_curve() {
+    // a door that opens by itself about 700 K
+    let open =
+        |t: f64| 2500.0 / (1.0 + (-(t - 700.0) / 15.0).exp()) * (-((t - 700.0) / 120.0_f64).powi(2)).exp();
+    let told =
+        FURNACE.diagnosed(FURNACE_MODEL, |x, u| vec![(u[0] - 6.0 * (x[0] - u[1]) - open(x[0])) / 2500.0]);
+    assert_eq!((told.verdict, first(&told)), (Verdict::Unknown, "free-law"), "{}", told.says);
+    let p = &told.proof[0];
+    assert!(p.holdout_after < 0.5 * p.holdout_before && p.improvement_low > 0.0, "{p:?}");
+    assert!(told.findings[0].term.contains("curve("), "{}", told.findings[0].term);
+    assert!(told.findings.iter().skip(1).all(|f| f.resembles || f.code == "free-law"));
+    assert!(told.says.contains("no name") && told.says.contains("straight beyond"), "{}", told.says);
+}
