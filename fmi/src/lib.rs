@@ -6,8 +6,11 @@
 //! # References
 //! Functional Mock-up Interface Specification 2.0.4 and 3.0.1, Modelica Association.
 
+mod number;
 mod three;
 mod two;
+
+pub use number::Number;
 
 use std::ffi::{CString, c_char, c_int, c_void};
 use std::path::Path;
@@ -224,24 +227,24 @@ impl Instance {
     ///
     /// # Errors
     /// As above.
-    pub fn set(&mut self, references: &[u32], values: &[f64]) -> Result<(), Refused> {
+    pub fn set(&mut self, number: Number, references: &[u32], values: &[f64]) -> Result<(), Refused> {
         if references.is_empty() {
             return Ok(());
         }
         let c = self.component;
-        both!(self, calls => calls.set(c, references, values), calls.set(c, references, values))
+        both!(self, calls => calls.set(c, number, references, values), calls.set(c, number, references, values))
     }
 
     /// Reads numbers into a place that is large enough for all.
     ///
     /// # Errors
     /// As above.
-    pub fn get(&mut self, references: &[u32], values: &mut [f64]) -> Result<(), Refused> {
+    pub fn get(&mut self, number: Number, references: &[u32], values: &mut [f64]) -> Result<(), Refused> {
         if references.is_empty() {
             return Ok(());
         }
         let c = self.component;
-        both!(self, calls => calls.get(c, references, values), calls.get(c, references, values))
+        both!(self, calls => calls.get(c, number, references, values), calls.get(c, number, references, values))
     }
 
     /// Sets the time, s.

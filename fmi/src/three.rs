@@ -1,6 +1,7 @@
 //! FMI 3.0.1: the functions that are used, by the names and types of its headers.
 
-use super::{Event, Kind, Refused, counted, symbol};
+use super::number::{Held, filled, held};
+use super::{Event, Kind, Number, Refused, counted, symbol};
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 
 type Component = *mut c_void;
@@ -30,8 +31,9 @@ type ForSimulation = unsafe extern "C" fn(
     *const c_void,
 ) -> Component;
 type One = unsafe extern "C" fn(Component) -> c_int;
-type Get = unsafe extern "C" fn(Component, *const c_uint, usize, *mut f64, usize) -> c_int;
-type Set = unsafe extern "C" fn(Component, *const c_uint, usize, *const f64, usize) -> c_int;
+/// The functions of all types of numbers differ in what the pointer points at.
+type Get = unsafe extern "C" fn(Component, *const c_uint, usize, *mut c_void, usize) -> c_int;
+type Set = unsafe extern "C" fn(Component, *const c_uint, usize, *const c_void, usize) -> c_int;
 type Slopes = unsafe extern "C" fn(
     Component,
     *const c_uint,
@@ -55,8 +57,9 @@ pub(super) struct Calls {
     enter_initialisation: unsafe extern "C" fn(Component, bool, f64, f64, bool, f64) -> c_int,
     exit_initialisation: One,
     reset: One,
-    get: Get,
-    set: Set,
+    /// In the order of `Number::ALL`.
+    get: Vec<Get>,
+    set: Vec<Set>,
     slopes: Slopes,
     enter_events: One,
     discrete: Discrete,
@@ -94,13 +97,16 @@ impl Calls {
         let simulation = || -> Result<(ForSimulation, Step), String> {
             Ok((symbol(l, "fmi3InstantiateCoSimulation")?, symbol(l, "fmi3DoStep")?))
         };
+        fn all<T: Copy>(l: &libloading::Library, verb: &str) -> Result<Vec<T>, String> {
+            Number::ALL.iter().map(|n| symbol(l, &format!("fmi3{verb}{}", n.name()))).collect()
+        }
         Ok(Self {
             free: symbol(l, "fmi3FreeInstance")?,
             enter_initialisation: symbol(l, "fmi3EnterInitializationMode")?,
             exit_initialisation: symbol(l, "fmi3ExitInitializationMode")?,
             reset: symbol(l, "fmi3Reset")?,
-            get: symbol(l, "fmi3GetFloat64")?,
-            set: symbol(l, "fmi3SetFloat64")?,
+            get: all(l, "Get")?,
+            set: all(l, "Set")?,
             slopes: symbol(l, "fmi3GetDirectionalDerivative")?,
             enter_events: symbol(l, "fmi3EnterEventMode")?,
             discrete: symbol(l, "fmi3UpdateDiscreteStates")?,
@@ -159,12 +165,53 @@ impl Calls {
         counted("fmi3Reset", || unsafe { (self.reset)(c) })
     }
 
-    pub fn set(&self, c: Component, r: &[u32], v: &[f64]) -> Result<(), Refused> {
-        counted("fmi3SetFloat64", || unsafe { (self.set)(c, r.as_ptr(), r.len(), v.as_ptr(), v.len()) })
+    pub fn set(&self, c: Component, number: Number, r: &[u32], v: &[f64]) -> Result<(), Refused> {
+        match number {
+            Number::Float64 => self.put(c, number, r, v),
+            Number::Float32 => self.put::<f32>(c, number, r, &held(v)),
+            Number::Int8 => self.put::<i8>(c, number, r, &held(v)),
+            Number::UInt8 => self.put::<u8>(c, number, r, &held(v)),
+            Number::Boolean => {
+                let bytes: Vec<u8> = v.iter().map(|v| u8::from(*v != 0.0)).collect();
+                self.put(c, number, r, &bytes)
+            }
+            Number::Int16 => self.put::<i16>(c, number, r, &held(v)),
+            Number::UInt16 => self.put::<u16>(c, number, r, &held(v)),
+            Number::Int32 => self.put::<i32>(c, number, r, &held(v)),
+            Number::UInt32 => self.put::<u32>(c, number, r, &held(v)),
+            Number::Int64 => self.put::<i64>(c, number, r, &held(v)),
+            Number::UInt64 => self.put::<u64>(c, number, r, &held(v)),
+        }
     }
 
-    pub fn get(&self, c: Component, r: &[u32], v: &mut [f64]) -> Result<(), Refused> {
-        counted("fmi3GetFloat64", || unsafe { (self.get)(c, r.as_ptr(), r.len(), v.as_mut_ptr(), v.len()) })
+    /// Values of the type of that number: `u8` for a boolean, whose bytes are 0 and 1.
+    fn put<T>(&self, c: Component, number: Number, r: &[u32], v: &[T]) -> Result<(), Refused> {
+        let set = self.set[number as usize];
+        counted("fmi3Set", || unsafe { set(c, r.as_ptr(), r.len(), v.as_ptr().cast(), v.len()) })
+    }
+
+    pub fn get(&self, c: Component, number: Number, r: &[u32], v: &mut [f64]) -> Result<(), Refused> {
+        match number {
+            Number::Float64 => self.take(c, number, r, v),
+            Number::Float32 => self.taken::<f32>(c, number, r, v),
+            Number::Int8 => self.taken::<i8>(c, number, r, v),
+            Number::UInt8 | Number::Boolean => self.taken::<u8>(c, number, r, v),
+            Number::Int16 => self.taken::<i16>(c, number, r, v),
+            Number::UInt16 => self.taken::<u16>(c, number, r, v),
+            Number::Int32 => self.taken::<i32>(c, number, r, v),
+            Number::UInt32 => self.taken::<u32>(c, number, r, v),
+            Number::Int64 => self.taken::<i64>(c, number, r, v),
+            Number::UInt64 => self.taken::<u64>(c, number, r, v),
+        }
+    }
+
+    fn taken<T: Held>(&self, c: Component, number: Number, r: &[u32], v: &mut [f64]) -> Result<(), Refused> {
+        filled::<T, _>(v, |room| self.take(c, number, r, room))
+    }
+
+    fn take<T>(&self, c: Component, number: Number, r: &[u32], v: &mut [T]) -> Result<(), Refused> {
+        let get = self.get[number as usize];
+        counted("fmi3Get", || unsafe { get(c, r.as_ptr(), r.len(), v.as_mut_ptr().cast(), v.len()) })
     }
 
     pub fn slopes(&self, c: Component, of: &[u32], by: u32, v: &mut [f64]) -> Result<(), Refused> {

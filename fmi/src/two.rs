@@ -1,6 +1,7 @@
 //! FMI 2.0.4: the functions that are used, by the names and types of its headers.
 
-use super::{Event, Kind, Refused, counted, symbol};
+use super::number::{filled, held};
+use super::{Event, Kind, Number, Refused, counted, symbol};
 use std::ffi::{CStr, c_char, c_int, c_uint, c_void};
 
 type Component = *mut c_void;
@@ -58,6 +59,8 @@ type One = unsafe extern "C" fn(Component) -> c_int;
 type Setup = unsafe extern "C" fn(Component, c_int, f64, f64, c_int, f64) -> c_int;
 type Get = unsafe extern "C" fn(Component, *const c_uint, usize, *mut f64) -> c_int;
 type Set = unsafe extern "C" fn(Component, *const c_uint, usize, *const f64) -> c_int;
+type GetInt = unsafe extern "C" fn(Component, *const c_uint, usize, *mut c_int) -> c_int;
+type SetInt = unsafe extern "C" fn(Component, *const c_uint, usize, *const c_int) -> c_int;
 type Slopes = unsafe extern "C" fn(
     Component,
     *const c_uint,
@@ -79,6 +82,9 @@ pub(super) struct Calls {
     reset: One,
     get: Get,
     set: Set,
+    /// Integers, then booleans, which are integers too.
+    get_whole: [GetInt; 2],
+    set_whole: [SetInt; 2],
     slopes: Slopes,
     exchange: Option<Exchange>,
     step: Option<unsafe extern "C" fn(Component, f64, f64, c_int) -> c_int>,
@@ -122,6 +128,8 @@ impl Calls {
             reset: symbol(l, "fmi2Reset")?,
             get: symbol(l, "fmi2GetReal")?,
             set: symbol(l, "fmi2SetReal")?,
+            get_whole: [symbol(l, "fmi2GetInteger")?, symbol(l, "fmi2GetBoolean")?],
+            set_whole: [symbol(l, "fmi2SetInteger")?, symbol(l, "fmi2SetBoolean")?],
             slopes: symbol(l, "fmi2GetDirectionalDerivative")?,
             exchange: is_exchange.then(exchange).transpose()?,
             step: (!is_exchange).then(|| symbol(l, "fmi2DoStep")).transpose()?,
@@ -166,13 +174,24 @@ impl Calls {
         counted("fmi2Reset", || unsafe { (self.reset)(c) })
     }
 
-    pub fn set(&self, c: Component, r: &[u32], v: &[f64]) -> Result<(), Refused> {
+    pub fn set(&self, c: Component, number: Number, r: &[u32], v: &[f64]) -> Result<(), Refused> {
         assert!(r.len() <= v.len(), "a value for each reference");
+        if number != Number::Float64 {
+            let set = self.set_whole[usize::from(number == Number::Boolean)];
+            let whole: Vec<c_int> = held(v);
+            return counted("fmi2SetInteger", || unsafe { set(c, r.as_ptr(), r.len(), whole.as_ptr()) });
+        }
         counted("fmi2SetReal", || unsafe { (self.set)(c, r.as_ptr(), r.len(), v.as_ptr()) })
     }
 
-    pub fn get(&self, c: Component, r: &[u32], v: &mut [f64]) -> Result<(), Refused> {
+    pub fn get(&self, c: Component, number: Number, r: &[u32], v: &mut [f64]) -> Result<(), Refused> {
         assert!(r.len() <= v.len(), "a place for each reference");
+        if number != Number::Float64 {
+            let get = self.get_whole[usize::from(number == Number::Boolean)];
+            return filled::<c_int, _>(v, |room| {
+                counted("fmi2GetInteger", || unsafe { get(c, r.as_ptr(), r.len(), room.as_mut_ptr()) })
+            });
+        }
         counted("fmi2GetReal", || unsafe { (self.get)(c, r.as_ptr(), r.len(), v.as_mut_ptr()) })
     }
 

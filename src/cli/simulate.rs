@@ -41,8 +41,8 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let [place] = output::open([call.out.as_deref()])?;
     output::spare(&place, [&call.model, &call.recording])?;
     let model = Model::read(&call.model)?;
-    let mut recording = Recording::read(&call.recording)?;
-    let sources = recording.sources.iter().chain(model.simulated.as_ref().map(|s| &s.source));
+    let mut recording = model.read_recording(&call.recording)?;
+    let sources = recording.sources.iter().chain(model.begun_with());
     let read: Vec<PathBuf> = sources.map(|s| s.file.clone()).chain([call.model.clone()]).collect();
     output::spare(&place, &read)?;
     predict_what_is_not_measured(&model, &mut recording);

@@ -85,7 +85,9 @@ impl Task {
             [&self.model].into_iter().chain(&self.recordings).chain(&self.holdout).map(PathBuf::as_path),
         )?;
         let (model, source) = Model::read_with_source(&self.model)?;
-        let read = |files: &[PathBuf]| files.iter().map(Recording::read).collect::<Result<Vec<_>>>();
+        let read = |files: &[PathBuf]| {
+            files.iter().map(|f| model.read_recording(f)).collect::<Result<Vec<_>>>()
+        };
         let (recordings, separate) = (read(&self.recordings)?, read(&self.holdout)?);
         super::record::tell_notes(recordings.iter().chain(&separate));
         let inputs = Inputs { model, source, recordings, separate };
@@ -98,7 +100,7 @@ impl Inputs {
     /// Every file that was read.
     fn files(&self) -> impl Iterator<Item = &PathBuf> {
         let recordings = self.recordings.iter().chain(&self.separate);
-        let simulated = self.model.simulated.as_ref().map(|s| &s.source);
+        let simulated = self.model.begun_with();
         recordings.flat_map(|r| &r.sources).chain([&self.source]).chain(simulated).map(|s| &s.file)
     }
 }

@@ -55,6 +55,14 @@ impl Expr {
         }
     }
 
+    /// Checks that every name is known, whatever its unit.
+    ///
+    /// # Errors
+    /// The first name that is not; the error shows `text`, which must be what the expression was read from.
+    pub fn expect_names(&self, scope: &Scope, text: &str) -> Result<()> {
+        named(self, scope).map_err(|fault| shown(&fault, text))
+    }
+
     /// As [`Expr::dimension`], but tells a bare 0 (any dimension, `None`) from a pure number.
     ///
     /// # Errors
@@ -115,6 +123,20 @@ fn infer(e: &Expr, scope: &Scope) -> Result<Inferred, Fault> {
                 found.push(within(i, infer(a, scope))?);
             }
             of_call(*function, &found)
+        }
+    }
+}
+
+fn named(e: &Expr, scope: &Scope) -> Result<(), Fault> {
+    match e {
+        Expr::Number(_) => Ok(()),
+        Expr::Name(name) => of_name(name, scope).map(|_| ()),
+        Expr::Neg(a) => within(0, named(a, scope)),
+        Expr::Binary(_, a, b) => {
+            within(0, named(a, scope)).and_then(|()| within(1, named(b, scope)))
+        }
+        Expr::Call(_, arguments) => {
+            arguments.iter().enumerate().try_for_each(|(i, a)| within(i, named(a, scope)))
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::units::Unit;
 use crate::{Error, Result};
-use gyrospec_fmi::Version;
+use gyrospec_fmi::{Number, Version};
 use roxmltree::{Document, Node};
 use std::collections::BTreeMap;
 
@@ -21,8 +21,9 @@ pub(crate) struct Variable {
     pub name: String,
     pub reference: u32,
     pub role: Role,
-    /// Whether it may only be set before the start.
-    pub is_fixed: bool,
+    pub number: Number,
+    /// Whether it changes at events only.
+    pub is_discrete: bool,
     /// Its numbers: one, or as many as the array has.
     pub start: Vec<f64>,
     /// Sizes of an array.
@@ -42,7 +43,6 @@ pub(crate) struct Variable {
 pub(crate) struct Interface {
     pub identifier: String,
     pub has_slopes: bool,
-    pub needs_completed_step: bool,
 }
 
 /// What a unit says of itself.
@@ -148,15 +148,9 @@ fn interface(n: &Node<'_, '_>, version: Version) -> Option<Interface> {
     } else {
         "providesDirectionalDerivatives"
     };
-    let needs = if version == Version::Two {
-        !is(n, "completedIntegratorStepNotNeeded")
-    } else {
-        is(n, "needsCompletedIntegratorStep")
-    };
     Some(Interface {
         identifier: n.attribute("modelIdentifier")?.to_owned(),
         has_slopes: is(n, slopes),
-        needs_completed_step: needs,
     })
 }
 
@@ -210,6 +204,24 @@ fn based(base: &Node<'_, '_>) -> Option<Unit> {
     }
 }
 
+/// How a variable of that type is held; `None` for texts, bytes and clocks.
+fn type_of(tag: &str, is_two: bool) -> Option<Number> {
+    Some(match (tag, is_two) {
+        ("Real", true) | ("Float64", false) => Number::Float64,
+        ("Integer" | "Enumeration", true) | ("Int32", false) => Number::Int32,
+        ("Boolean", _) => Number::Boolean,
+        ("Float32", false) => Number::Float32,
+        ("Int8", false) => Number::Int8,
+        ("UInt8", false) => Number::UInt8,
+        ("Int16", false) => Number::Int16,
+        ("UInt16", false) => Number::UInt16,
+        ("UInt32", false) => Number::UInt32,
+        ("Int64" | "Enumeration", false) => Number::Int64,
+        ("UInt64", false) => Number::UInt64,
+        _ => return None,
+    })
+}
+
 /// Attributes that a variable has from its type.
 fn types(root: &Node<'_, '_>) -> BTreeMap<String, (Option<String>, Option<f64>, Option<f64>)> {
     let list = child(root, "TypeDefinitions");
@@ -244,22 +256,21 @@ struct Reader<'a> {
 const LONGEST: usize = 4096;
 
 impl Reader<'_> {
-    /// The real variables, and the position among them of each variable of the file.
+    /// The variables that are numbers, and the position among them of each variable of the file.
     fn variables(&mut self, root: &Node<'_, '_>) -> Result<(Vec<Variable>, Vec<Option<usize>>)> {
         let list = child(root, "ModelVariables");
         let (mut all, mut places) = (Vec::new(), Vec::new());
         for n in list.iter().flat_map(Node::children).filter(Node::is_element) {
             let own = match self.version {
-                Version::Two => child(&n, "Real"),
-                Version::Three => n.has_tag_name("Float64").then_some(n),
+                Version::Two => n.children().find_map(|c| Some((c, type_of(c.tag_name().name(), true)?))),
+                Version::Three => type_of(n.tag_name().name(), false).map(|t| (n, t)),
             };
             places.push(own.map(|_| all.len()));
             match own {
-                Some(own) => all.push(self.variable(&n, &own)?),
+                Some((own, number)) => all.push(self.variable(&n, &own, number)?),
                 None if n.attribute("causality") == Some("input") => {
                     let name = n.attribute("name").unwrap_or_default();
-                    self.notes
-                        .push(format!("the FMU's input {name} is no real number: it keeps its start value"));
+                    self.notes.push(format!("the FMU's input {name} is no number: it keeps its start value"));
                 }
                 None => {}
             }
@@ -267,7 +278,7 @@ impl Reader<'_> {
         Ok((all, places))
     }
 
-    fn variable(&mut self, n: &Node<'_, '_>, own: &Node<'_, '_>) -> Result<Variable> {
+    fn variable(&mut self, n: &Node<'_, '_>, own: &Node<'_, '_>, number_of: Number) -> Result<Variable> {
         let lacks = |key: &str| Error::bad_input(format!("a variable of modelDescription.xml has no {key}"));
         let name = n.attribute("name").ok_or_else(|| lacks("name"))?.to_owned();
         let reference = n.attribute("valueReference").and_then(|r| r.parse().ok());
@@ -289,7 +300,11 @@ impl Reader<'_> {
             .attribute("start")
             .unwrap_or_default()
             .split_whitespace()
-            .filter_map(|w| w.parse().ok())
+            .filter_map(|w| match w {
+                "true" => Some(1.0),
+                "false" => Some(0.0),
+                _ => w.parse().ok(),
+            })
             .collect();
         let start = (0..count)
             .map(|i| words.get(i).or(words.first().filter(|_| words.len() == 1)).copied().unwrap_or(0.0))
@@ -303,7 +318,8 @@ impl Reader<'_> {
                 Some("output") => Role::Output,
                 _ => Role::Other,
             },
-            is_fixed: n.attribute("variability") == Some("fixed"),
+            number: number_of,
+            is_discrete: !number_of.is_real() || n.attribute("variability") == Some("discrete"),
             start,
             sizes,
             has_unit: unit.is_some(),

@@ -9,7 +9,7 @@
 //! A step of a central difference is the cube root of the rounding, about the size of its argument.
 
 use super::Fmu;
-use super::seat::{Place, Seat, get, set};
+use super::seat::{Place, Seat, get};
 use crate::expression::foreign::Compute;
 use crate::units::Unit;
 use gyrospec_fmi::Refused;
@@ -84,7 +84,7 @@ impl Exchange {
         let input: Vec<Place> = self.inputs.iter().map(|s| s.place).collect();
         let seat = self.seat(bench, (t, &input, u), p)?;
         let say = |e: Refused| e.to_string();
-        set(&self.fmu, &mut seat.instance, &input, u).map_err(say)?;
+        seat.feed(&self.fmu, &input, u).map_err(say)?;
         seat.move_to(t, x).map_err(say)?;
         let mut results = vec![0.0; self.states.len() + self.outputs.len()];
         let (rates, outputs) = results.split_at_mut(self.states.len());

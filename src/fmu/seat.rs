@@ -23,7 +23,8 @@ pub(super) struct Seat {
     room: Vec<f64>,
     next: Option<f64>,
     from: f64,
-    is_stepping: bool,
+    /// What the inputs that change at events only were set to.
+    discrete: Vec<f64>,
 }
 
 /// Sets numbers among the values of variables, in the units of the unit.
@@ -43,7 +44,7 @@ pub(super) fn set(
             whole[places[i].element] = values[i];
             i += 1;
         }
-        instance.set(&[v.reference], &whole)?;
+        instance.set(v.number, &[v.reference], &whole)?;
     }
     Ok(())
 }
@@ -59,7 +60,7 @@ pub(super) fn get(
     while i < places.len() {
         let v = &fmu.description.variables[places[i].variable];
         let mut whole = vec![0.0; v.start.len()];
-        instance.get(&[v.reference], &mut whole)?;
+        instance.get(v.number, &[v.reference], &mut whole)?;
         let first = places[i].variable;
         while i < places.len() && places[i].variable == first {
             values[i] = whole[places[i].element];
@@ -96,25 +97,22 @@ impl Seat {
             room: vec![0.0; d.indicators.max(n)],
             next: None,
             from,
-            is_stepping: d.exchange.as_ref().is_some_and(|e| e.needs_completed_step),
+            discrete: discrete(fmu, inputs, values),
         };
-        seat.settle(n).map_err(|e| e.to_string())?;
+        seat.settle().map_err(|e| e.to_string())?;
         let mut now = vec![0.0; d.indicators];
         seat.instance.indicators(&mut now).map_err(|e| e.to_string())?;
         seat.indicators = now;
         Ok(seat)
     }
 
-    /// Goes through an event, from event mode to continuous time; true where it moved states.
-    pub fn settle(&mut self, _states: usize) -> Result<bool, Refused> {
-        let mut moved = false;
+    /// Goes through an event, from event mode to continuous time.
+    fn settle(&mut self) -> Result<(), Refused> {
         for _ in 0..ROUNDS {
             let event = self.instance.update_discrete()?;
-            moved |= event.resets;
             self.next = event.next;
             if !event.again {
-                self.instance.enter_continuous()?;
-                return Ok(moved);
+                return self.instance.enter_continuous();
             }
         }
         Err(Refused { call: "an event that never ends", status: 3 })
@@ -148,7 +146,7 @@ impl Seat {
         }
         if crossed || rings {
             self.instance.enter_events()?;
-            self.settle(x.len())?;
+            self.settle()?;
             if !x.is_empty() {
                 self.instance.set_states(x)?;
             }
@@ -156,8 +154,27 @@ impl Seat {
         Ok(())
     }
 
-    /// Whether the unit wants to hear of completed steps.
-    pub fn is_stepping(&self) -> bool {
-        self.is_stepping
+    /// Sets the inputs; those that change at events only, in an event.
+    pub fn feed(&mut self, fmu: &Fmu, places: &[Place], values: &[f64]) -> Result<(), Refused> {
+        let discrete = discrete(fmu, places, values);
+        if discrete == self.discrete {
+            let is_free = |p: &&Place| !fmu.description.variables[p.variable].is_discrete;
+            if self.discrete.is_empty() {
+                return set(fmu, &mut self.instance, places, values);
+            }
+            let (own, now): (Vec<Place>, Vec<f64>) =
+                places.iter().zip(values).filter(|(p, _)| is_free(p)).map(|(p, v)| (*p, *v)).unzip();
+            return set(fmu, &mut self.instance, &own, &now);
+        }
+        self.discrete = discrete;
+        self.instance.enter_events()?;
+        set(fmu, &mut self.instance, places, values)?;
+        self.settle()
     }
+}
+
+/// The values of the inputs that change at events only.
+fn discrete(fmu: &Fmu, places: &[Place], values: &[f64]) -> Vec<f64> {
+    let both = places.iter().zip(values);
+    both.filter(|(p, _)| fmu.description.variables[p.variable].is_discrete).map(|(_, v)| *v).collect()
 }

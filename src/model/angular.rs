@@ -42,6 +42,9 @@ impl Model {
 
     /// Section, name and power of an angle of everything whose unit may mean turns.
     fn asked(&self) -> Vec<(&'static str, &str, Ratio)> {
+        if self.is_free {
+            return Vec::new();
+        }
         let either = |u: &Unit| u.may_count_turns(Ratio::ONE) || u.may_count_turns(Ratio::ONE.negative());
         if !self.units().any(|(_, _, unit)| either(unit)) {
             return Vec::new();

@@ -45,8 +45,13 @@ impl Model {
         let check = |path: String, e: &Expr, wanted: &Unit| -> Result<()> {
             let printed = e.to_string();
             let text = places.text(&path).unwrap_or(&printed);
-            e.expect_dimension(wanted.dimension(), &scope, text)
-                .and_then(|()| e.expect_turning(wanted, &units, text))
+            let fits = || {
+                e.expect_dimension(wanted.dimension(), &scope, text)?;
+                e.expect_turning(wanted, &units, text)
+            };
+            let known = || e.expect_names(&scope, text);
+            let checked = if self.is_free { known() } else { fits() };
+            checked
                 .and_then(|()| self.rising_knots(e))
                 .map_err(|e| places.put(&path, e))
         };

@@ -32,7 +32,9 @@ pub struct Mockup {
     /// What steps it, where it steps itself.
     pub(crate) drive: Option<Arc<Drive>>,
     /// What of it is left out.
-    pub(crate) notes: Vec<String>,
+    notes: Vec<String>,
+    /// Whether the description gives any of its numbers a unit.
+    has_units: bool,
     /// Inputs and outputs that a channel of another name holds: section, name, channel.
     pub(super) channels: Vec<(String, String, String)>,
 }
@@ -124,6 +126,7 @@ fn in_units(mut list: Vec<Entry>, root: &Form<'_>, section: &str) -> Result<Vec<
             && let Some(text) = fields.string("unit")?
         {
             e.scalar.unit = Unit::parse(text).map_err(|error| fields.error("unit", error))?;
+            e.has_unit = true;
         }
         let si = |x: f64| e.scalar.unit.to_si(x);
         (e.start, e.range) = (si(e.start), (e.range.0.map(si), e.range.1.map(si)));
@@ -174,6 +177,10 @@ impl Parts {
         all.map(|e| e.name.clone()).collect()
     }
 
+    fn all(&self) -> impl Iterator<Item = &Entry> {
+        self.states.iter().chain(&self.inputs).chain(&self.parameters).chain(&self.outputs)
+    }
+
     fn is_compared(&self, e: &Entry) -> bool {
         self.compared.contains(&e.name)
     }
@@ -199,7 +206,9 @@ pub(super) fn start(root: &Form<'_>, file: &Path) -> Result<Model> {
     model.parameters = parts.parameters.iter().map(parameter).collect();
     let (file, source) = (fmu.source.file.clone(), fmu.source.clone());
     let notes = fmu.description.notes.clone();
-    let mut mockup = Mockup { file, source, names, code: None, drive: None, notes, channels: Vec::new() };
+    let has_units = parts.all().any(|e| e.has_unit);
+    let mut mockup =
+        Mockup { file, source, names, code: None, drive: None, notes, has_units, channels: Vec::new() };
     if is_function(&fmu) {
         mockup.code = Some(as_function(&fmu, &parts, &mut model));
     } else {
@@ -302,7 +311,17 @@ fn same_as_states(code: u16, parts: &Parts) -> Vec<Option<usize>> {
             may.retain(|j| value == at[1 + j]);
         }
     }
-    may.into_iter().map(|m| m.first().copied()).collect()
+    let second = Unit::of(crate::units::Dimension::TIME);
+    let is_free = !parts.all().any(|e| e.has_unit);
+    let fits = |k: usize, j: usize| {
+        let own = &parts.states[j].scalar.unit;
+        let wanted = match parts.states.get(k) {
+            Some(state) => state.scalar.unit.of_differences().over(&second),
+            None => parts.outputs[k - n].scalar.unit.clone(),
+        };
+        is_free || wanted.dimension() == own.dimension()
+    };
+    may.into_iter().enumerate().map(|(k, m)| m.into_iter().find(|j| fits(k, *j))).collect()
 }
 
 /// Outputs of a unit that steps itself.
@@ -423,6 +442,11 @@ pub(super) fn speaking(model: &Model) -> Speaking {
     Speaking::of(model.fmu.as_ref().and_then(|m| m.code))
 }
 
+/// Whether a model begins with a unit whose description gives units.
+pub(super) fn has_units(model: &Model) -> bool {
+    model.fmu.as_ref().is_some_and(|m| m.has_units)
+}
+
 /// Whether a model begins with a unit.
 pub(super) fn has(model: &Model) -> bool {
     model.fmu.is_some()
@@ -528,6 +552,18 @@ impl Model {
         let drive = self.fmu.as_ref().and_then(|m| m.drive.as_ref());
         let stem = input.strip_suffix(ENDING);
         stem.zip(drive).is_some_and(|(stem, d)| d.outputs.iter().any(|o| o.0 == stem))
+    }
+
+    /// The archive of the FMU.
+    pub(super) fn unit_source(&self) -> Option<&Source> {
+        self.fmu.as_ref().map(|m| &m.source)
+    }
+
+    /// What a user should know of the FMU.
+    pub(super) fn unit_notes(&self) -> Vec<String> {
+        let Some(m) = &self.fmu else { return Vec::new() };
+        let says = format!("'{}' brings foreign code, which runs with your rights", m.file.display());
+        std::iter::once(says).chain(m.notes.iter().cloned()).collect()
     }
 
     /// The line of a model file that names the FMU.

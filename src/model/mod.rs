@@ -18,9 +18,11 @@
 //! ```
 
 mod angular;
+mod bare;
 mod builtin;
 mod check;
 mod form;
+mod free;
 mod knots;
 #[cfg(feature = "fmu")]
 mod mockup;

@@ -25,6 +25,10 @@ pub(super) fn begun(root: &Form<'_>, _: Option<&Path>) -> Result<Option<Model>> 
 
 pub(super) fn speaking(_: &Model) {}
 
+pub(super) fn has_units(_: &Model) -> bool {
+    false
+}
+
 pub(super) fn has(_: &Model) -> bool {
     false
 }
@@ -40,6 +44,14 @@ pub(super) fn finish(_: &mut Model, _: &Form<'_>) -> Result<()> {
 impl Model {
     pub(super) fn steps(&self, _: &str) -> bool {
         false
+    }
+
+    pub(super) fn unit_source(&self) -> Option<&Source> {
+        None
+    }
+
+    pub(super) fn unit_notes(&self) -> Vec<String> {
+        Vec::new()
     }
 
     pub(super) fn unit_line(&self) -> String {

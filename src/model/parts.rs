@@ -103,6 +103,8 @@ pub struct Model {
     pub states: Vec<State>,
     /// Measured signals that it predicts.
     pub outputs: Vec<Output>,
+    /// Whether nothing in it has a unit: then its numbers are those of the recording, and no unit is checked.
+    pub is_free: bool,
     /// What a simulation elsewhere computed, where the model speaks of that.
     pub simulated: Option<Simulated>,
     /// The Functional Mock-up Unit that it begins with.

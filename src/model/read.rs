@@ -5,7 +5,7 @@
 
 use super::form::{Form, toml};
 use super::places::{Places, Text};
-use super::{Definition, Initial, Input, Model, Output, Parameter, State, builtin, mockup, simulated};
+use super::{Definition, Initial, Input, Model, Output, Parameter, State, builtin, free, mockup, simulated};
 use crate::expression::{Expr, Function, is_name};
 use crate::record::{Source, read_text};
 use crate::text::one_line;
@@ -74,6 +74,7 @@ impl Model {
         root.allow(&[
             "name",
             "extends",
+            "fmu",
             "inputs",
             "parameters",
             "definitions",
@@ -83,7 +84,8 @@ impl Model {
         ])?;
         let simulated = simulated::place(&root, folder)?;
         let is_simulated = simulated.is_some();
-        let model = start(&root, folder)?;
+        let mut model = start(&root, folder)?;
+        model.is_free = free::says(&root, &model)?;
         let _speaking = mockup::speaking(&model);
         let mut reader = Reader { model, places: Places::default(), text: &text, is_simulated };
         if let Some(name) = root.string("name")? {
@@ -166,8 +168,9 @@ impl Reader<'_> {
         Err(self.text.at(e, span))
     }
 
-    fn unit(fields: &Form<'_>, old: Option<&Unit>) -> Result<Unit> {
-        match (fields.string("unit")?, old) {
+    fn unit(&self, fields: &Form<'_>, old: Option<&Unit>) -> Result<Unit> {
+        let plain = self.model.is_free.then(Unit::one);
+        match (fields.string("unit")?, old.or(plain.as_ref())) {
             (Some(text), _) => {
                 Unit::parse(text).map_err(|e| fields.error("unit", e.about(&fields.path_of("unit"))))
             }
@@ -201,7 +204,7 @@ impl Reader<'_> {
         let old = self.model.inputs.iter().find(|x| x.name == name).cloned();
         let entry = Input {
             name: name.to_string(),
-            unit: Self::unit(fields, old.as_ref().map(|o| &o.unit))?,
+            unit: self.unit(fields, old.as_ref().map(|o| &o.unit))?,
             meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
         };
         place(&mut self.model.inputs, entry, |x| &x.name);
@@ -211,7 +214,7 @@ impl Reader<'_> {
     fn parameter(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
         fields.allow(&["value", "unit", "fit", "min", "max", "meaning"])?;
         let old = self.model.parameters.iter().find(|x| x.name == name).cloned();
-        let unit = Self::unit(fields, old.as_ref().map(|o| &o.unit))?;
+        let unit = self.unit(fields, old.as_ref().map(|o| &o.unit))?;
         let si = |key: &str, old: Option<f64>| -> Result<Option<f64>> {
             Ok(fields.number(key)?.map(|x| unit.to_si(x)).or(old))
         };
@@ -236,7 +239,7 @@ impl Reader<'_> {
         let entry = Definition {
             name: name.to_string(),
             equals: self.expression(fields, "equals", old.as_ref().map(|o| &o.equals))?,
-            unit: Self::unit(fields, old.as_ref().map(|o| &o.unit))?,
+            unit: self.unit(fields, old.as_ref().map(|o| &o.unit))?,
             meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
         };
         place(&mut self.model.definitions, entry, |x| &x.name);
@@ -246,7 +249,7 @@ impl Reader<'_> {
     fn state(&mut self, name: &str, fields: &Form<'_>) -> Result<()> {
         fields.allow(&["rate", "unit", "initial", "meaning"])?;
         let old = self.model.states.iter().find(|x| x.name == name).cloned();
-        let unit = Self::unit(fields, old.as_ref().map(|o| &o.unit))?;
+        let unit = self.unit(fields, old.as_ref().map(|o| &o.unit))?;
         let entry = State {
             name: name.to_string(),
             rate: self.expression(fields, "rate", old.as_ref().map(|o| &o.rate))?,
@@ -266,7 +269,7 @@ impl Reader<'_> {
         let entry = Output {
             name: name.to_string(),
             equals: self.expression(fields, "equals", old.as_ref().map(|o| &o.equals).or(own.as_ref()))?,
-            unit: Self::unit(fields, old.as_ref().map(|o| &o.unit))?,
+            unit: self.unit(fields, old.as_ref().map(|o| &o.unit))?,
             meaning: Self::meaning(fields, old.and_then(|o| o.meaning))?,
         };
         place(&mut self.model.outputs, entry, |x| &x.name);
@@ -321,6 +324,7 @@ impl Model {
             definitions: Vec::new(),
             states: Vec::new(),
             outputs: Vec::new(),
+            is_free: false,
             simulated: None,
             #[cfg(feature = "fmu")]
             fmu: None,

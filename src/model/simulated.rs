@@ -4,10 +4,10 @@
 //! `equals` is the column of its own name.
 
 use super::form::Form;
-use super::{Input, Model, Output};
+use super::{Input, Model, Output, bare};
 use crate::error::nearest;
 use crate::expression::Expr;
-use crate::record::{Channel, Kind, Recording, Source, columns};
+use crate::record::{Channel, Kind, Recording, Source};
 use crate::text::toml_string;
 use crate::{Error, Result};
 use std::borrow::Cow;
@@ -48,6 +48,11 @@ impl Model {
     /// # Errors
     /// `BadInput` where the recording has a channel of the name of such a series, or holds steady trials.
     pub(crate) fn joined<'r>(&self, recording: &'r Recording) -> Result<Cow<'r, Recording>> {
+        let Some(plain) = self.plainly(recording) else { return self.with_simulated(recording) };
+        self.with_simulated(&plain).map(|c| Cow::Owned(c.into_owned()))
+    }
+
+    fn with_simulated<'r>(&self, recording: &'r Recording) -> Result<Cow<'r, Recording>> {
         if let Some(stepped) = self.stepped(recording)? {
             return Ok(Cow::Owned(stepped));
         }
@@ -84,7 +89,7 @@ impl Model {
     /// # Errors
     /// As for one.
     pub(crate) fn all_joined<'r>(&self, recordings: &'r [Recording]) -> Result<Cow<'r, [Recording]>> {
-        if self.inputs.iter().all(|i| !self.is_simulated(&i.name)) {
+        if !self.is_free && self.inputs.iter().all(|i| !self.is_simulated(&i.name)) {
             return Ok(Cow::Borrowed(recordings));
         }
         recordings
@@ -92,6 +97,16 @@ impl Model {
             .map(|r| self.joined(r).map(Cow::into_owned))
             .collect::<Result<Vec<_>>>()
             .map(Cow::Owned)
+    }
+
+    /// The file that the model begins with: what was simulated, or a Functional Mock-up Unit.
+    pub(crate) fn begun_with(&self) -> Option<&Source> {
+        self.simulated.as_ref().map(|s| &s.source).or_else(|| self.unit_source())
+    }
+
+    /// What a user should know of what the model begins with.
+    pub(crate) fn cautions(&self) -> Vec<String> {
+        self.unit_notes().into_iter().chain(self.free_note()).collect()
     }
 
     /// The line of a model file that names the table, or the FMU.
@@ -129,7 +144,7 @@ pub(super) fn attach(model: &mut Model, root: &Form<'_>, file: PathBuf) -> Resul
         let e = Error::bad_input("no output speaks of what was simulated");
         return Err(at(e.with_hint("an output without `equals` is the column of its own name")));
     }
-    let read = table(&file, &names, model)?;
+    let read = read(&file, names.iter().map(String::as_str), model)?;
     let mut channels = Vec::new();
     for name in &names {
         let stem = name.strip_suffix(ENDING).unwrap_or(name);
@@ -176,6 +191,25 @@ fn spoken_of(model: &Model) -> BTreeSet<String> {
     names
 }
 
+/// Reads the table. Simulations seldom write units: a column is then in the unit of the output of its name.
+fn read<'n>(file: &Path, names: impl Iterator<Item = &'n str>, model: &Model) -> Result<Recording> {
+    let wanted: Vec<bare::Wanted> = names
+        .map(|name| {
+            let stem = name.strip_suffix(ENDING).unwrap_or(name);
+            bare::Wanted { name: stem.into(), unit: unit_of_column(model, name) }
+        })
+        .collect();
+    bare::read(file, &wanted, |there, name| Some(absent(file, name, there)))
+}
+
+/// The unit of the output of a column's name, else of one that is that column and nothing more.
+fn unit_of_column(model: &Model, name: &str) -> Option<String> {
+    let is_own = |o: &&Output| o.name == name.strip_suffix(ENDING).unwrap_or(name);
+    let is_it = |o: &&Output| matches!(&o.equals, Expr::Name(n) if n == name);
+    let output = model.outputs.iter().find(is_own).or_else(|| model.outputs.iter().find(is_it));
+    output.map(|o| o.unit.text().to_owned())
+}
+
 /// A column of the table.
 fn column(file: &Path, read: &Recording, name: &str) -> Result<Channel> {
     if let Some(channel) = read.find(name) {
@@ -193,51 +227,4 @@ fn absent(file: &Path, name: &str, there: &[&str]) -> Error {
     let error = Error::bad_input(format!("'{}' has no column {name:?}", file.display()));
     let meant = nearest(name, there.iter().copied()).or(there.first().copied()).unwrap_or("x");
     error.with_hint(format!("it has {}; `equals = \"{meant}{ENDING}\"` takes {meant}", there.join(", ")))
-}
-
-/// The unit of the output of a column's name, else of one that is that column and nothing more.
-fn unit_of_column<'m>(model: &'m Model, name: &str) -> Option<&'m str> {
-    let is_own = |o: &&Output| o.name == name.strip_suffix(ENDING).unwrap_or(name);
-    let is_it = |o: &&Output| matches!(&o.equals, Expr::Name(n) if n == name);
-    let output = model.outputs.iter().find(is_own).or_else(|| model.outputs.iter().find(is_it));
-    output.map(|o| o.unit.text())
-}
-
-/// Reads the table. Simulations seldom write units: time is then in s, a column in the unit of the output of its name.
-fn table(file: &Path, names: &BTreeSet<String>, model: &Model) -> Result<Recording> {
-    let whole = Recording::read(file);
-    if whole.as_ref().is_ok_and(|r| r.origins.len() != 1 || r.left_out.is_empty()) {
-        return whole;
-    }
-    let Ok(raw) = columns(file) else { return whole };
-    let Some(time) = raw.first() else { return whole };
-    if let Some(since) = raw.iter().find_map(|c| c.since.as_ref()) {
-        let e = Error::bad_input(format!("what was simulated has times that count from {since}"));
-        return Err(e
-            .with_file(file)
-            .with_hint("write its times in seconds from the first sample of the recording"));
-    }
-    let mut text = format!(
-        "name = \"simulated\"\n[[tables]]\nfile = {}\ntime = {{ column = {}, unit = {} }}\n[tables.channels]\n",
-        toml_string(&file.to_string_lossy()),
-        toml_string(&time.name),
-        toml_string(time.unit.as_deref().unwrap_or("s")),
-    );
-    for name in names {
-        let stem = name.strip_suffix(ENDING).unwrap_or(name);
-        let Some(own) = raw.iter().find(|c| c.name == stem) else {
-            let there: Vec<&str> = raw.iter().skip(1).map(|c| c.name.as_str()).collect();
-            return Err(absent(file, stem, &there));
-        };
-        if let Some(unit) = own.unit.as_deref().or(unit_of_column(model, name)) {
-            let column = toml_string(&own.name);
-            let _ = writeln!(text, "{stem} = {{ column = {column}, unit = {} }}", toml_string(unit));
-        }
-    }
-    let mut read = Recording::parse(&text, "").or_else(|e| whole.map_err(|_| e))?;
-    // the first source is the text above, which is no file
-    if read.sources.len() > 1 {
-        read.sources.remove(0);
-    }
-    Ok(read)
 }

@@ -16,36 +16,39 @@ impl Model {
     /// ```
     pub fn to_toml(&self) -> String {
         let mut out = format!("name = {}\n{}", toml_string(&self.name), self.begun_line());
+        let is_free = self.is_free;
+        let unit = |own: &Unit| (!is_free).then(|| own.text().to_owned());
         let measured: Vec<&Input> = self.inputs.iter().filter(|i| !self.is_simulated(&i.name)).collect();
         section(&mut out, "inputs", &measured, |x| {
             let (key, channel) = self.key_of("inputs", &x.name);
-            line(&key, vec![], &x.unit, by(channel), x.meaning.as_ref())
+            line(&key, vec![], unit(&x.unit), by(channel), x.meaning.as_ref())
         });
-        section(&mut out, "parameters", &self.parameters, parameter);
+        section(&mut out, "parameters", &self.parameters, |p| parameter(p, unit(&p.unit)));
         section(&mut out, "definitions", &self.definitions, |x| {
             line(
                 &x.name,
                 vec![("equals", toml_string(&x.equals.to_string()))],
-                &x.unit,
+                unit(&x.unit),
                 vec![],
                 x.meaning.as_ref(),
             )
         });
         section(&mut out, "states", &self.states, |x| {
             let initial = match x.initial {
+                Initial::Number(value) if is_free => number(&Unit::one(), value),
                 Initial::Number(value) => number(&x.unit, value),
                 Initial::Fit => "\"fit\"".into(),
                 Initial::Steady => "\"steady\"".into(),
             };
             let rate = vec![("rate", toml_string(&x.rate.to_string()))];
-            line(&x.name, rate, &x.unit, vec![("initial", initial)], x.meaning.as_ref())
+            line(&x.name, rate, unit(&x.unit), vec![("initial", initial)], x.meaning.as_ref())
         });
         section(&mut out, "outputs", &self.outputs, |x| {
             let (key, channel) = self.key_of("outputs", &x.name);
             line(
                 &key,
                 vec![("equals", toml_string(&x.equals.to_string()))],
-                &x.unit,
+                unit(&x.unit),
                 by(channel),
                 x.meaning.as_ref(),
             )
@@ -70,8 +73,14 @@ fn by(channel: Option<String>) -> Fields {
     channel.map(|c| ("channel", toml_string(&c))).into_iter().collect()
 }
 
-fn line(name: &str, before: Fields, unit: &Unit, after: Fields, meaning: Option<&String>) -> String {
-    let unit = [("unit", toml_string(unit.text()))];
+fn line(
+    name: &str,
+    before: Fields,
+    unit: Option<String>,
+    after: Fields,
+    meaning: Option<&String>,
+) -> String {
+    let unit = unit.map(|u| ("unit", toml_string(&u)));
     let meaning = meaning.map(|m| ("meaning", toml_string(m)));
     let all = before.into_iter().chain(unit).chain(after).chain(meaning);
     let fields: Vec<String> = all.map(|(key, value)| format!("{key} = {value}")).collect();
@@ -79,15 +88,16 @@ fn line(name: &str, before: Fields, unit: &Unit, after: Fields, meaning: Option<
     format!("{key} = {{ {} }}\n", fields.join(", "))
 }
 
-fn parameter(p: &Parameter) -> String {
+fn parameter(p: &Parameter, unit: Option<String>) -> String {
+    let own = unit.as_ref().map_or_else(Unit::one, |_| p.unit.clone());
     let mut after = Fields::new();
     if p.fit {
         after.push(("fit", "true".into()));
     }
     for (key, bound) in [("min", p.min), ("max", p.max)] {
-        after.extend(bound.map(|b| (key, number(&p.unit, b))));
+        after.extend(bound.map(|b| (key, number(&own, b))));
     }
-    line(&p.name, vec![("value", number(&p.unit, p.value))], &p.unit, after, p.meaning.as_ref())
+    line(&p.name, vec![("value", number(&own, p.value))], unit, after, p.meaning.as_ref())
 }
 
 /// A TOML float that reads back to the same SI value.

@@ -47,8 +47,15 @@ fn channel<'a>(
     Ok(channel)
 }
 
+/// What a user should know of the model's beginnings and of the recording's channels.
+pub(super) fn cautions(model: &Model, recording: &Recording) -> Vec<String> {
+    let mut all = model.cautions();
+    all.extend(taken_as_radians(model, recording));
+    all
+}
+
 /// What is said of channels whose unit says nothing of an angle where the model means an angular speed.
-pub(super) fn taken_as_radians(model: &Model, recording: &Recording) -> Vec<String> {
+fn taken_as_radians(model: &Model, recording: &Recording) -> Vec<String> {
     let inputs = model.inputs.iter().map(|i| (&i.name, &i.unit));
     let signals = inputs.chain(model.outputs.iter().map(|o| (&o.name, &o.unit)));
     let channels = signals.filter_map(|(name, unit)| Some((name, unit, &recording.channel(name).ok()?.unit)));

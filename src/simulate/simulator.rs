@@ -103,7 +103,7 @@ impl Simulator {
             careful: None,
             tolerance: options.tolerance,
             budget: options.budget.clone(),
-            cautions: signals::taken_as_radians(model, recording),
+            cautions: signals::cautions(model, recording),
         };
         if simulator.is_dynamic() {
             if recording.kind == Kind::Trials {
