@@ -37,6 +37,9 @@ fn channel<'a>(
     unit: &Unit,
 ) -> Result<&'a Channel> {
     let channel = recording.channel(name).map_err(|e| e.about(&format!("{what} {name}")))?;
+    if model.is_free {
+        return Ok(channel);
+    }
     if channel.unit.dimension() != unit.dimension() {
         let message =
             format!("{what} {name} has the unit {unit} in the model, but {} in the recording", channel.unit);
