@@ -48,7 +48,7 @@ mod words;
 
 use crate::Result;
 use crate::estimate::Fit;
-use crate::estimate::fit::{Progress, setup};
+use crate::estimate::fit::{FitOptions, begun, Progress, setup};
 use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::simulate::{Budget, Early, Stage};
@@ -101,6 +101,13 @@ pub struct Diagnosis {
 /// # Errors
 /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated or fitted at all.
 pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
+    let options = FitOptions {
+        separate_holdout: !request.separate.is_empty(),
+        progress: request.progress,
+        ..FitOptions::default()
+    };
+    let model = begun(request.model, request.recordings, &options)?;
+    let request = &Request { model: &model, ..*request };
     let (recordings, separate) =
         (request.model.all_joined(request.recordings)?, request.model.all_joined(request.separate)?);
     let request = &Request { recordings: &recordings, separate: &separate, ..*request };

@@ -47,6 +47,8 @@ impl<'a> Fitting<'a> {
     /// Where a channel is missing, recordings hold the same data, or the model cannot be simulated.
     pub fn run(self) -> Result<Fitted<'a>> {
         let Request { model, source, recordings, separate, seed, time_limit, progress } = self.request;
+        let begin = FitOptions { separate_holdout: !separate.is_empty(), progress, ..FitOptions::default() };
+        let model = &*estimate::begun(model, recordings, &begin)?;
         let (recordings, separate) = (model.all_joined(recordings)?, model.all_joined(separate)?);
         estimate::setup::keep_apart(model, &recordings, &separate)?;
         let options = FitOptions {

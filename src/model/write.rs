@@ -1,6 +1,6 @@
 //! Writes a model as a file that reads back to the same model.
 
-use super::{Initial, Input, Model, Parameter};
+use super::{Definition, Initial, Input, Model, Parameter};
 use crate::text::toml_string;
 use crate::units::Unit;
 use std::fmt::Write;
@@ -24,7 +24,8 @@ impl Model {
             line(&key, vec![], unit(&x.unit), by(channel), x.meaning.as_ref())
         });
         section(&mut out, "parameters", &self.parameters, |p| parameter(p, unit(&p.unit)));
-        section(&mut out, "definitions", &self.definitions, |x| {
+        let own: Vec<&Definition> = self.definitions.iter().filter(|d| !self.is_simulated(&d.name)).collect();
+        section(&mut out, "definitions", &own, |x| {
             line(
                 &x.name,
                 vec![("equals", toml_string(&x.equals.to_string()))],

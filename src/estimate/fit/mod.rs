@@ -17,6 +17,8 @@ mod problem;
 mod search;
 pub(crate) mod seen;
 pub(crate) mod setup;
+#[cfg(feature = "fmu")]
+mod stepping;
 mod shooting;
 mod simulated;
 mod spectra;
@@ -35,6 +37,7 @@ use crate::estimate::least_squares::{End, Minimum, minimise};
 use crate::model::Model;
 use crate::record::Recording;
 use crate::simulate::Early;
+use std::borrow::Cow;
 use crate::{Error, ErrorKind, Result};
 use assemble::Assembly;
 use harness::Record;
@@ -47,6 +50,21 @@ const ROUNDS: usize = 4;
 const FINER: f64 = 0.03;
 /// No finer tolerance is asked of the simulator, as a share of the spread.
 const FINEST: f64 = 1e-9;
+
+/// A model as a fit begins with it: a Functional Mock-up Unit that steps itself stands where it fits best.
+///
+/// # Errors
+/// Where the unit does not run.
+pub fn begun<'m>(
+    model: &'m Model,
+    recordings: &[Recording],
+    options: &FitOptions<'_>,
+) -> Result<Cow<'m, Model>> {
+    #[cfg(feature = "fmu")]
+    return stepping::settle(model, recordings, options);
+    #[cfg(not(feature = "fmu"))]
+    Ok(Cow::Borrowed(model))
+}
 
 /// Fits a model to the fitted parts of recordings.
 ///
