@@ -10,6 +10,7 @@ mod explain;
 mod fit;
 mod formula;
 mod gimbal;
+mod host;
 pub mod identify;
 mod input;
 mod integral;
@@ -162,11 +163,16 @@ fn run(cli: Cli) -> Result<Outcome> {
 
 /// Runs the program on the process's own arguments.
 pub fn main() -> ExitCode {
-    signals::handle();
+    if !host::is_host() {
+        signals::handle();
+    }
     let cli = match parsed() {
         Ok(cli) => cli,
         Err(e) => return told(&e),
     };
+    if let Some(code) = host::hosted(&std::env::args_os().collect::<Vec<_>>()) {
+        return code;
+    }
     let _watch = progress::watch(cli.command.doing());
     match threads::start().and_then(|()| run(cli)) {
         Ok(Outcome::Done) => ExitCode::SUCCESS,

@@ -23,7 +23,11 @@ pub(super) fn unpack(path: &Path) -> Result<TempDir> {
     if archive.len() > ENTRIES {
         return Err(wrong(&format!("it has {} entries, more than {ENTRIES}", archive.len())));
     }
-    let folder = TempDir::new().map_err(|e| Error::io(Path::new("a temporary folder"), &e))?;
+    let folder = match std::env::var_os(super::FOLDER) {
+        Some(place) => TempDir::new_in(place),
+        None => TempDir::new(),
+    };
+    let folder = folder.map_err(|e| Error::io(Path::new("a temporary folder"), &e))?;
     let mut left = BYTES;
     for i in 0..archive.len() {
         let entry = archive.by_index(i).map_err(|e| wrong(&e))?;

@@ -29,6 +29,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use tempfile::TempDir;
 
+/// The variable of the environment that names the folder into which units are unpacked, where somebody else takes it
+/// away.
+pub(crate) const FOLDER: &str = "GYROSPEC_FMU_FOLDER";
+
 /// A unit that is unpacked and loaded.
 pub(crate) struct Fmu {
     pub description: Description,
