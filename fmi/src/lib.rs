@@ -80,6 +80,16 @@ pub fn calls() -> (u64, u64) {
     (BEGUN.load(Relaxed), ENDED.load(Relaxed))
 }
 
+unsafe extern "C" {
+    fn atexit(run: extern "C" fn()) -> c_int;
+}
+
+/// Runs that when the process ends in order; false where the system takes no more of these.
+pub fn at_exit(run: extern "C" fn()) -> bool {
+    // SAFETY: the function takes and gives nothing, and lives as long as the process.
+    unsafe { atexit(run) == 0 }
+}
+
 /// A call that is counted; status 0 and 1 (warning) are well.
 fn counted(call: &'static str, run: impl FnOnce() -> c_int) -> Result<(), Refused> {
     BEGUN.fetch_add(1, Relaxed);

@@ -83,9 +83,9 @@ pub(super) struct Calls {
     get: Get,
     set: Set,
     /// Integers, then booleans, which are integers too.
-    get_whole: [GetInt; 2],
-    set_whole: [SetInt; 2],
-    slopes: Slopes,
+    get_whole: [Option<GetInt>; 2],
+    set_whole: [Option<SetInt>; 2],
+    slopes: Option<Slopes>,
     exchange: Option<Exchange>,
     step: Option<unsafe extern "C" fn(Component, f64, f64, c_int) -> c_int>,
 }
@@ -128,9 +128,9 @@ impl Calls {
             reset: symbol(l, "fmi2Reset")?,
             get: symbol(l, "fmi2GetReal")?,
             set: symbol(l, "fmi2SetReal")?,
-            get_whole: [symbol(l, "fmi2GetInteger")?, symbol(l, "fmi2GetBoolean")?],
-            set_whole: [symbol(l, "fmi2SetInteger")?, symbol(l, "fmi2SetBoolean")?],
-            slopes: symbol(l, "fmi2GetDirectionalDerivative")?,
+            get_whole: [symbol(l, "fmi2GetInteger").ok(), symbol(l, "fmi2GetBoolean").ok()],
+            set_whole: [symbol(l, "fmi2SetInteger").ok(), symbol(l, "fmi2SetBoolean").ok()],
+            slopes: symbol(l, "fmi2GetDirectionalDerivative").ok(),
             exchange: is_exchange.then(exchange).transpose()?,
             step: (!is_exchange).then(|| symbol(l, "fmi2DoStep")).transpose()?,
         })
@@ -177,9 +177,11 @@ impl Calls {
     pub fn set(&self, c: Component, number: Number, r: &[u32], v: &[f64]) -> Result<(), Refused> {
         assert!(r.len() <= v.len(), "a value for each reference");
         if number != Number::Float64 {
+            let call = "fmi2SetInteger";
             let set = self.set_whole[usize::from(number == Number::Boolean)];
+            let set = set.ok_or(Refused { call, status: -1 })?;
             let whole: Vec<c_int> = held(v);
-            return counted("fmi2SetInteger", || unsafe { set(c, r.as_ptr(), r.len(), whole.as_ptr()) });
+            return counted(call, || unsafe { set(c, r.as_ptr(), r.len(), whole.as_ptr()) });
         }
         counted("fmi2SetReal", || unsafe { (self.set)(c, r.as_ptr(), r.len(), v.as_ptr()) })
     }
@@ -187,9 +189,11 @@ impl Calls {
     pub fn get(&self, c: Component, number: Number, r: &[u32], v: &mut [f64]) -> Result<(), Refused> {
         assert!(r.len() <= v.len(), "a place for each reference");
         if number != Number::Float64 {
+            let call = "fmi2GetInteger";
             let get = self.get_whole[usize::from(number == Number::Boolean)];
+            let get = get.ok_or(Refused { call, status: -1 })?;
             return filled::<c_int, _>(v, |room| {
-                counted("fmi2GetInteger", || unsafe { get(c, r.as_ptr(), r.len(), room.as_mut_ptr()) })
+                counted(call, || unsafe { get(c, r.as_ptr(), r.len(), room.as_mut_ptr()) })
             });
         }
         counted("fmi2GetReal", || unsafe { (self.get)(c, r.as_ptr(), r.len(), v.as_mut_ptr()) })
@@ -197,9 +201,9 @@ impl Calls {
 
     pub fn slopes(&self, c: Component, of: &[u32], by: u32, v: &mut [f64]) -> Result<(), Refused> {
         assert!(of.len() <= v.len(), "a place for each reference");
-        counted("fmi2GetDirectionalDerivative", || unsafe {
-            (self.slopes)(c, of.as_ptr(), of.len(), &by, 1, &1.0, v.as_mut_ptr())
-        })
+        let call = "fmi2GetDirectionalDerivative";
+        let slopes = self.slopes.ok_or(Refused { call, status: -1 })?;
+        counted(call, || unsafe { slopes(c, of.as_ptr(), of.len(), &by, 1, &1.0, v.as_mut_ptr()) })
     }
 
     pub fn set_time(&self, c: Component, time: f64) -> Result<(), Refused> {

@@ -46,7 +46,9 @@ fn names_unit(word: &Path) -> bool {
     if file.by_ref().take(1 << 20).read_to_end(&mut text).is_err() {
         return false;
     }
-    let is_line = |l: &[u8]| l.trim_ascii_start().strip_prefix(b"fmu").is_some_and(|r| r.trim_ascii_start().starts_with(b"="));
+    let is_line = |l: &[u8]| {
+        l.trim_ascii_start().strip_prefix(b"fmu").is_some_and(|r| r.trim_ascii_start().starts_with(b"="))
+    };
     text.starts_with(b"PK\x03\x04")
         || word.extension().is_some_and(|e| e == "toml") && text.split(|b| *b == b'\n').any(is_line)
 }
@@ -87,9 +89,12 @@ fn ended(status: ExitStatus) -> ExitCode {
 
 fn crashed(how: &str) -> ExitCode {
     let e = Error::not_computed(format!("the process that runs the FMU {how}"));
-    fail(&e.with_hint("no file was written; the FMU itself is at fault as a rule: try it in the tool that made it"))
+    fail(&e.with_hint(
+        "no file was written; the FMU itself is at fault as a rule: try it in the tool that made it",
+    ))
 }
 
+#[allow(clippy::exit)]
 /// Ends this process when a call into a unit does not return.
 fn watch() {
     let said = std::env::var("GYROSPEC_FMU_SECONDS").ok().and_then(|s| s.parse().ok());
@@ -103,7 +108,8 @@ fn watch() {
                 last = (now, Instant::now());
             } else if last.1.elapsed() > longest {
                 let seconds = longest.as_secs();
-                let e = Error::not_computed(format!("a call into the FMU does not return: {seconds} s are over"));
+                let e =
+                    Error::not_computed(format!("a call into the FMU does not return: {seconds} s are over"));
                 let _ = fail(&e.with_hint("GYROSPEC_FMU_SECONDS=600 waits longer; no file was written"));
                 std::process::exit(3);
             }

@@ -85,9 +85,8 @@ impl Task {
             [&self.model].into_iter().chain(&self.recordings).chain(&self.holdout).map(PathBuf::as_path),
         )?;
         let (model, source) = Model::read_with_source(&self.model)?;
-        let read = |files: &[PathBuf]| {
-            files.iter().map(|f| model.read_recording(f)).collect::<Result<Vec<_>>>()
-        };
+        let read =
+            |files: &[PathBuf]| files.iter().map(|f| model.read_recording(f)).collect::<Result<Vec<_>>>();
         let (recordings, separate) = (read(&self.recordings)?, read(&self.holdout)?);
         super::record::tell_notes(recordings.iter().chain(&separate));
         let inputs = Inputs { model, source, recordings, separate };

@@ -48,7 +48,7 @@ mod words;
 
 use crate::Result;
 use crate::estimate::Fit;
-use crate::estimate::fit::{FitOptions, begun, Progress, setup};
+use crate::estimate::fit::{FitOptions, Progress, begun, setup};
 use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::simulate::{Budget, Early, Stage};
@@ -180,7 +180,7 @@ impl Case<'_> {
         let (model, progress) = (self.request.model, self.request.progress);
         progress.report("fitting the model as it stands", None);
         self.bench.budget.begin(foretold::FIRST_FIT);
-        let base = self.bench.full_fit(model)?;
+        let base = self.bench.full_fit(model).map_err(|e| model.refusal().unwrap_or(e))?;
         let base = if is_left { self.without_strays(base)? } else { base };
         self.bench.budget.tell(base.ended_early);
         let few = is_left.then(|| few::too_few(&self.bench, &base, self.spoiled_samples())).flatten();

@@ -132,9 +132,7 @@ fn named(e: &Expr, scope: &Scope) -> Result<(), Fault> {
         Expr::Number(_) => Ok(()),
         Expr::Name(name) => of_name(name, scope).map(|_| ()),
         Expr::Neg(a) => within(0, named(a, scope)),
-        Expr::Binary(_, a, b) => {
-            within(0, named(a, scope)).and_then(|()| within(1, named(b, scope)))
-        }
+        Expr::Binary(_, a, b) => within(0, named(a, scope)).and_then(|()| within(1, named(b, scope))),
         Expr::Call(_, arguments) => {
             arguments.iter().enumerate().try_for_each(|(i, a)| within(i, named(a, scope)))
         }

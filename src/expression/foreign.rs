@@ -30,6 +30,8 @@ pub(crate) trait Compute: Send + Sync {
     fn slope(&self, arguments: &[f64], result: usize, argument: usize) -> f64;
     /// The states that it starts with at parameters; why not, where it refuses.
     fn starts(&self, parameters: &[f64]) -> std::result::Result<Vec<f64>, String>;
+    /// Why it refused a value, since this was asked last.
+    fn refusal(&self) -> Option<String>;
     /// Whether it is the same code with the same arguments.
     fn is(&self, key: &str) -> bool;
 }

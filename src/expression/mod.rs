@@ -30,6 +30,8 @@
 mod angle;
 mod curve;
 mod dimension;
+// without units from elsewhere nothing is asked of it
+#[cfg_attr(not(feature = "fmu"), allow(dead_code))]
 pub(crate) mod foreign;
 mod function;
 mod parse;

@@ -58,7 +58,8 @@ impl<'a> Fitting<'a> {
             progress,
             ..FitOptions::default()
         };
-        let mut fit = estimate::fit(model, &recordings, &options)?;
+        let mut fit =
+            estimate::fit(model, &recordings, &options).map_err(|e| model.refusal().unwrap_or(e))?;
         if fit.ended_early.is_none() {
             estimate::ascertain(&mut fit, &recordings, &options)?;
         }

@@ -52,6 +52,10 @@ impl Simulating<'_> {
         let options = Options::default().with_tolerance(self.tolerance)?;
         let simulator = Simulator::new(self.model, self.recording, &options)?;
         let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
+        let is_lost = ran.outputs.iter().flatten().any(|v| v.is_nan());
+        if let Some(e) = self.model.refusal().filter(|_| is_lost) {
+            return Err(e);
+        }
         Ok(Simulated { simulator, ran, kind: self.recording.kind })
     }
 }

@@ -1,7 +1,8 @@
 //! A unit for co-simulation: stepped as a whole over the times of a recording; only its outputs are known.
 //!
 //! # Numerical aspects
-//! An input has during a step its value in the middle of it, and at its end that of the end.
+//! An input has during a step its value in the middle of it, and at its end that of the end. Where the unit allows it a
+//! sample is gone in four steps, so that little is lost of an input that runs straight between its samples.
 
 use super::Fmu;
 use super::exchange::Scalar;
@@ -9,6 +10,9 @@ use super::seat::{Place, get, set};
 use crate::{Error, Result};
 use gyrospec_fmi::{Instance, Kind, Refused, Version};
 use std::sync::Arc;
+
+/// Steps in an interval between samples.
+const PARTS: usize = 4;
 
 /// A unit for co-simulation with what a model gives it and asks of it.
 pub(crate) struct Drive {
@@ -57,9 +61,14 @@ impl Drive {
         let mut all = vec![Vec::with_capacity(course.times.len()); self.outputs.len()];
         self.read(&mut unit, &mut all).map_err(|e| wrong(*first, &e))?;
         for w in course.times.windows(2) {
-            let ends = self.step(&mut unit, course, (w[0], w[1])).map_err(|e| wrong(w[0], &e))?;
-            if ends {
-                return Err(wrong(w[1], &"it ends the simulation itself"));
+            let parts = self.parts(w[1] - w[0]);
+            let at =
+                |k: usize| if k == parts { w[1] } else { w[0] + (w[1] - w[0]) * k as f64 / parts as f64 };
+            for k in 0..parts {
+                let ends = self.step(&mut unit, course, (at(k), at(k + 1))).map_err(|e| wrong(at(k), &e))?;
+                if ends {
+                    return Err(wrong(at(k + 1), &"it ends the simulation itself"));
+                }
             }
             self.read(&mut unit, &mut all).map_err(|e| wrong(w[1], &e))?;
         }
@@ -82,6 +91,15 @@ impl Drive {
         unit.begin_initialisation(from, Some(to))?;
         set(&self.fmu, unit, &Self::places(&self.inputs), &inputs)?;
         unit.end_initialisation()
+    }
+
+    /// Into how many steps an interval is divided.
+    fn parts(&self, interval: f64) -> usize {
+        let Some(i) = self.fmu.description.simulation.as_ref() else { return 1 };
+        let steps = |own: f64| interval / PARTS as f64 / own;
+        let fits =
+            i.own_step.is_none_or(|own| (steps(own) - steps(own).round()).abs() < 1e-6 && steps(own) > 0.5);
+        if self.inputs.is_empty() || !i.takes_any_step || !fits { 1 } else { PARTS }
     }
 
     fn step(

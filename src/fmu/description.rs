@@ -43,6 +43,10 @@ pub(crate) struct Variable {
 pub(crate) struct Interface {
     pub identifier: String,
     pub has_slopes: bool,
+    /// Whether its steps may be of any length, in a unit that steps itself.
+    pub takes_any_step: bool,
+    /// s, where its own steps have one length.
+    pub own_step: Option<f64>,
 }
 
 /// What a unit says of itself.
@@ -151,6 +155,8 @@ fn interface(n: &Node<'_, '_>, version: Version) -> Option<Interface> {
     Some(Interface {
         identifier: n.attribute("modelIdentifier")?.to_owned(),
         has_slopes: is(n, slopes),
+        takes_any_step: is(n, "canHandleVariableCommunicationStepSize"),
+        own_step: number(n, "fixedInternalStepSize").filter(|s| *s > 0.0),
     })
 }
 
@@ -222,10 +228,13 @@ fn type_of(tag: &str, is_two: bool) -> Option<Number> {
     })
 }
 
+/// Unit, least and largest value.
+type Attributes = (Option<String>, Option<f64>, Option<f64>);
+
 /// Attributes that a variable has from its type.
-fn types(root: &Node<'_, '_>) -> BTreeMap<String, (Option<String>, Option<f64>, Option<f64>)> {
+fn types(root: &Node<'_, '_>) -> BTreeMap<String, Attributes> {
     let list = child(root, "TypeDefinitions");
-    let all = list.iter().flat_map(Node::children).filter(|n| n.is_element());
+    let all = list.iter().flat_map(Node::children).filter(Node::is_element);
     all.filter_map(|n| {
         let real = child(&n, "Real").unwrap_or(n);
         let own = (real.attribute("unit").map(str::to_owned), number(&real, "min"), number(&real, "max"));
@@ -247,7 +256,7 @@ fn sizes(root: &Node<'_, '_>) -> BTreeMap<u32, usize> {
 struct Reader<'a> {
     version: Version,
     units: BTreeMap<String, Option<Unit>>,
-    types: BTreeMap<String, (Option<String>, Option<f64>, Option<f64>)>,
+    types: BTreeMap<String, Attributes>,
     notes: &'a mut Vec<String>,
     sizes: BTreeMap<u32, usize>,
 }

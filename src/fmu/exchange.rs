@@ -14,7 +14,7 @@ use crate::expression::foreign::Compute;
 use crate::units::Unit;
 use gyrospec_fmi::Refused;
 use std::cell::RefCell;
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
 /// Share of an argument that a difference steps, ∛ε.
 const STEP: f64 = 6e-6;
@@ -133,7 +133,7 @@ impl Exchange {
         let same = |k: &Known| k.arguments.iter().zip(a).all(|(x, y)| x.to_bits() == y.to_bits());
         if !bench.known.as_ref().is_some_and(same) {
             let results = self.run(bench, a).unwrap_or_else(|why| {
-                self.fmu.refused(why);
+                self.fmu.refused(&why);
                 vec![f64::NAN; self.units.len()]
             });
             bench.known = Some(Known { arguments: a.to_vec(), results, slopes: vec![None; a.len()] });
@@ -149,10 +149,12 @@ impl Exchange {
     fn slopes(&self, bench: &mut Bench, a: &[f64], j: usize) -> Vec<f64> {
         let (_, m) = self.counts();
         let has = self.fmu.description.exchange.as_ref().is_some_and(|e| e.has_slopes);
-        if has && (1..m).contains(&j) && self.is_plain() {
-            if let Ok(own) = self.own_slopes(bench, a, j) {
-                return own;
-            }
+        if has
+            && (1..m).contains(&j)
+            && self.is_plain()
+            && let Ok(own) = self.own_slopes(bench, a, j)
+        {
+            return own;
         }
         let size = self.scalars().nth(j.wrapping_sub(1)).map_or(1.0, |s| s.size);
         let h = STEP * a[j].abs().max(size);
@@ -228,6 +230,10 @@ impl Compute for Exchange {
         let mut x = vec![0.0; self.states.len()];
         seat.instance.states(&mut x).map_err(|e| e.to_string())?;
         Ok(self.states.iter().zip(x).map(|(s, v)| s.unit.to_si(v)).collect())
+    }
+
+    fn refusal(&self) -> Option<String> {
+        self.fmu.refusal.lock().unwrap_or_else(PoisonError::into_inner).take()
     }
 
     fn is(&self, key: &str) -> bool {

@@ -62,6 +62,9 @@ impl Fmu {
             return Ok(known.clone());
         }
         let unit = Arc::new(Self::of(&path, source).map_err(|e| e.with_file(&path))?);
+        if all.is_empty() {
+            gyrospec_fmi::at_exit(take_folders_away);
+        }
         all.push(unit.clone());
         Ok(unit)
     }
@@ -91,8 +94,15 @@ impl Fmu {
     }
 
     /// Remembers why a call was refused.
-    fn refused(&self, why: impl ToString) {
-        self.refusal.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(why.to_string());
+    fn refused(&self, why: &str) {
+        self.refusal.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert_with(|| why.to_owned());
+    }
+}
+
+/// Units stay loaded to the end of the process; then what they were unpacked into goes.
+extern "C" fn take_folders_away() {
+    for unit in LOADED.try_lock().iter().flat_map(|all| all.iter()) {
+        let _ = std::fs::remove_dir_all(unit.folder.path());
     }
 }
 

@@ -51,9 +51,7 @@ impl Model {
             };
             let known = || e.expect_names(&scope, text);
             let checked = if self.is_free { known() } else { fits() };
-            checked
-                .and_then(|()| self.rising_knots(e))
-                .map_err(|e| places.put(&path, e))
+            checked.and_then(|()| self.rising_knots(e)).map_err(|e| places.put(&path, e))
         };
         let second = Unit::of(Dimension::TIME);
         for d in &self.definitions {

@@ -101,6 +101,7 @@ impl<'a> Form<'a> {
     }
 
     /// The error with the place of a span.
+    #[cfg(feature = "fmu")]
     pub fn at(&self, e: Error, span: &Range<usize>) -> Error {
         self.text.at(e, span)
     }

@@ -43,7 +43,8 @@ impl Model {
 
     /// What a report says of a model without units.
     pub(crate) fn free_note(&self) -> Option<String> {
-        const SAYS: &str = "the model gives no units: none is checked, and its numbers are those of the tables";
+        const SAYS: &str =
+            "the model gives no units: none is checked, and its numbers are those of the tables";
         self.is_free.then(|| SAYS.to_owned())
     }
 }

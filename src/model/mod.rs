@@ -19,6 +19,7 @@
 
 mod angular;
 mod bare;
+mod begun;
 mod builtin;
 mod check;
 mod form;
@@ -38,14 +39,14 @@ mod scalar;
 mod simulated;
 mod write;
 
-pub use builtin::BUILTIN;
 #[cfg(feature = "fmu")]
-pub use mockup::Mockup;
+pub use begun::Mockup;
+pub use begun::Simulated;
+pub use builtin::BUILTIN;
 pub use numbers::{Number, Numbers};
 pub use parts::{Definition, Initial, Input, Model, Output, Parameter, State};
 pub(crate) use scalar::power_slopes;
 pub use scalar::{Dual, Scalar};
-pub use simulated::Simulated;
 
 #[cfg(test)]
 mod tests;

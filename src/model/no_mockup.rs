@@ -1,4 +1,6 @@
 //! What stands for Functional Mock-up Units where they are not built in.
+// the forms are those of the room that is left out
+#![allow(clippy::unnecessary_wraps, clippy::unused_self)]
 
 use super::Model;
 use super::form::Form;
@@ -41,9 +43,35 @@ pub(super) fn finish(_: &mut Model, _: &Form<'_>) -> Result<()> {
     Ok(())
 }
 
+/// What a unit gave; see the room for units.
+pub(crate) struct Ran {
+    pub times: Vec<f64>,
+    pub outputs: Vec<Vec<f64>>,
+}
+
 impl Model {
     pub(super) fn steps(&self, _: &str) -> bool {
         false
+    }
+
+    pub(crate) fn stepping(&self) -> Vec<usize> {
+        Vec::new()
+    }
+
+    pub(crate) fn stepped_as(&self) -> Vec<Option<usize>> {
+        Vec::new()
+    }
+
+    pub(crate) fn step(&self, _: &Recording) -> Result<Ran> {
+        Err(refused())
+    }
+
+    pub(crate) fn slopes_by(&self, _: &Recording, _: usize) -> Result<(usize, Vec<Vec<f64>>)> {
+        Err(refused())
+    }
+
+    pub(crate) fn refusal(&self) -> Option<Error> {
+        None
     }
 
     pub(super) fn unit_source(&self) -> Option<&Source> {

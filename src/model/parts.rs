@@ -1,8 +1,8 @@
 //! What a model is made of.
 
 #[cfg(feature = "fmu")]
-use super::Mockup;
-use super::Simulated;
+use super::begun::Mockup;
+use super::begun::Simulated;
 use crate::expression::Expr;
 use crate::units::Unit;
 

@@ -3,6 +3,7 @@
 //! `simulated = "sim.csv"` brings a column `x` of that table into expressions as `x_simulated`; an output without
 //! `equals` is the column of its own name.
 
+use super::begun::Simulated;
 use super::form::Form;
 use super::{Input, Model, Output, bare};
 use crate::error::nearest;
@@ -14,28 +15,9 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 /// What stands behind the name of a column in expressions.
 pub(super) const ENDING: &str = "_simulated";
-
-/// The series that a simulation elsewhere computed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Simulated {
-    /// Its table.
-    pub file: PathBuf,
-    /// The columns that the model speaks of, by their names there; SI, on a clock of their own.
-    pub channels: Arc<[Channel]>,
-    /// The table with its hash.
-    pub source: Source,
-}
-
-impl Simulated {
-    /// Whether an input of the model is one of its columns.
-    pub fn gives(&self, input: &str) -> bool {
-        self.channels.iter().any(|c| c.name == input)
-    }
-}
 
 impl Model {
     /// Whether an input is what a simulation computed, rather than what was measured.
@@ -100,7 +82,7 @@ impl Model {
     }
 
     /// The file that the model begins with: what was simulated, or a Functional Mock-up Unit.
-    pub(crate) fn begun_with(&self) -> Option<&Source> {
+    pub fn begun_with(&self) -> Option<&Source> {
         self.simulated.as_ref().map(|s| &s.source).or_else(|| self.unit_source())
     }
 

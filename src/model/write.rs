@@ -74,13 +74,7 @@ fn by(channel: Option<String>) -> Fields {
     channel.map(|c| ("channel", toml_string(&c))).into_iter().collect()
 }
 
-fn line(
-    name: &str,
-    before: Fields,
-    unit: Option<String>,
-    after: Fields,
-    meaning: Option<&String>,
-) -> String {
+fn line(name: &str, before: Fields, unit: Option<String>, after: Fields, meaning: Option<&String>) -> String {
     let unit = unit.map(|u| ("unit", toml_string(&u)));
     let meaning = meaning.map(|m| ("meaning", toml_string(m)));
     let all = before.into_iter().chain(unit).chain(after).chain(meaning);

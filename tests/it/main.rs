@@ -19,6 +19,7 @@ mod faults;
 mod few_rows;
 mod fields;
 mod fit;
+mod fmu;
 mod formula;
 mod fuzz;
 mod fuzz_diagnose;

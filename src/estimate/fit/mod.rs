@@ -17,11 +17,10 @@ mod problem;
 mod search;
 pub(crate) mod seen;
 pub(crate) mod setup;
-#[cfg(feature = "fmu")]
-mod stepping;
 mod shooting;
 mod simulated;
 mod spectra;
+mod stepping;
 mod valley;
 mod warnings;
 
@@ -37,11 +36,11 @@ use crate::estimate::least_squares::{End, Minimum, minimise};
 use crate::model::Model;
 use crate::record::Recording;
 use crate::simulate::Early;
-use std::borrow::Cow;
 use crate::{Error, ErrorKind, Result};
 use assemble::Assembly;
 use harness::Record;
 use problem::FreeRun;
+use std::borrow::Cow;
 
 /// Rounds in which the weights of several outputs are brought in line with their residuals.
 const ROUNDS: usize = 4;
@@ -60,10 +59,7 @@ pub fn begun<'m>(
     recordings: &[Recording],
     options: &FitOptions<'_>,
 ) -> Result<Cow<'m, Model>> {
-    #[cfg(feature = "fmu")]
-    return stepping::settle(model, recordings, options);
-    #[cfg(not(feature = "fmu"))]
-    Ok(Cow::Borrowed(model))
+    stepping::settle(model, recordings, options)
 }
 
 /// Fits a model to the fitted parts of recordings.

@@ -18,7 +18,11 @@ use std::borrow::Cow;
 ///
 /// # Errors
 /// Where the FMU does not run at the values given.
-pub fn settle<'m>(model: &'m Model, recordings: &[Recording], options: &FitOptions<'_>) -> Result<Cow<'m, Model>> {
+pub fn settle<'m>(
+    model: &'m Model,
+    recordings: &[Recording],
+    options: &FitOptions<'_>,
+) -> Result<Cow<'m, Model>> {
     let numbers = model.stepping();
     if numbers.is_empty() || model.stepped_as().iter().all(Option::is_none) {
         return Ok(Cow::Borrowed(model));

@@ -5,10 +5,11 @@
 //! of the unit are fitted it is a definition, linear in them about where they stand,
 //! y = (y₀ − Σ p₀ ∂y/∂p) + Σ p ∂y/∂p, with central differences of whole runs; a fit moves p₀ first (`estimate`).
 
+use super::super::begun::Mockup;
 use super::super::simulated::ENDING;
 use super::super::{Definition, Input, Model, Output};
+use super::output;
 use super::parts::{Entry, Parts};
-use super::{Mockup, output};
 use crate::expression::{BinaryOp, Expr};
 use crate::fmu::{Course, Drive, Fmu};
 use crate::record::{Channel, Recording};
@@ -133,7 +134,8 @@ impl Model {
                 let p = self.parameters[*k].value;
                 rest.iter_mut().zip(&by[o]).for_each(|(r, slope)| *r -= p * slope);
                 let name = format!("{stem}{BY}{}", self.parameters[*k].name);
-                let unit = self.inputs.iter().find(|i| i.name == name).map_or_else(Unit::one, |i| i.unit.clone());
+                let unit =
+                    self.inputs.iter().find(|i| i.name == name).map_or_else(Unit::one, |i| i.unit.clone());
                 add(name, unit, by[o].clone());
             }
             let ending = if slopes.is_empty() { ENDING } else { REST };
@@ -170,9 +172,9 @@ impl Model {
         let inputs = drive.inputs.iter().map(|(name, _)| recording.channel(&mockup.channel("inputs", name)));
         let inputs: Vec<&Channel> = inputs.collect::<Result<_>>()?;
         let measured = self.outputs.iter().find_map(|o| recording.find(&o.name));
-        let clock = measured.or(inputs.first().copied()).ok_or_else(|| {
-            Error::bad_input(format!("'{}' has no channel of the FMU", recording.name))
-        })?;
+        let clock = measured
+            .or(inputs.first().copied())
+            .ok_or_else(|| Error::bad_input(format!("'{}' has no channel of the FMU", recording.name)))?;
         let inside = |t: f64| inputs.iter().filter_map(|c| c.range()).all(|r| r.from <= t && t <= r.to);
         let times: Vec<f64> = clock.time.iter().copied().filter(|t| inside(*t)).collect();
         let at = |t: f64| inputs.iter().map(|c| c.value_at(t).unwrap_or(f64::NAN)).collect::<Vec<_>>();

@@ -8,52 +8,18 @@ mod course;
 mod function;
 mod parts;
 
+use super::begun::Mockup;
 use super::form::Form;
 use super::{Initial, Input, Model, Output, Parameter};
 use crate::expression::foreign::Speaking;
 use crate::expression::{Expr, Foreign};
-use crate::fmu::{Drive, Fmu};
+use crate::fmu::Fmu;
 use crate::record::Source;
-use parts::{Entry, Parts, is_function, plain};
 use crate::{Error, Result};
+use parts::{Entry, Parts, is_function, plain};
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
-
-/// The unit that a model begins with.
-#[derive(Clone)]
-pub struct Mockup {
-    /// Its archive.
-    pub file: PathBuf,
-    /// The archive with its hash.
-    pub source: Source,
-    /// The names that the model gives its variables.
-    pub(super) names: Vec<String>,
-    /// The number of its code, where it is a function.
-    pub(super) code: Option<u16>,
-    /// What steps it, where it steps itself.
-    pub(crate) drive: Option<Arc<Drive>>,
-    /// Parameters of a unit that steps itself that are fitted.
-    fitted: Vec<String>,
-    /// What of it is left out.
-    notes: Vec<String>,
-    /// Whether the description gives any of its numbers a unit.
-    has_units: bool,
-    /// Inputs and outputs that a channel of another name holds: section, name, channel.
-    pub(super) channels: Vec<(String, String, String)>,
-}
-
-impl std::fmt::Debug for Mockup {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Mockup").field("file", &self.file).finish_non_exhaustive()
-    }
-}
-
-impl PartialEq for Mockup {
-    fn eq(&self, other: &Self) -> bool {
-        self.file == other.file && self.names == other.names && self.channels == other.channels
-    }
-}
 
 /// What a file's line `fmu = "…"` begins with.
 pub(super) fn start(root: &Form<'_>, file: &Path) -> Result<Model> {
@@ -71,8 +37,17 @@ pub(super) fn start(root: &Form<'_>, file: &Path) -> Result<Model> {
     let (file, source) = (fmu.source.file.clone(), fmu.source.clone());
     let notes = fmu.description.notes.clone();
     let has_units = parts.all().any(|e| e.has_unit);
-    let mut mockup =
-        Mockup { file, source, names, code: None, drive: None, fitted: Vec::new(), notes, has_units, channels: Vec::new() };
+    let mut mockup = Mockup {
+        file,
+        source,
+        names,
+        code: None,
+        drive: None,
+        fitted: Vec::new(),
+        notes,
+        has_units,
+        channels: Vec::new(),
+    };
     if is_function(&fmu) {
         mockup.code = Some(function::as_function(&fmu, &parts, &mut model));
     } else {
@@ -240,9 +215,9 @@ fn rename(model: &mut Model, (section, name): (&str, &str), channel: &str) -> Re
         return Err(e.with_hint("give that column a plain name in a TOML recording"));
     }
     if section == "outputs" {
-        model.outputs.iter_mut().filter(|o| o.name == name).for_each(|o| o.name = channel.to_owned());
+        model.outputs.iter_mut().filter(|o| o.name == name).for_each(|o| channel.clone_into(&mut o.name));
     } else {
-        model.inputs.iter_mut().filter(|i| i.name == name).for_each(|i| i.name = channel.to_owned());
+        model.inputs.iter_mut().filter(|i| i.name == name).for_each(|i| channel.clone_into(&mut i.name));
         let by = Expr::Name(channel.to_owned());
         model.states.iter_mut().for_each(|s| s.rate = s.rate.substitute(name, &by));
         model.definitions.iter_mut().for_each(|d| d.equals = d.equals.substitute(name, &by));
@@ -255,6 +230,13 @@ fn rename(model: &mut Model, (section, name): (&str, &str), channel: &str) -> Re
 }
 
 impl Model {
+    /// The error of a value that the FMU refused, since this was asked last.
+    pub(crate) fn refusal(&self) -> Option<Error> {
+        let mockup = self.fmu.as_ref()?;
+        let why = mockup.code.and_then(|c| Foreign::of(c, 0).compute())?.refusal()?;
+        Some(Error::not_computed(format!("the FMU refuses to go on: {why}")).with_file(&mockup.file))
+    }
+
     /// The archive of the FMU.
     pub(super) fn unit_source(&self) -> Option<&Source> {
         self.fmu.as_ref().map(|m| &m.source)

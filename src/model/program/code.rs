@@ -74,7 +74,10 @@ pub(crate) fn execute<T: Scalar>(program: &Program, code: &[Op], r: &mut [T], sw
                 r[usize::from(from)]
             }
             Action::Sign | Action::Relay if switching == Switching::Hold => continue,
-            Action::Foreign | Action::ForeignSlope => program.calls[usize::from(op.a)].result(op, r),
+            Action::Foreign | Action::ForeignSlope => {
+                let by = (op.action == Action::ForeignSlope).then_some(usize::from(op.c));
+                program.calls[usize::from(op.a)].result(usize::from(op.b), by, r)
+            }
             _ => rare(op, a, r),
         };
         r[usize::from(op.to)] = value;

@@ -1,7 +1,5 @@
 //! Calls of other people's code from a program.
 
-use super::Register;
-use super::code::{Action, Op};
 use crate::expression::foreign::Compute;
 use crate::model::scalar::Scalar;
 use std::cell::RefCell;
@@ -11,7 +9,8 @@ use std::sync::Arc;
 #[derive(Clone)]
 pub(crate) struct Call {
     pub code: Arc<dyn Compute>,
-    pub arguments: Vec<Register>,
+    /// Their registers.
+    pub arguments: Vec<u16>,
 }
 
 impl std::fmt::Debug for Call {
@@ -25,16 +24,14 @@ thread_local! {
 }
 
 impl Call {
-    /// What an instruction asks for. A result has the tangents Σ ∂f/∂aⱼ·ȧⱼ; a derivative has none.
-    pub fn result<T: Scalar>(&self, op: &Op, r: &[T]) -> T {
-        let (which, by) = (usize::from(op.b), usize::from(op.c));
+    /// A result, or its derivative by an argument. A result has the tangents Σ ∂f/∂aⱼ·ȧⱼ; a derivative has none.
+    pub fn result<T: Scalar>(&self, which: usize, by: Option<usize>, r: &[T]) -> T {
         let mut room = ROOM.take();
         room.clear();
         room.extend(self.arguments.iter().map(|a| r[usize::from(*a)].value()));
-        let result = if op.action == Action::ForeignSlope {
-            T::constant(self.code.slope(&room, which, by))
-        } else {
-            self.with_tangents(&room, which, r)
+        let result = match by {
+            Some(by) => T::constant(self.code.slope(&room, which, by)),
+            None => self.with_tangents(&room, which, r),
         };
         ROOM.replace(room);
         result

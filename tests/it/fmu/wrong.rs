@@ -1,0 +1,109 @@
+//! What bad units get: a message and an exit code, whatever they do.
+
+use super::made::{DESCRIPTION, EXCHANGE, SIMULATION, archive, library, mass, place};
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// Runs the program in a folder on its `mass.fmu` and a recording there.
+fn program(folder: &Path, seconds: &str) -> Output {
+    let rows: String = (0..600).map(|i| format!("{},{},{}\n", 0.1 * f64::from(i), 1, 0)).collect();
+    std::fs::write(folder.join("log.csv"), format!("t [s],force [N],position [m]\n{rows}")).unwrap();
+    Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+        .args(["simulate", "mass.fmu", "log.csv", "--out", "out.csv"])
+        .current_dir(folder)
+        .env("GYROSPEC_FMU_SECONDS", seconds)
+        .output()
+        .unwrap()
+}
+
+/// The exit code and what it said; nothing was written.
+fn refused(folder: &Path, seconds: &str) -> (Option<i32>, String) {
+    let ran = program(folder, seconds);
+    assert!(!folder.join("out.csv").exists(), "a file was written");
+    (ran.status.code(), String::from_utf8(ran.stderr).unwrap())
+}
+
+#[test]
+fn a_unit_that_works_simulates() {
+    let folder = tempfile::tempdir().unwrap();
+    if mass(folder.path(), EXCHANGE, "(void)0").is_some() {
+        let ran = program(folder.path(), "20");
+        assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+        assert!(folder.path().join("out.csv").exists());
+    }
+}
+
+#[test]
+fn a_crash_is_a_message() {
+    for kind in [EXCHANGE, SIMULATION] {
+        for (wrong, says) in [("*(volatile int*)0=1", "segmentation fault"), ("abort()", "abort")] {
+            let folder = tempfile::tempdir().unwrap();
+            if mass(folder.path(), kind, wrong).is_none() {
+                return;
+            }
+            let (code, said) = refused(folder.path(), "20");
+            assert!(code == Some(3) && said.contains(says), "{code:?}: {said}");
+        }
+    }
+}
+
+#[test]
+fn a_call_that_never_returns_is_ended() {
+    let folder = tempfile::tempdir().unwrap();
+    if mass(folder.path(), SIMULATION, "for(;;)").is_some() {
+        let (code, said) = refused(folder.path(), "2");
+        assert!(code == Some(3) && said.contains("does not return"), "{code:?}: {said}");
+    }
+}
+
+#[test]
+fn a_call_that_is_refused_says_which() {
+    for kind in [EXCHANGE, SIMULATION] {
+        let folder = tempfile::tempdir().unwrap();
+        if mass(folder.path(), kind, "return 3").is_none() {
+            return;
+        }
+        let (code, said) = refused(folder.path(), "20");
+        assert!(code == Some(3) && said.contains("gave error"), "{code:?}: {said}");
+    }
+}
+
+#[test]
+fn damaged_archives_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let Some(library) = library(folder, "(void)0") else { return };
+    let description = DESCRIPTION.replace("KINDS", EXCHANGE);
+    let (text, path) = (description.as_bytes(), folder.join("mass.fmu"));
+    let place = place();
+    let whole: [(&str, &[u8]); 2] = [("modelDescription.xml", text), (&place, &library)];
+    archive(&path, &whole);
+    let bytes = std::fs::read(&path).unwrap();
+    let expect = |says: &str| {
+        let (code, said) = refused(folder, "20");
+        assert!(
+            code == Some(2) && said.contains(says) && said.contains("mass.fmu"),
+            "{says}: {code:?}: {said}"
+        );
+    };
+    std::fs::write(&path, &bytes[..bytes.len() / 2]).unwrap();
+    expect("no archive");
+    let mut spoiled = bytes.clone();
+    spoiled[300..900].fill(0x55);
+    std::fs::write(&path, spoiled).unwrap();
+    expect("archive");
+    archive(&path, &[whole[0], ("../outside.txt", b"x")]);
+    expect("outside");
+    assert!(!folder.parent().unwrap().join("outside.txt").exists());
+    archive(&path, &[whole[1]]);
+    expect("modelDescription.xml");
+    archive(&path, &[("modelDescription.xml", &text[..400]), whole[1]]);
+    expect("no XML");
+    archive(&path, &[whole[0], ("binaries/win64/mass.dll", &library)]);
+    expect("win64");
+    archive(&path, &[whole[0], (&place, b"no library")]);
+    expect("does not load");
+    let other = description.replace("fmiVersion=\"2.0\"", "fmiVersion=\"1.0\"");
+    archive(&path, &[("modelDescription.xml", other.as_bytes()), whole[1]]);
+    expect("1.0");
+}
