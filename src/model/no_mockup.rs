@@ -25,7 +25,12 @@ pub(super) fn begun(root: &Form<'_>, _: Option<&Path>) -> Result<Option<Model>> 
     if root.field("fmu").is_some() { Err(root.error("fmu", refused())) } else { Ok(None) }
 }
 
-pub(super) fn speaking(_: &Model) {}
+/// Nothing is spoken of.
+pub(super) struct Speaking;
+
+pub(super) fn speaking(_: &Model) -> Speaking {
+    Speaking
+}
 
 pub(super) fn has_units(_: &Model) -> bool {
     false
