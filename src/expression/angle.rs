@@ -268,6 +268,10 @@ fn of_call(function: Function, parts: &[Node<'_>]) -> Power {
         Function::Abs | Function::Delay | Function::Lag | Function::RateLimit => parts[0].power,
         Function::Foreign(_) => Power::Open,
         Function::Curve => parts.iter().skip(2).step_by(2).fold(Power::Any, |p, n| p.beside(n.power)),
+        Function::Surface(n, m) => {
+            let values = 2 + usize::from(n) + usize::from(m);
+            parts.iter().skip(values).fold(Power::Any, |p, n| p.beside(n.power))
+        }
         Function::Min | Function::Max | Function::Clamp | Function::Backlash | Function::Hysteresis => {
             parts.iter().fold(Power::Any, |p, n| p.beside(n.power))
         }

@@ -203,6 +203,22 @@ fn power(base: Inferred, exponent: &Expr) -> Result<Inferred, Fault> {
     within(1, Err(Fault { path: Vec::new(), message, hint }))
 }
 
+/// Places along x and y agree with their signals, all values with the first.
+fn of_surface(n: usize, m: usize, d: &[Inferred]) -> Result<Inferred, Fault> {
+    let places = 2 + n + m;
+    let mut value = None;
+    let mut signals = [d[0], d[1]];
+    for (i, other) in d.iter().enumerate().skip(2) {
+        if i < places {
+            let signal = &mut signals[usize::from(i >= 2 + n)];
+            *signal = agree(i, *signal, *other, "its signal")?;
+        } else {
+            value = agree(i, value, *other, "the values before it")?;
+        }
+    }
+    Ok(value)
+}
+
 fn of_call(function: Function, d: &[Inferred]) -> Result<Inferred, Fault> {
     let first = d.first().copied().flatten();
     match function {
@@ -226,6 +242,7 @@ fn of_call(function: Function, d: &[Inferred]) -> Result<Inferred, Fault> {
             }
             Ok(all[2])
         }
+        Function::Surface(n, m) => of_surface(usize::from(n), usize::from(m), d),
         Function::Atan2 | Function::Relay => {
             agree(1, d[0], d[1], "what stands before it").map(|_| Some(Dimension::NONE))
         }

@@ -57,12 +57,15 @@ pub enum Function {
     RateLimit,
     /// curve(x, x1, y1, x2, y2, …): the monotone cubic through its knots, straight beyond them
     Curve,
+    /// surface(x, y, [x1, …], [y1, …], [z11, z12, …]): bilinear between its knots and straight beyond them; so many x and
+    /// y, and a z for each y at the first x, then at the next
+    Surface(u16, u16),
     /// A result that other people's code computes from all its arguments
     Foreign(Foreign),
 }
 
 /// Every function with its name and its number of arguments, or the least.
-const TABLE: [(Function, &str, usize); 26] = [
+const TABLE: [(Function, &str, usize); 27] = [
     (Function::Sin, "sin", 1),
     (Function::Cos, "cos", 1),
     (Function::Tan, "tan", 1),
@@ -89,6 +92,7 @@ const TABLE: [(Function, &str, usize); 26] = [
     (Function::Relay, "relay", 2),
     (Function::RateLimit, "rate_limit", 2),
     (Function::Curve, "curve", 5),
+    (Function::Surface(2, 2), "surface", 10),
 ];
 
 impl Function {
@@ -104,7 +108,11 @@ impl Function {
 
     /// The name as written in an expression.
     pub fn name(self) -> &'static str {
-        TABLE.iter().find(|row| row.0 == self).map_or(foreign::NAME, |row| row.1)
+        match self {
+            Self::Foreign(_) => foreign::NAME,
+            Self::Surface(..) => "surface",
+            _ => TABLE.iter().find(|row| row.0 == self).map_or("", |row| row.1),
+        }
     }
 
     /// Whether it can be called with so many arguments.
@@ -118,7 +126,13 @@ impl Function {
 
     /// The number of arguments; of a curve the least.
     pub fn arity(self) -> usize {
-        TABLE.iter().find(|row| row.0 == self).map_or(1, |row| row.2)
+        match self {
+            Self::Surface(n, m) => {
+                let (n, m) = (usize::from(n), usize::from(m));
+                2 + n + m + n * m
+            }
+            _ => TABLE.iter().find(|row| row.0 == self).map_or(1, |row| row.2),
+        }
     }
 
     /// How it is called, for messages: `clamp(x, lo, hi)`.
@@ -135,6 +149,7 @@ impl Function {
             Self::Relay => "relay(x, gap)",
             Self::RateLimit => "rate_limit(x, rate)",
             Self::Curve => "curve(x, x1, y1, x2, y2, …)",
+            Self::Surface(..) => "surface(x, y, [x1, …], [y1, …], [z11, z12, …])",
             _ => self.name(),
         }
     }
@@ -167,6 +182,9 @@ impl Function {
             Self::Hysteresis => 0.0,
             Self::Foreign(f) => f.compute().map_or(f64::NAN, |c| c.value(x, usize::from(f.result))),
             Self::Curve => super::curve::curve(a, x.get(1..).unwrap_or_default()),
+            Self::Surface(n, _) => {
+                super::surface::surface([a, b], usize::from(n), x.get(2..).unwrap_or_default())
+            }
             Self::Relay => f64::from(i8::from(a > b / 2.0) - i8::from(a < -b / 2.0)),
         }
     }

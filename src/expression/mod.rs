@@ -36,6 +36,7 @@ pub(crate) mod foreign;
 mod function;
 mod parse;
 mod print;
+mod surface;
 mod tree;
 mod turning;
 mod walk;

@@ -241,6 +241,9 @@ impl Reader<'_> {
                 None => e.with_hint(format!("for a product write {word}*(…)")),
             }
         })?;
+        if matches!(function, Function::Surface(..)) {
+            return self.surface(start);
+        }
         let (arguments, children, last) = self.arguments()?;
         if !function.takes(arguments.len()) {
             let (name, wants, has) = (function.usage(), function.arity(), arguments.len());
@@ -274,6 +277,65 @@ impl Reader<'_> {
         let last = self.at + 1;
         self.closes(opened)?;
         Ok((arguments, children, last))
+    }
+
+    /// surface(x, y, [x1, …], [y1, …], [z11, z12, …]).
+    fn surface(&mut self, start: usize) -> Result<Spanned> {
+        let opened = self.at;
+        self.takes('(');
+        let (mut arguments, mut children) = (Vec::new(), Vec::new());
+        for _ in 0..2 {
+            let (argument, span) = self.sum()?;
+            arguments.push(argument);
+            children.push(span);
+            self.follows(',')?;
+        }
+        let mut sizes = [0; 3];
+        for (k, size) in sizes.iter_mut().enumerate() {
+            self.follows('[')?;
+            loop {
+                let (argument, span) = self.sum()?;
+                arguments.push(argument);
+                children.push(span);
+                *size += 1;
+                if !self.takes(',') {
+                    break;
+                }
+            }
+            self.follows(']')?;
+            if k < 2 {
+                self.follows(',')?;
+            }
+        }
+        let last = self.at + 1;
+        self.closes(opened)?;
+        let [n, m, values] = sizes;
+        let count = |k: usize| u16::try_from(k).ok().filter(|k| *k >= 2);
+        let (Some(columns), Some(rows)) = (count(n), count(m)) else {
+            return Err(self.error(
+                start,
+                last - start,
+                "a surface has two or more knots along x and along y",
+            ));
+        };
+        if values != n * m {
+            let message = format!(
+                "{n} x and {m} y want {} values, a z for each y at the first x, then at the next; here are {values}",
+                n * m
+            );
+            return Err(self.error(start, last - start, message));
+        }
+        Ok((Expr::Call(Function::Surface(columns, rows), arguments), Span { start, end: last, children }))
+    }
+
+    /// Goes past a character that must stand here.
+    fn follows(&mut self, wanted: char) -> Result<()> {
+        if self.takes(wanted) {
+            return Ok(());
+        }
+        let found = self.peek().map_or("the end".to_owned(), |c| format!("{c:?}"));
+        let e = self.error(self.at, 1, format!("expected {wanted:?}, found {found}"));
+        Err(e.with_hint("a surface is written surface(x, y, [x1, x2, …], [y1, y2, …], [z11, z12, …])"))
     }
 
     /// fmu(k, …), a result of the unit that the model names.

@@ -32,6 +32,13 @@ fn number(x: f64, f: &mut Formatter<'_>) -> fmt::Result {
     if x != 0.0 && !(1e-4..1e7).contains(&x.abs()) { write!(f, "{x:e}") } else { write!(f, "{x}") }
 }
 
+/// The arguments with which a list in brackets begins and ends.
+fn lists(function: Function) -> ([usize; 3], [usize; 3]) {
+    let Function::Surface(n, m) = function else { return ([usize::MAX; 3], [usize::MAX; 3]) };
+    let (n, m) = (usize::from(n), usize::from(m));
+    ([2, 2 + n, 2 + n + m], [1 + n, 1 + n + m, 1 + n + m + n * m])
+}
+
 impl Display for Expr {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match self {
@@ -58,9 +65,12 @@ impl Display for Expr {
                 if let Function::Foreign(foreign) = function {
                     write!(f, "{}, ", foreign.result)?;
                 }
+                let (opens, closes) = lists(*function);
                 for (i, a) in arguments.iter().enumerate() {
                     f.write_str(if i == 0 { "" } else { ", " })?;
+                    f.write_str(if opens.contains(&i) { "[" } else { "" })?;
                     a.fmt(f)?;
+                    f.write_str(if closes.contains(&i) { "]" } else { "" })?;
                 }
                 f.write_str(")")
             }

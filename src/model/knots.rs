@@ -1,4 +1,4 @@
-//! The knots of a `curve`: their places rise, and none is fitted.
+//! The knots of a `curve` or `surface`: their places rise, and none is fitted.
 
 use super::Model;
 use crate::expression::{Expr, Function};
@@ -16,6 +16,13 @@ impl Model {
                 let places: Vec<&Expr> = arguments[1..].iter().step_by(2).collect();
                 fault = fault.take().or_else(|| self.fault_of(&places));
             }
+            if let Expr::Call(Function::Surface(n, m), arguments) = part {
+                let (along, rest) = arguments[2..].split_at(usize::from(*n));
+                for places in [along, &rest[..usize::from(*m)]] {
+                    let places: Vec<&Expr> = places.iter().collect();
+                    fault = fault.take().or_else(|| self.fault_of(&places));
+                }
+            }
         });
         fault.map_or(Ok(()), Err)
     }
@@ -24,7 +31,7 @@ impl Model {
         let fitted =
             self.parameters.iter().filter(|p| p.fit).find(|p| places.iter().any(|e| e.mentions(&p.name)));
         if let Some(p) = fitted {
-            let message = format!("a knot of a curve stands at {}, which is fitted", p.name);
+            let message = format!("a knot of a curve or surface stands at {}, which is fitted", p.name);
             return Some(
                 Error::bad_input(message).with_hint("fit the values at the knots, and fix their places"),
             );
@@ -36,7 +43,7 @@ impl Model {
             .find(|w| value(w[0]).zip(value(w[1])).is_some_and(|(a, b)| a >= b || b.is_nan()))
             .map(|w| {
                 Error::bad_input(format!(
-                    "the knots of a curve must rise, but {} stands before {}",
+                    "the knots of a curve or surface must rise, but {} stands before {}",
                     w[0], w[1]
                 ))
                 .with_hint("curve(x, x1, y1, x2, y2, …): x1 < x2 < …")

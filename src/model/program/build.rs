@@ -128,6 +128,7 @@ impl Builder {
                 let half = self.half(x[1]);
                 self.graph.relay(x[0], half)
             }
+            Function::Surface(n, _) => return self.surface(x[0], x[1], usize::from(n), &x[2..]),
             Function::Curve => return self.curve(x[0], &x[1..]),
             Function::Foreign(f) => self.graph.foreign(f, x),
             _ => self.graph.one(f, x[0]),

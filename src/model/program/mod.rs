@@ -11,6 +11,7 @@ mod derive;
 mod emit;
 mod foreign;
 mod graph;
+mod surface;
 
 pub(crate) use code::{Action, Op, Switching, execute, slope, whole_power_parts};
 

@@ -97,8 +97,8 @@ fn call(function: Function, arguments: &[Expr], language: CodeLanguage) -> Resul
     if function.has_memory() {
         return Err(Error::bad_input(format!("{name} has a memory and is no function of numbers")));
     }
-    if function == Function::Curve {
-        return Err(Error::bad_input("a curve through knots is written out in no formula"));
+    if matches!(function, Function::Curve | Function::Surface(..)) {
+        return Err(Error::bad_input("a curve or surface through knots is written out in no formula"));
     }
     let all = inside.join(", ");
     Ok(match (function, language) {

@@ -1,4 +1,4 @@
-//! `curve` in a running model: against energy, against a straight law, and its slopes against differences.
+//! `curve` and `surface` in a running model: against energy, against a straight law, and its slopes against differences.
 
 use super::{channel, outputs, recording, sensitivities, simulator, times};
 use gyrospec::expression::Expr;
@@ -55,6 +55,69 @@ fn knots_on_a_line_are_a_spring() {
     let got = outputs(&simulator(&swing("-1, -a, 0.5, 0.5*a, 1, a", 2.0), &r));
     for (t, x) in time.iter().zip(&got) {
         assert!((x - 2.0 * (3.0f64.sqrt() * t).cos()).abs() < 1e-5);
+    }
+}
+
+/// x″ = −z with z a surface over x and v.
+fn over_both(lists: &str) -> String {
+    swing("0, a, 1, b", 1.5)
+        .replace("curve(x/one, 0, a, 1, b)", &format!("surface(x/one, v/fast, {lists})"))
+        .replace("one =", "fast = { value = 1, unit = \"m/s\" }\n        one =")
+}
+
+#[test]
+fn a_surface_whose_knots_lie_on_a_damped_spring_is_one() {
+    // z = 3x + 0.4v at the places x = −1, 0.5, 2 and v = −2, 1
+    let z = |x: f64, v: f64| format!("{:?}*a/3", 3.0 * x + 0.4 * v);
+    let values: Vec<String> = [-1.0, 0.5, 2.0].iter().flat_map(|x| [z(*x, -2.0), z(*x, 1.0)]).collect();
+    let text = over_both(&format!("[-1, 0.5, 2], [-2, 1], [{}]", values.join(", ")));
+    let time = times(10.0, 0.05);
+    let r = recording(vec![channel("y", "m", &time, |_| 0.0), channel("speed", "m/s", &time, |_| 0.0)]);
+    let s = simulator(&text, &r);
+    let got = outputs(&s);
+    // x″ + 0.4x′ + 3x = 0 from 1.5 at rest
+    let (d, w) = (0.2, (3.0f64 - 0.04).sqrt());
+    for (t, x) in time.iter().zip(&got) {
+        let exact = 1.5 * (-d * t).exp() * ((w * t).cos() + d / w * (w * t).sin());
+        assert!((x - exact).abs() < 1e-5, "{t}: {x} {exact}");
+    }
+    sensitivities::check(&s, 1e-5, 1e-4);
+    let model = Model::parse(&text).unwrap();
+    assert_eq!(Model::parse(&model.to_toml()).unwrap(), model);
+}
+
+#[test]
+fn a_surface_that_bends_follows_fine_steps_of_its_own_law() {
+    let lists = "[-1, 0.2, 2], [-1, 0, 2], [-a, -2*a/3, -a, 0.1*a, 0, 0.3*a, b, 0.7*b, 1.2*b]";
+    let time = times(8.0, 0.05);
+    let r = recording(vec![channel("y", "m", &time, |_| 0.0), channel("speed", "m/s", &time, |_| 0.0)]);
+    let got = outputs(&simulator(&over_both(lists), &r));
+    let law = Expr::parse(&format!("surface(x, v, {})", lists.replace('a', "3").replace('b', "5"))).unwrap();
+    let rate = |[x, v]: [f64; 2]| [v, -law.value(&|n| Some(if n == "x" { x } else { v })).unwrap()];
+    let (mut y, h) = ([1.5, 0.0], 1e-4);
+    for (i, x) in got.iter().enumerate() {
+        assert!((x - y[0]).abs() < 1e-4, "{}: {x} {}", time[i], y[0]);
+        for _ in 0..500 {
+            let a = rate(y);
+            let b = rate([y[0] + h / 2.0 * a[0], y[1] + h / 2.0 * a[1]]);
+            y = [y[0] + h * b[0], y[1] + h * b[1]];
+        }
+    }
+}
+
+#[test]
+fn surfaces_that_are_none_are_refused() {
+    for (lists, why) in [
+        ("[0, 1], [0, 1], [a, a, b]", "4 values"),
+        ("[0], [0, 1], [a, b]", "two or more knots"),
+        ("[0, 1], [1, 0], [a, a, b, b]", "must rise"),
+        ("[0, 1], [0, 1], [a, a, b, 1]", "unit"),
+        ("[0, one], [0, 1], [a, a, b, b]", "unit"),
+        ("0, 1, a", "expected '['"),
+        ("[0, 1], [0, 1], [a, a, b, b", "expected ']'"),
+    ] {
+        let e = Model::parse(&over_both(lists)).unwrap_err().to_string();
+        assert!(e.contains(why), "{lists}: {e}");
     }
 }
 
