@@ -270,3 +270,20 @@ fn what_has_no_name_is_put_into_the_model_as_a_curve() {
     assert!(told.findings.iter().skip(1).all(|f| f.resembles || f.code == "free-law"));
     assert!(told.says.contains("no name") && told.says.contains("straight beyond"), "{}", told.says);
 }
+
+#[test]
+fn a_law_of_two_signals_is_put_into_the_model_as_a_surface() {
+    // a draught through a gap that is widest about 650 K, against the wind on one side of the house
+    let plant = Plant {
+        inputs: &[("P", "W"), ("Ta", "K"), ("wind", "m/s")],
+        sizes: &[(3000.0, 2000.0), (293.0, 4.0), (0.0, 3.0)],
+        ..FURNACE
+    };
+    let draught = |t: f64, wind: f64| 700.0 * (wind / 1.5).tanh() * (-((t - 650.0) / 90.0_f64).powi(2)).exp();
+    let told = plant
+        .diagnosed(FURNACE_MODEL, |x, u| vec![(u[0] - 6.0 * (x[0] - u[1]) - draught(x[0], u[2])) / 2500.0]);
+    assert_eq!((told.verdict, first(&told)), (Verdict::Unknown, "free-law"), "{}", told.says);
+    let p = &told.proof[0];
+    assert!(p.holdout_after < 0.6 * p.holdout_before && p.improvement_low > 0.0, "{p:?}");
+    assert!(told.findings[0].term.contains("surface("), "{}", told.findings[0].term);
+}

@@ -7,7 +7,8 @@
 //! # Method
 //! Curves through few knots are screened as the catalogue is, at every place and for every signal; the best are fitted
 //! with everything else. The likeliest of those that lower the error of left-out blocks most is then tried through more
-//! knots, which it keeps only where those blocks fall again. A second law may follow on the same terms. What is offered
+//! knots, which it keeps only where those blocks fall again; and a surface over its signal and another takes its place where
+//! that predicts them clearly better, or stands where no curve does. A second law may follow on the same terms. What is offered
 //! must also lower the error of what was held out.
 //!
 //! # References
@@ -18,8 +19,8 @@ mod looks;
 use super::answer::{Answer, Finding, Verdict};
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::catalogue::edit;
-use super::catalogue::free_law::{CODE, laws};
+use super::catalogue::free_law::{CODE, laws, surfaces};
+use super::catalogue::{Site, edit};
 use super::choose::{CHANCE, SURE, floor, gain};
 use super::compared::{patiently, same_samples};
 use super::measure::{Measure, Scale};
@@ -35,6 +36,12 @@ use crate::record::Recording;
 
 /// Knots of a curve: first, and where it is looked at again.
 const KNOTS: [usize; 3] = [5, 9, 15];
+/// Knots of a surface along either signal.
+const ALONG: usize = 4;
+/// Places where surfaces are looked for, where no curve stands.
+const PLACES: usize = 2;
+/// Times that a surface must lower the error of left-out blocks further than a curve.
+const BETTER: f64 = 1.3;
 /// Laws that are fitted.
 const FITTED: usize = 6;
 /// Those of one signal among them.
@@ -133,21 +140,14 @@ fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<
         !ground.taken.iter().any(|t| t.proposal.site == p.site || t.proposal.depends == p.depends)
     };
     let proposals: Vec<Proposal> = laws(&scene, KNOTS[0]).into_iter().filter(is_new).collect();
-    let tried = proposals.len() as f64;
     let screened = explaining(bench, &view, proposals);
-    let chosen = likeliest(&screened);
-    let squares = ground.scale.squares(current);
-    let fitted = race::run(bench, &view, ground.given, &chosen, (squares, ground.scale), ground.progress);
-    let measured = fitted.into_iter().filter(|f| same_samples(current, &f.fit)).map(|f| {
-        let measure = Measure::of(&f.fit, ground.scale);
-        let p_value = (tried * measure.chance_over(now.likelihood, f.proposal.added.len())).min(1.0);
-        Lawful { proposal: f.proposal, fit: f.fit, measure, p_value, tried }
-    });
-    let stands = |l: &Lawful| l.p_value < CHANCE && gain(now, &l.measure) > least;
-    let mut standing: Vec<Lawful> = measured.filter(stands).collect();
-    standing.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
+    let over = (current, now);
     let runs = |l: &Lawful| prove::runs(bench, &l.fit, ground.separate);
-    let Some(mut best) = standing.into_iter().find(runs) else { return Ok(None) };
+    let Some(mut best) = best_of(ground, &view, &screened, over, least) else {
+        let sites = likeliest_sites(&screened);
+        let both = surfaces(&scene, &sites, None, ALONG).into_iter().filter(is_new).collect();
+        return Ok(best_of(ground, &view, &explaining(bench, &view, both), over, least));
+    };
     for knots in &KNOTS[1..] {
         if bench.budget.spent() > ground.most {
             break;
@@ -160,7 +160,49 @@ fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<
             None => break,
         }
     }
+    if bench.budget.spent() < ground.most {
+        let of = best.proposal.depends.first().map(String::as_str);
+        let both = surfaces(&scene, std::slice::from_ref(&best.proposal.site), of, ALONG);
+        let screened = explaining(bench, &view, both.into_iter().filter(is_new).collect());
+        let law = best_of(ground, &view, &screened, over, least);
+        best = law.filter(|l| gain(&best.measure, &l.measure) > BETTER.ln()).unwrap_or(best);
+    }
     Ok(Some(best))
+}
+
+/// The best of the likeliest of some proposals, fitted, that stands and runs over what was held out.
+fn best_of(
+    ground: &Ground<'_>,
+    view: &View,
+    screened: &[Screened],
+    (current, now): (&Fit, &Measure),
+    least: f64,
+) -> Option<Lawful> {
+    let bench = ground.bench;
+    let tried = screened.len() as f64;
+    let chosen = likeliest(screened);
+    let squares = ground.scale.squares(current);
+    let fitted = race::run(bench, view, ground.given, &chosen, (squares, ground.scale), ground.progress);
+    let measured = fitted.into_iter().filter(|f| same_samples(current, &f.fit)).map(|f| {
+        let measure = Measure::of(&f.fit, ground.scale);
+        let p_value = (tried * measure.chance_over(now.likelihood, f.proposal.added.len())).min(1.0);
+        Lawful { proposal: f.proposal, fit: f.fit, measure, p_value, tried }
+    });
+    let stands = |l: &Lawful| l.p_value < CHANCE && gain(now, &l.measure) > least;
+    let mut standing: Vec<Lawful> = measured.filter(stands).collect();
+    standing.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
+    standing.into_iter().find(|l| prove::runs(bench, &l.fit, ground.separate))
+}
+
+/// The places at which curves explain most, though none stands.
+fn likeliest_sites(screened: &[Screened]) -> Vec<Site> {
+    let mut sites: Vec<Site> = Vec::new();
+    for s in screened {
+        if sites.len() < PLACES && !sites.contains(&s.proposal.site) {
+            sites.push(s.proposal.site.clone());
+        }
+    }
+    sites
 }
 
 /// Those that explain most, a few of each signal.
