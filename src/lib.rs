@@ -15,6 +15,7 @@
 //! | read a model, and run it on a recording | [`Model::read`], [`simulate`](fn@simulate) | `diagnose` |
 //! | fit its parameters | [`fit`](fn@fit) | `diagnose` |
 //! | find what it leaves out | [`diagnose`](fn@diagnose) | `diagnose` |
+//! | write it in another language | [`export`](fn@export) to a [`Language`] | `diagnose` |
 //!
 //! Without any feature there is the integral with its exact tier alone; `cli`, the default, is all of it and the
 //! program. The rooms behind, from the ground up; each imports only what stands above it:
@@ -30,6 +31,7 @@
 //! | [`record`] | recordings |
 //! | [`gyro`] | gyrospheres, the rotating gimbal, strapdown systems |
 //! | [`model`] | model files |
+//! | [`export`](mod@export) | a model in other languages |
 //! | [`simulate`](mod@simulate) | a model on a recording |
 //! | [`diagnose`](mod@diagnose) | what is missing |
 //! | [`rolling`] | the rolling error as it is asked for: compass, motion, rows |
@@ -45,6 +47,8 @@ pub mod exact;
 #[cfg(any(feature = "symbolic", feature = "instruments"))]
 #[doc(hidden)]
 pub mod expression;
+#[cfg(feature = "diagnose")]
+pub mod export;
 #[cfg(feature = "fmu")]
 mod fmu;
 #[cfg(feature = "instruments")]
@@ -106,6 +110,8 @@ pub use spectrum::{Hull, Roll, Sea};
 pub use diagnose::answer::{Finding, Proof, Verdict};
 #[cfg(feature = "diagnose")]
 pub use estimate::fit::{Progress, Silent};
+#[cfg(feature = "diagnose")]
+pub use export::{Language, export};
 #[cfg(feature = "diagnose")]
 pub use facade::{
     Asking, Diagnosed, Diagnosing, Estimated, Fitted, Fitting, Rolled, Rolling, Simulated, SimulatedOutput,

@@ -7,6 +7,7 @@ mod compass;
 mod completions;
 mod diagnose;
 mod explain;
+mod export;
 mod fit;
 mod formula;
 mod gimbal;
@@ -74,6 +75,8 @@ enum Command {
     Fit(fit::Call),
     /// Find what a model leaves out, and prove it.
     Diagnose(diagnose::Call),
+    /// Write a model as code: Python, C, Rust, Modelica, LaTeX.
+    Export(export::Call),
     /// What can be missing: the pages of the catalogue.
     Explain(explain::Explain),
     /// How often the diagnosis finds what was concealed.
@@ -142,6 +145,7 @@ fn run(cli: Cli) -> Result<Outcome> {
         Command::Audit(call) => return audit::run(&call),
         Command::Table(call) => return table::run(&call),
         Command::Diagnose(call) => return diagnose::run(&call),
+        Command::Export(call) => return export::run(&call),
         Command::Explain(call) => return explain::run(&call),
         Command::Laboratory(call) => return laboratory::run(&call),
         Command::Fit(call) => return fit::run(&call),

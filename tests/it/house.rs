@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-const ROOMS: [&str; 20] = [
+const ROOMS: [&str; 21] = [
     "text",
     "error",
     "units",
@@ -17,6 +17,7 @@ const ROOMS: [&str; 20] = [
     "record",
     "gyro",
     "model",
+    "export",
     "simulate",
     "estimate",
     "rolling",

@@ -70,7 +70,7 @@ impl Builder {
         let three = g.constant(3.0);
         let above = g.product(three, both);
         let above = g.product(above, product);
-        let mean = g.add(super::graph::Node::Two(super::graph::Two::Div, above, below));
+        let mean = g.quotient(above, below);
         let zero = g.constant(0.0);
         g.select(rising, mean, zero)
     }
