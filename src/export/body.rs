@@ -89,7 +89,7 @@ pub(super) trait Lines: Words {
     /// The lines of the end of a step.
     fn updated(&self, own: &Lowered<'_>) -> Vec<String> {
         let kept = |l: &&Local| !matches!(l.value, Value::Is(_));
-        let wanted: Vec<&Expr> = own.locals.iter().filter(kept).flat_map(|l| l.value.parts()).collect();
+        let wanted: Vec<&Expr> = own.locals.iter().filter(kept).flat_map(|l| l.value.remembered()).collect();
         let names = needed(own, &wanted);
         let mut lines = self.unpacked(own, &names);
         for local in own.locals.iter().filter(|l| kept(l) || names.contains(&l.name)) {

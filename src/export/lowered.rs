@@ -236,6 +236,14 @@ impl Value {
         }
     }
 
+    /// The expressions that its memory is made of.
+    pub fn remembered(&self) -> Vec<&Expr> {
+        match self {
+            Self::Lag(_, signal, _) | Self::Past(_, signal, _) => vec![signal],
+            _ => self.parts(),
+        }
+    }
+
     /// The number of the memory that it has.
     fn number(&self) -> Option<usize> {
         match self {

@@ -4,7 +4,7 @@ use super::Language;
 use super::body::{Lines, guards};
 use super::lowered::{Lowered, only};
 use super::spell::{Binding, Words, called, whole};
-use super::{refused, runner, said};
+use super::{runner, said};
 use crate::Result;
 use crate::expression::{Expr, Function};
 use crate::model::{Initial, Model};
@@ -12,14 +12,10 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Keywords, and the names of the file itself.
-const RESERVED: [&str; 69] = [
-    "False", "None", "True", "and", "as", "assert", "async", "await", "break", "class", "continue", "def", "del",
-    "elif", "else", "except", "finally", "for", "from", "global", "if", "import", "in", "is", "lambda", "nonlocal",
-    "not", "or", "pass", "raise", "return", "try", "while", "with", "yield", "match", "t", "x", "u", "p", "m", "first",
-    "math", "min", "max", "abs", "bisect_right", "Memory", "derivatives", "outputs", "update", "switches", "delays",
-    "_play", "_relay", "_limit", "_past", "_keep", "_settle", "_sign", "_step", "_curve", "_quotient", "_power", "_sqrt",
-    "_ln", "_exp", "_asin", "_acos",
-];
+const RESERVED: &str = "False None True and as assert async await break class continue def del elif else except finally for from global \
+    if import in is lambda nonlocal not or pass raise return try while with yield match t x u p m first math csv sys \
+    main run min max abs bisect_right Memory derivatives outputs update switches delays _play _relay _limit _past \
+    _keep _settle _sign _step _curve _line _surface _quotient _power _sqrt _ln _exp _asin _acos";
 
 const TEXT: &str = include_str!("text/python.txt");
 
@@ -53,6 +49,11 @@ impl Words for Python {
             Function::Sign => called("_sign", x),
             Function::Step => format!("(0.5 + 0.5*_sign({}, 1.0))", x[0]),
             Function::Curve => called("_curve", x),
+            Function::Surface(n, m) => {
+                let (n, m) = (2 + usize::from(n), usize::from(m));
+                let list = |x: &[String]| format!("[{}]", x.join(", "));
+                called("_surface", &[x[0].clone(), x[1].clone(), list(&x[2..n]), list(&x[n..n + m]), list(&x[n + m..])])
+            }
             Function::Abs | Function::Min | Function::Max => called(f.name(), x),
             Function::Clamp => format!("min(max({}, {}), {})", x[0], x[1], x[2]),
             _ => called(&format!("math.{}", f.name()), x),
@@ -88,12 +89,11 @@ impl Lines for Python {
 
 /// The model in Python.
 pub(super) fn text(model: &Model) -> Result<String> {
-    let own = Lowered::of(model, &RESERVED)?;
+    let reserved: Vec<&str> = RESERVED.split_whitespace().collect();
+    let own = Lowered::of(model, &reserved)?;
     let parameters = model.parameters.iter().map(|p| own.names.of(&p.name).to_string()).collect();
     let python = Python { parameters };
-    for e in runner::all(&own) {
-        spoken(e)?;
-    }
+    runner::spoken(&own, Language::Python)?;
     let mut out = head(&own);
     data(&own, &mut out);
     memory(&own, &mut out);
@@ -104,19 +104,9 @@ pub(super) fn text(model: &Model) -> Result<String> {
     Ok(format!("{}\n", out.trim_end()))
 }
 
-/// Refuses what has no words.
-fn spoken(e: &Expr) -> Result<()> {
-    let mut wrong = None;
-    e.visit(&mut |part| {
-        if let Expr::Call(f @ Function::Foreign(_), _) = part {
-            wrong = Some(*f);
-        }
-    });
-    wrong.map_or(Ok(()), |f| Err(refused::function(f, Language::Python)))
-}
-
 fn head(own: &Lowered<'_>) -> String {
     let mut lines = said::head(own, true);
+    lines.push("A program: python3 model.py < inputs.csv > outputs.csv".into());
     lines.push("Example: run([0.0, 0.1], {\"input\": [0.0, 1.0]}, substeps=4)".replace(
         "{\"input\": [0.0, 1.0]}",
         &format!(
@@ -125,7 +115,7 @@ fn head(own: &Lowered<'_>) -> String {
         ),
     ));
     let commented: String = lines.iter().map(|l| format!("# {l}\n").replace("# \n", "#\n")).collect();
-    format!("{commented}\nimport math\nfrom bisect import bisect_right\n\n")
+    format!("{commented}\nimport csv\nimport math\nimport sys\nfrom bisect import bisect_right\n\n")
 }
 
 fn data(own: &Lowered<'_>, out: &mut String) {

@@ -31,12 +31,22 @@ fn has_unit(_: &Model) -> bool {
 }
 
 fn is_foreign(model: &Model) -> bool {
-    let calls = |e: &Expr| {
-        let mut found = false;
-        e.visit(&mut |part| found |= matches!(part, Expr::Call(Function::Foreign(_), _)));
-        found
-    };
-    has_unit(model) || expressions(model).any(calls)
+    let is_foreign = |f: Function| matches!(f, Function::Foreign(_));
+    has_unit(model) || expressions(model).any(|e| first_call(e, &is_foreign).is_some())
+}
+
+/// The first such function that an expression calls.
+pub(super) fn first_call(e: &Expr, is_such: &dyn Fn(Function) -> bool) -> Option<Function> {
+    let mut found = None;
+    e.visit(&mut |part| {
+        if let Expr::Call(f, _) = part
+            && found.is_none()
+            && is_such(*f)
+        {
+            found = Some(*f);
+        }
+    });
+    found
 }
 
 /// Every expression of a model.

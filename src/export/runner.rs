@@ -1,6 +1,8 @@
 //! The fixed text of the runners: blocks of which a model takes what it needs.
 
 use super::lowered::Lowered;
+use super::{Language, refused};
+use crate::Result;
 use crate::expression::{Expr, Function};
 use crate::model::Initial;
 
@@ -26,7 +28,7 @@ pub(super) fn blocks(text: &str, holds: &dyn Fn(&str) -> bool) -> String {
 /// Whether a word of the runners' conditions holds for a model.
 pub(super) fn holds(own: &Lowered<'_>, word: &str) -> bool {
     let c = own.counts;
-    let uses = |f: Function| super::refused::expressions(own.model).any(|e| e.calls(f));
+    let uses = |f: Function| calls(own, &|other| other == f);
     match word {
         "always" => true,
         "steps" => own.steps(),
@@ -40,10 +42,22 @@ pub(super) fn holds(own: &Lowered<'_>, word: &str) -> bool {
         "late" => !own.columns.is_empty(),
         "steady" => own.model.states.iter().any(|s| s.initial == Initial::Steady),
         "curve" => uses(Function::Curve),
+        "surface" => calls(own, &|f| matches!(f, Function::Surface(..))),
         "sign" => c.signs > 0 || uses(Function::Sign) || uses(Function::Step),
         "step" => uses(Function::Step) && c.signs == 0,
         _ => false,
     }
+}
+
+/// Whether the model calls such a function.
+fn calls(own: &Lowered<'_>, is_such: &dyn Fn(Function) -> bool) -> bool {
+    refused::expressions(own.model).any(|e| refused::first_call(e, is_such).is_some())
+}
+
+/// Refuses what has no words.
+pub(super) fn spoken(own: &Lowered<'_>, language: Language) -> Result<()> {
+    let wrong = all(own).into_iter().find_map(|e| refused::first_call(e, &|f| matches!(f, Function::Foreign(_))));
+    wrong.map_or(Ok(()), |f| Err(refused::function(f, language)))
 }
 
 /// Every expression of the functions.
