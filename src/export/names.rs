@@ -72,6 +72,11 @@ impl Names {
         own
     }
 
+    /// Whether something has that name.
+    pub fn has(&self, name: &str) -> bool {
+        self.taken.contains(name)
+    }
+
     /// The names that had to change, with what they became.
     pub fn changed(&self) -> impl Iterator<Item = (&str, &str)> {
         self.given.iter().filter(|(a, b)| a != b).map(|(a, b)| (a.as_str(), b.as_str()))

@@ -4,7 +4,7 @@ use super::lowered::Lowered;
 use super::{Language, refused};
 use crate::Result;
 use crate::expression::{Expr, Function};
-use crate::model::Initial;
+use crate::model::{Initial, Model};
 
 /// The blocks of a text whose conditions hold. A line `@ word …` begins a block that is taken where each word
 /// holds; `!word` holds where the word does not.
@@ -28,7 +28,7 @@ pub(super) fn blocks(text: &str, holds: &dyn Fn(&str) -> bool) -> String {
 /// Whether a word of the runners' conditions holds for a model.
 pub(super) fn holds(own: &Lowered<'_>, word: &str) -> bool {
     let c = own.counts;
-    let uses = |f: Function| calls(own, &|other| other == f);
+    let uses = |f: Function| calls(own.model, &|other| other == f);
     match word {
         "always" => true,
         "steps" => own.steps(),
@@ -42,7 +42,7 @@ pub(super) fn holds(own: &Lowered<'_>, word: &str) -> bool {
         "late" => !own.columns.is_empty(),
         "steady" => own.model.states.iter().any(|s| s.initial == Initial::Steady),
         "curve" => uses(Function::Curve),
-        "surface" => calls(own, &|f| matches!(f, Function::Surface(..))),
+        "surface" => calls(own.model, &|f| matches!(f, Function::Surface(..))),
         "sign" => c.signs > 0 || uses(Function::Sign) || uses(Function::Step),
         "step" => uses(Function::Step) && c.signs == 0,
         _ => false,
@@ -50,8 +50,8 @@ pub(super) fn holds(own: &Lowered<'_>, word: &str) -> bool {
 }
 
 /// Whether the model calls such a function.
-fn calls(own: &Lowered<'_>, is_such: &dyn Fn(Function) -> bool) -> bool {
-    refused::expressions(own.model).any(|e| refused::first_call(e, is_such).is_some())
+pub(super) fn calls(model: &Model, is_such: &dyn Fn(Function) -> bool) -> bool {
+    refused::expressions(model).any(|e| refused::first_call(e, is_such).is_some())
 }
 
 /// Refuses what has no words.

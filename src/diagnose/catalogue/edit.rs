@@ -32,6 +32,7 @@ pub fn unit_of(e: &Expr, of_name: &dyn Fn(&str) -> Option<Unit>) -> Unit {
             | Function::Hysteresis
             | Function::RateLimit => unit_of(&args[0], of_name),
             Function::Curve => unit_of(&args[2], of_name),
+            Function::Surface(n, m) => unit_of(&args[2 + usize::from(*n) + usize::from(*m)], of_name),
             Function::Foreign(f) => f.unit(),
             _ => Unit::one(),
         },

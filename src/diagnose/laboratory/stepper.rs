@@ -196,7 +196,7 @@ fn plain(f: Function, x: &[f64]) -> f64 {
         Function::Max => x[0].max(x[1]),
         Function::Step => f64::from(u8::from(x[0] >= 0.0)),
         Function::Clamp => x[0].max(x[1]).min(x[2]),
-        Function::Curve => f.of(x),
+        Function::Curve | Function::Surface(..) => f.of(x),
         _ => f64::NAN,
     }
 }
