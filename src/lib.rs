@@ -44,11 +44,11 @@ pub mod error;
 pub mod estimate;
 #[doc(hidden)]
 pub mod exact;
+#[cfg(feature = "diagnose")]
+pub mod export;
 #[cfg(any(feature = "symbolic", feature = "instruments"))]
 #[doc(hidden)]
 pub mod expression;
-#[cfg(feature = "diagnose")]
-pub mod export;
 #[cfg(feature = "fmu")]
 mod fmu;
 #[cfg(feature = "instruments")]
@@ -110,6 +110,8 @@ pub use spectrum::{Hull, Roll, Sea};
 pub use diagnose::answer::{Finding, Proof, Verdict};
 #[cfg(feature = "diagnose")]
 pub use estimate::fit::{Progress, Silent};
+#[cfg(feature = "fmu")]
+pub use export::export_fmu;
 #[cfg(feature = "diagnose")]
 pub use export::{Language, export};
 #[cfg(feature = "diagnose")]

@@ -56,18 +56,19 @@ pub(super) trait Lines: Words {
         let (place, before) = match &local.value {
             Value::Is(_) => return vec![bound],
             Value::Lag(k, x, _) => {
-                return vec![
-                    start(&format!("x[{}]", own.model.states.len() + k), &self.spell(x)),
-                    bound,
-                ];
+                return vec![start(&format!("x[{}]", own.model.states.len() + k), &self.spell(x)), bound];
             }
             Value::Past(k, x, _) => {
                 let push = format!("{}(m, {k}, {})", self.helper("keep"), self.spell(x));
                 return vec![bound, self.line(&push)];
             }
             Value::Sign(k, x, at_zero) => {
-                let settle =
-                    format!("{}(m, {k}, {}, {})", self.helper("settle"), self.spell(x), self.number(*at_zero));
+                let settle = format!(
+                    "{}(m, {k}, {}, {})",
+                    self.helper("settle"),
+                    self.spell(x),
+                    self.number(*at_zero)
+                );
                 return vec![self.line(&settle), bound];
             }
             Value::Play(k, x, _) => (format!("{kept}play[{k}]"), self.spell(x)),

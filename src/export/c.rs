@@ -119,9 +119,14 @@ pub(super) fn code(own: &Lowered<'_>) -> String {
 
 fn head(own: &Lowered<'_>) -> String {
     let mut lines = said::head(own, true);
-    lines.push("A program: cc -O2 -DMODEL_PROGRAM model.c -lm -o model && ./model < inputs.csv > outputs.csv".into());
+    lines.push(
+        "A program: cc -O2 -DMODEL_PROGRAM model.c -lm -o model && ./model < inputs.csv > outputs.csv".into(),
+    );
     let lines: Vec<String> = lines.iter().map(|l| comment(l)).collect();
-    format!("/* {} */\n\n#include <math.h>\n#include <stddef.h>\n\n", lines.join("\n   ").replace("\n   \n", "\n\n"))
+    format!(
+        "/* {} */\n\n#include <math.h>\n#include <stddef.h>\n\n",
+        lines.join("\n   ").replace("\n   \n", "\n\n")
+    )
 }
 
 /// Text that cannot end a comment.
@@ -192,7 +197,9 @@ fn parameters(own: &Lowered<'_>, out: &mut String) {
 
 fn memory(own: &Lowered<'_>, out: &mut String) {
     let c = own.counts;
-    out.push_str("\n/* What is kept from step to step beside the states */\ntypedef struct {\n    double since;\n");
+    out.push_str(
+        "\n/* What is kept from step to step beside the states */\ntypedef struct {\n    double since;\n",
+    );
     for (name, count) in [("play", c.plays), ("relay", c.relays), ("limit", c.limits), ("sign", c.signs)] {
         if count > 0 {
             let _ = writeln!(out, "    double {name}[{count}];");
@@ -240,7 +247,9 @@ fn functions(own: &Lowered<'_>, out: &mut String) {
         lines.extend(es.iter().enumerate().map(|(i, e)| format!("to[{i}] = {};", C.spell(e))));
         function(out, words, &head, "(void)t; (void)x; (void)u; (void)p; (void)m; (void)to;", &lines);
     };
-    evaluate("The rates of the states x at the inputs u", "derivatives", &rates);
+    if own.states() > 0 {
+        evaluate("The rates of the states x at the inputs u", "derivatives", &rates);
+    }
     evaluate("The outputs", "outputs", &outputs);
     if own.counts.signs > 0 {
         evaluate("The arguments of the signs", "switches", &guards(own));
@@ -262,7 +271,13 @@ fn functions(own: &Lowered<'_>, out: &mut String) {
         let mut lines = C.before(own, &agos);
         lines.extend(agos.iter().enumerate().map(|(i, e)| format!("to[{}] = {};", first + i, C.spell(e))));
         let head = "model_delays(const model_parameters *p, double *to)";
-        function(out, "How late each column is, s: delayed inputs stand behind the others", head, "(void)p;", &lines);
+        function(
+            out,
+            "How late each column is, s: delayed inputs stand behind the others",
+            head,
+            "(void)p;",
+            &lines,
+        );
     }
 }
 

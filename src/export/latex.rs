@@ -11,8 +11,16 @@ use std::fmt::Write;
 /// Functions that mathematics has no sign for: their name, and what it means.
 const OWN: [(Function, &str, &str); 7] = [
     (Function::Step, "step", "$\\operatorname{step}(x)$ is 0 for $x < 0$, else 1"),
-    (Function::Lag, "lag", "$y = \\operatorname{lag}(x, T)$ has $T\\,\\dot{y} = x - y$ and is steady at the start"),
-    (Function::Backlash, "play", "$\\operatorname{play}(x, g)$ moves only when $x$ pushes it, at half the gap $g$"),
+    (
+        Function::Lag,
+        "lag",
+        "$y = \\operatorname{lag}(x, T)$ has $T\\,\\dot{y} = x - y$ and is steady at the start",
+    ),
+    (
+        Function::Backlash,
+        "play",
+        "$\\operatorname{play}(x, g)$ moves only when $x$ pushes it, at half the gap $g$",
+    ),
     (Function::Hysteresis, "hyst", "$\\operatorname{hyst}(x, g)$ is $x$ without a play of the gap $g$"),
     (
         Function::Relay,
@@ -30,15 +38,18 @@ const SURFACE: &str = "$\\operatorname{surface}(x, y, \\dots)$ is bilinear betwe
     and a value for each $y$ at the first $x$, then at the next; it is straight beyond them";
 /// The letters whose names are commands.
 const GREEK: [&str; 24] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi",
-    "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "varphi",
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu",
+    "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "varphi",
 ];
 
 /// The model as a document of LaTeX.
 pub(super) fn text(model: &Model) -> String {
-    let mut out = String::from("\\documentclass{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath,longtable}\n");
+    let mut out = String::from(
+        "\\documentclass{article}\n\\usepackage[T1]{fontenc}\n\\usepackage{amsmath,longtable}\n",
+    );
     let _ = writeln!(out, "\\begin{{document}}\n\\section*{{{}}}", plain(&model.name));
-    let mut lines: Vec<String> = model.definitions.iter().map(|d| equation(&symbol(&d.name), &d.equals)).collect();
+    let mut lines: Vec<String> =
+        model.definitions.iter().map(|d| equation(&symbol(&d.name), &d.equals)).collect();
     lines.extend(model.states.iter().map(|s| equation(&format!("\\dot{{{}}}", symbol(&s.name)), &s.rate)));
     lines.extend(model.outputs.iter().map(|o| equation(&symbol(&o.name), &o.equals)));
     if !lines.is_empty() {
@@ -70,7 +81,8 @@ fn listed(model: &Model, out: &mut String) {
     let mut row = |name: &str, value: String, unit: &Unit, meaning: &str| {
         let _ = writeln!(out, "${}$ & {value} & {} & {meaning} \\\\", symbol(name), of_unit(unit));
     };
-    let words = |meaning: &Option<String>, otherwise: &str| meaning.as_ref().map_or(otherwise.into(), |m| plain(m));
+    let words =
+        |meaning: &Option<String>, otherwise: &str| meaning.as_ref().map_or(otherwise.into(), |m| plain(m));
     for p in &model.parameters {
         row(&p.name, valued(p.value, &p.unit), &p.unit, &words(&p.meaning, ""));
     }
@@ -98,7 +110,8 @@ fn listed(model: &Model, out: &mut String) {
 fn valued(si: f64, unit: &Unit) -> String {
     let text = significant(unit.from_si(si), 6);
     let (mantissa, power) = text.split_once('e').map_or((text.as_str(), ""), |(m, p)| (m, p));
-    let mantissa = if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
+    let mantissa =
+        if mantissa.contains('.') { mantissa.trim_end_matches('0').trim_end_matches('.') } else { mantissa };
     let power = if power.is_empty() { String::new() } else { format!("e{power}") };
     format!("${}$", power_of_ten(&format!("{mantissa}{power}")))
 }
@@ -157,7 +170,9 @@ fn power(a: &Expr, b: &Expr) -> String {
             format!("\\{}^{{{n}}}{}", f.name(), enclosed(&spell(&x[0])))
         }
         (Expr::Name(_), _) => format!("{{{}}}^{{{}}}", spell(a), spell(b)),
-        (Expr::Number(x), _) if *x >= 0.0 && !format!("{x:?}").contains('e') => format!("{}^{{{}}}", spell(a), spell(b)),
+        (Expr::Number(x), _) if *x >= 0.0 && !format!("{x:?}").contains('e') => {
+            format!("{}^{{{}}}", spell(a), spell(b))
+        }
         (Expr::Call(Function::Abs, _), _) => format!("{}^{{{}}}", spell(a), spell(b)),
         _ => format!("{}^{{{}}}", enclosed(&spell(a)), spell(b)),
     }
@@ -209,7 +224,8 @@ fn symbol(name: &str) -> String {
 /// A Greek letter by its name; capitals that look like Latin ones are those.
 fn greek(word: &str) -> String {
     let capital = word.starts_with(|c: char| c.is_ascii_uppercase());
-    let has_sign = ["Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega"];
+    let has_sign =
+        ["Gamma", "Delta", "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega"];
     match capital {
         false => format!("\\{}", if word == "omicron" { "o" } else { word }),
         true if has_sign.contains(&word) => format!("\\{word}"),
@@ -219,7 +235,8 @@ fn greek(word: &str) -> String {
 
 fn of_unit(unit: &Unit) -> String {
     let mut out = String::from("$\\mathrm{");
-    let text = unit.text().replace('*', "\\,").replace('%', "\\%").replace('°', "^{\\circ}").replace('µ', "\\mu ");
+    let text =
+        unit.text().replace('*', "\\,").replace('%', "\\%").replace('°', "^{\\circ}").replace('µ', "\\mu ");
     let mut letters = text.chars().peekable();
     while let Some(c) = letters.next() {
         out.push(c);

@@ -26,6 +26,8 @@ mod c;
 mod language;
 mod latex;
 mod lowered;
+#[cfg(feature = "fmu")]
+mod mockup;
 mod modelica;
 mod names;
 mod python;
@@ -36,6 +38,8 @@ mod said;
 mod spell;
 
 pub use language::Language;
+#[cfg(feature = "fmu")]
+pub use mockup::export_fmu;
 
 use crate::Result;
 use crate::model::Model;

@@ -2,12 +2,12 @@
 
 use super::body::columns;
 use super::lowered::{Lowered, Value};
-use super::spell::{Binding, Words, called};
+use super::spell::{Binding, Words, called, whole};
 use super::{Language, refused, runner, said};
+use crate::Result;
 use crate::expression::{Expr, Function};
 use crate::model::{Initial, Model};
 use crate::units::Unit;
-use crate::Result;
 use std::fmt::Write;
 
 /// Keywords, operators that look like functions, and the names of the file itself.
@@ -33,7 +33,12 @@ impl Words for Modelica {
     }
 
     fn power(&self, a: &Expr, b: &Expr) -> String {
-        format!("{}^{}", self.within(a, Binding::Atom), self.within(b, Binding::Atom))
+        let exponent = match whole(b) {
+            Some(n) if n < 0 => format!("({n})"),
+            Some(n) => n.to_string(),
+            None => self.within(b, Binding::Atom),
+        };
+        format!("{}^{exponent}", self.within(a, Binding::Atom))
     }
 
     fn call(&self, f: Function, x: &[String]) -> String {
@@ -61,27 +66,15 @@ pub(super) fn text(model: &Model) -> Result<String> {
     let reserved: Vec<&str> = RESERVED.split_whitespace().collect();
     let own = Lowered::of(model, &reserved)?;
     runner::spoken(&own, Language::Modelica)?;
-    let class = class(&own);
-    let mut out: String = said::head(&own, false).iter().map(|l| format!("// {l}\n").replace("// \n", "//\n")).collect();
+    let class = super::names::class(&own.names, &model.name);
+    let mut out: String =
+        said::head(&own, false).iter().map(|l| format!("// {l}\n").replace("// \n", "//\n")).collect();
     out.push_str(&dry(&own));
     let _ = writeln!(out, "model {class} \"{}\"", quoted(&model.name));
     declared(&own, &mut out);
     equations(&own, &mut out)?;
     let _ = writeln!(out, "end {class};");
     Ok(out)
-}
-
-/// The name of the class: that of the model in letters, digits and `_`.
-fn class(own: &Lowered<'_>) -> String {
-    let name = super::names::plain(&own.model.name);
-    let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|w| !w.is_empty());
-    let joined: String = words.map(|w| w[..1].to_uppercase() + &w[1..]).collect();
-    let begins = joined.starts_with(|c: char| c.is_ascii_alphabetic());
-    let mut class = if begins { joined } else { format!("Model{joined}") };
-    while own.names.has(&class) {
-        class.push('_');
-    }
-    class
 }
 
 /// What a solver has to be told of signs.
@@ -96,12 +89,20 @@ fn dry(own: &Lowered<'_>) -> String {
 
 fn declared(own: &Lowered<'_>, out: &mut String) {
     let model = own.model;
-    let mut real = |kind: &str, name: &str, attributes: &str, unit: &Unit, tail: &str, meaning: Option<&String>| {
-        let says = meaning.map(|m| format!(" \"{}\"", quoted(m))).unwrap_or_default();
-        let _ = writeln!(out, "  {kind}Real {name}{}{tail}{says};", modified(unit, attributes));
-    };
+    let mut real =
+        |kind: &str, name: &str, attributes: &str, unit: &Unit, tail: &str, meaning: Option<&String>| {
+            let says = meaning.map(|m| format!(" \"{}\"", quoted(m))).unwrap_or_default();
+            let _ = writeln!(out, "  {kind}Real {name}{}{tail}{says};", modified(unit, attributes));
+        };
     for p in &model.parameters {
-        real("parameter ", own.names.of(&p.name), "", &p.unit, &format!(" = {:?}", p.value), p.meaning.as_ref());
+        real(
+            "parameter ",
+            own.names.of(&p.name),
+            "",
+            &p.unit,
+            &format!(" = {:?}", p.value),
+            p.meaning.as_ref(),
+        );
     }
     for i in &model.inputs {
         real("input ", own.names.of(&i.name), "", &i.unit, "", i.meaning.as_ref());
@@ -125,7 +126,11 @@ fn declared(own: &Lowered<'_>, out: &mut String) {
         let _ = writeln!(out, "  Real {name};");
     }
     for l in own.locals.iter().filter(|l| !matches!(l.value, Value::Is(_))) {
-        let kind = if matches!(l.value, Value::Relay(..)) { format!("  Boolean {}_up;\n", l.name) } else { String::new() };
+        let kind = if matches!(l.value, Value::Relay(..)) {
+            format!("  Boolean {}_up;\n", l.name)
+        } else {
+            String::new()
+        };
         let _ = writeln!(out, "{kind}  Real {};", l.name);
     }
     out.push_str(&runner::blocks(TEXT, &|word| runner::holds(own, word)));
@@ -200,13 +205,17 @@ fn quoted(text: &str) -> String {
 /// What stands in parentheses behind a name.
 fn modified(unit: &Unit, attributes: &str) -> String {
     let unit = of_modelica(unit).map(|u| format!("unit = \"{u}\""));
-    let all: Vec<String> = unit.into_iter().chain((!attributes.is_empty()).then(|| attributes.to_string())).collect();
+    let all: Vec<String> =
+        unit.into_iter().chain((!attributes.is_empty()).then(|| attributes.to_string())).collect();
     if all.is_empty() { String::new() } else { format!("({})", all.join(", ")) }
 }
 
 /// The SI unit as Modelica writes it, `kg.m2/(s2.A)`; none for powers that are not whole, which it cannot write.
 fn of_modelica(unit: &Unit) -> Option<String> {
     let si = said::si(unit);
+    if si.contains('(') {
+        return of_modelica(&Unit::of(unit.dimension()));
+    }
     let mut factors = si.split('/');
     let above = factors.next()?.replace('*', ".").replace('^', "");
     let below: Vec<String> = factors.map(|f| f.replace('^', "")).collect();

@@ -97,3 +97,16 @@ pub(super) fn plain(name: &str) -> String {
     }
     if out.chars().all(|c| c == '_') { format!("u{out}") } else { out }
 }
+
+/// A name for the model in letters and digits that nothing in it has.
+pub(super) fn class(names: &Names, model: &str) -> String {
+    let name = plain(model);
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|w| !w.is_empty());
+    let joined: String = words.map(|w| w[..1].to_uppercase() + &w[1..]).collect();
+    let begins = joined.starts_with(|c: char| c.is_ascii_alphabetic());
+    let mut class = if begins { joined } else { format!("Model{joined}") };
+    while names.has(&class) {
+        class.push('_');
+    }
+    class
+}

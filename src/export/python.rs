@@ -52,7 +52,10 @@ impl Words for Python {
             Function::Surface(n, m) => {
                 let (n, m) = (2 + usize::from(n), usize::from(m));
                 let list = |x: &[String]| format!("[{}]", x.join(", "));
-                called("_surface", &[x[0].clone(), x[1].clone(), list(&x[2..n]), list(&x[n..n + m]), list(&x[n + m..])])
+                called(
+                    "_surface",
+                    &[x[0].clone(), x[1].clone(), list(&x[2..n]), list(&x[n..n + m]), list(&x[n + m..])],
+                )
             }
             Function::Abs | Function::Min | Function::Max => called(f.name(), x),
             Function::Clamp => format!("min(max({}, {}), {})", x[0], x[1], x[2]),
@@ -110,9 +113,14 @@ fn head(own: &Lowered<'_>) -> String {
     lines.push("Example: run([0.0, 0.1], {\"input\": [0.0, 1.0]}, substeps=4)".replace(
         "{\"input\": [0.0, 1.0]}",
         &format!(
-            "{{{}}}",
-            own.model.inputs.iter().map(|i| format!("\"{}\": [0.0, 1.0]", i.name)).collect::<Vec<_>>().join(", ")
-        ),
+                "{{{}}}",
+                own.model
+                    .inputs
+                    .iter()
+                    .map(|i| format!("\"{}\": [0.0, 1.0]", i.name))
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            ),
     ));
     let commented: String = lines.iter().map(|l| format!("# {l}\n").replace("# \n", "#\n")).collect();
     format!("{commented}\nimport csv\nimport math\nimport sys\nfrom bisect import bisect_right\n\n")
@@ -132,7 +140,12 @@ fn data(own: &Lowered<'_>, out: &mut String) {
             Initial::Fit => ("0.0".to_string(), "; the model fits it to each recording: give your own"),
             Initial::Steady => ("None".to_string(), "; None is the steady state at the first inputs"),
         };
-        let _ = writeln!(out, "    \"{}\": {value},  # {}{note}", s.name, said::comment(&s.unit, s.meaning.as_ref()));
+        let _ = writeln!(
+            out,
+            "    \"{}\": {value},  # {}{note}",
+            s.name,
+            said::comment(&s.unit, s.meaning.as_ref())
+        );
     }
     out.push_str("}\n");
     let inputs = model.inputs.iter().map(|i| (&i.name, said::comment(&i.unit, i.meaning.as_ref())));
@@ -183,13 +196,16 @@ fn memory(own: &Lowered<'_>, out: &mut String) {
         }
     }
     if c.pasts > 0 {
-        let _ = writeln!(out, "        self.times = []\n        self.past = [[] for _ in range({})]", c.pasts);
+        let _ =
+            writeln!(out, "        self.times = []\n        self.past = [[] for _ in range({})]", c.pasts);
     }
     out.push_str("        self.since = 0.0\n");
 }
 
 fn functions(own: &Lowered<'_>, python: &Python, out: &mut String) {
-    let results = |es: &[&Expr]| format!("return [{}]", es.iter().map(|e| python.spell(e)).collect::<Vec<_>>().join(", "));
+    let results = |es: &[&Expr]| {
+        format!("return [{}]", es.iter().map(|e| python.spell(e)).collect::<Vec<_>>().join(", "))
+    };
     let rates: Vec<&Expr> = own.rates.iter().collect();
     let outputs: Vec<&Expr> = own.outputs.iter().collect();
     let guards = guards(own);
@@ -241,8 +257,14 @@ fn functions(own: &Lowered<'_>, python: &Python, out: &mut String) {
 /// Functions that give no number where the standard library raises; those that a text uses.
 fn safe(text: &str) -> String {
     const ALL: [(&str, &str); 7] = [
-        ("_quotient(", "def _quotient(a, b):\n    if b:\n        return a / b\n    return math.nan if a == 0 or a != a else math.copysign(math.inf, a) * math.copysign(1.0, b)\n"),
-        ("_power(", "def _power(a, b):\n    try:\n        return math.pow(a, b)\n    except ValueError:\n        return math.inf if a == 0 else math.nan\n    except OverflowError:\n        return math.inf\n"),
+        (
+            "_quotient(",
+            "def _quotient(a, b):\n    if b:\n        return a / b\n    return math.nan if a == 0 or a != a else math.copysign(math.inf, a) * math.copysign(1.0, b)\n",
+        ),
+        (
+            "_power(",
+            "def _power(a, b):\n    try:\n        return math.pow(a, b)\n    except ValueError:\n        return math.inf if a == 0 else math.nan\n    except OverflowError:\n        return math.inf\n",
+        ),
         ("_sqrt(", "def _sqrt(x):\n    return math.sqrt(x) if x >= 0 else math.nan\n"),
         ("_ln(", "def _ln(x):\n    return math.log(x) if x > 0 else -math.inf if x == 0 else math.nan\n"),
         ("_exp(", "def _exp(x):\n    return math.exp(x) if x < 709.78 else math.inf\n"),

@@ -8,8 +8,10 @@ use crate::{Error, Result};
 /// Refuses a model that is not computed by its own expressions.
 pub(super) fn whole(model: &Model) -> Result<()> {
     if model.simulated.is_some() {
-        return Err(Error::bad_input("what another simulation computed has no equations that could be exported")
-            .with_hint("export a model with states in the place of `simulated`"));
+        return Err(Error::bad_input(
+            "what another simulation computed has no equations that could be exported",
+        )
+        .with_hint("export a model with states in the place of `simulated`"));
     }
     if is_foreign(model) {
         return Err(Error::bad_input(
@@ -58,6 +60,7 @@ pub(super) fn expressions(model: &Model) -> impl Iterator<Item = &Expr> {
 
 /// That a function has no words in a language.
 pub(super) fn function(f: Function, language: Language) -> Error {
-    Error::bad_input(format!("{} cannot be written in {}", f.usage(), language.name()))
-        .with_hint("export to python, c or rust, whose runner keeps such a memory, or leave that term out of the model")
+    Error::bad_input(format!("{} cannot be written in {}", f.usage(), language.name())).with_hint(
+        "export to python, c or rust, whose runner keeps such a memory, or leave that term out of the model",
+    )
 }

@@ -56,7 +56,8 @@ pub(super) fn calls(model: &Model, is_such: &dyn Fn(Function) -> bool) -> bool {
 
 /// Refuses what has no words.
 pub(super) fn spoken(own: &Lowered<'_>, language: Language) -> Result<()> {
-    let wrong = all(own).into_iter().find_map(|e| refused::first_call(e, &|f| matches!(f, Function::Foreign(_))));
+    let wrong =
+        all(own).into_iter().find_map(|e| refused::first_call(e, &|f| matches!(f, Function::Foreign(_))));
     wrong.map_or(Ok(()), |f| Err(refused::function(f, language)))
 }
 

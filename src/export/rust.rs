@@ -104,8 +104,14 @@ fn data(own: &Lowered<'_>, out: &mut String) {
     let inputs: Vec<&String> = model.inputs.iter().map(|i| &i.name).collect();
     let outputs: Vec<&String> = model.outputs.iter().map(|o| &o.name).collect();
     let _ = writeln!(out, "\npub const INPUTS: usize = {};", inputs.len());
-    let _ = writeln!(out, "pub const OUTPUTS: usize = {};\npub const STATES: usize = {};", outputs.len(), model.states.len());
-    let _ = writeln!(out, "const ALL: usize = {};\nconst COLUMNS: usize = {};", own.states(), columns(own).len());
+    let _ = writeln!(
+        out,
+        "pub const OUTPUTS: usize = {};\npub const STATES: usize = {};",
+        outputs.len(),
+        model.states.len()
+    );
+    let _ =
+        writeln!(out, "const ALL: usize = {};\nconst COLUMNS: usize = {};", own.states(), columns(own).len());
     for i in &model.inputs {
         out.push_str(&words(&i.name, &i.unit, i.meaning.as_ref()));
     }
@@ -121,7 +127,10 @@ fn data(own: &Lowered<'_>, out: &mut String) {
     let start: Vec<String> = model.states.iter().map(|s| start(s.initial)).collect();
     out.push_str(&list("/// The states at the start; NaN is the steady state at the first inputs.\npub const START: [f64; STATES] = ", start.join(", ")));
     let which = (0..inputs.len()).chain(own.columns.iter().map(|c| c.input));
-    out.push_str(&list("const WHICH: [usize; COLUMNS] = ", which.map(|i| i.to_string()).collect::<Vec<_>>().join(", ")));
+    out.push_str(&list(
+        "const WHICH: [usize; COLUMNS] = ",
+        which.map(|i| i.to_string()).collect::<Vec<_>>().join(", "),
+    ));
     out.push_str("\n/// The states, and what follows a signal behind them.\npub type States = [f64; ALL];\n");
     out.push_str("/// The inputs, and those that are late behind them.\npub type Inputs = [f64; COLUMNS];\n");
     parameters(own, out);
@@ -140,7 +149,12 @@ fn parameters(own: &Lowered<'_>, out: &mut String) {
     let name = |name: &String| own.names.of(name).to_string();
     out.push_str("\n#[derive(Clone, Debug)]\npub struct Parameters {\n");
     for p in all {
-        let _ = writeln!(out, "    /// {}\n    pub {}: f64,", said::comment(&p.unit, p.meaning.as_ref()), name(&p.name));
+        let _ = writeln!(
+            out,
+            "    /// {}\n    pub {}: f64,",
+            said::comment(&p.unit, p.meaning.as_ref()),
+            name(&p.name)
+        );
     }
     out.push_str("}\n\nimpl Default for Parameters {\n    fn default() -> Self {\n        Self {\n");
     for p in all {
@@ -156,7 +170,9 @@ fn parameters(own: &Lowered<'_>, out: &mut String) {
 
 fn memory(own: &Lowered<'_>, out: &mut String) {
     let c = own.counts;
-    out.push_str("\n/// What is kept from step to step beside the states.\n#[derive(Clone, Debug, Default)]\n");
+    out.push_str(
+        "\n/// What is kept from step to step beside the states.\n#[derive(Clone, Debug, Default)]\n",
+    );
     out.push_str("pub struct Memory {\n    since: f64,\n");
     for (name, count, kind) in [
         ("play", c.plays, "f64"),

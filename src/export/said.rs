@@ -34,7 +34,9 @@ fn runner(own: &Lowered<'_>) -> Vec<&'static str> {
         lines.push("argument at zero, so that dry friction sticks. Errors at such changes fall with the square of the step.");
     }
     if own.counts.pasts > 0 {
-        lines.push("A delayed signal is remembered at the ends of the steps, and the cubic through them is read.");
+        lines.push(
+            "A delayed signal is remembered at the ends of the steps, and the cubic through them is read.",
+        );
     }
     lines
 }
@@ -53,11 +55,15 @@ pub(super) fn comment(of: &Unit, meaning: Option<&String>) -> String {
     }
 }
 
-/// The SI unit; angles are told.
+/// The SI unit; angles are told, and one that is SI stays as it is written.
 pub(super) fn si(unit: &Unit) -> String {
+    if unit.to_si(0.0) == 0.0 && unit.to_si(1.0) == 1.0 {
+        return unit.text().to_string();
+    }
     let plain = Unit::of(unit.dimension());
     let begins = |list: &[&str]| list.iter().any(|w| unit.text().starts_with(w));
-    let is_angle = begins(&["rad", "mrad", "urad", "deg", "arcmin", "arcsec", "rev", "rpm"]) && !begins(&["degC"]);
+    let is_angle =
+        begins(&["rad", "mrad", "urad", "deg", "arcmin", "arcsec", "rev", "rpm"]) && !begins(&["degC"]);
     match plain.text() {
         "1" if is_angle => "rad".into(),
         "Hz" | "1/s" if is_angle => "rad/s".into(),

@@ -39,8 +39,12 @@ pub(super) trait Words {
                     BinaryOp::Sub => (" - ", Binding::Sum, Binding::Product),
                     _ => ("*", Binding::Product, Binding::Power),
                 };
-                let right = if matches!(**b, Expr::Neg(_)) { Binding::Power } else { right };
-                format!("{}{sign}{}", self.within(a, left), self.within(b, right))
+                let (left, mut right) = (self.within(a, left), self.within(b, right));
+                // no language reads two signs in a row in another way, but some read none
+                if right.starts_with('-') {
+                    right = format!("({right})");
+                }
+                format!("{left}{sign}{right}")
             }
             Expr::Call(f, arguments) => {
                 let spelt: Vec<String> = arguments.iter().map(|a| self.spell(a)).collect();

@@ -28,8 +28,11 @@ pub(crate) trait Compute: Send + Sync {
     fn value(&self, arguments: &[f64], result: usize) -> f64;
     /// The derivative of a result by an argument.
     fn slope(&self, arguments: &[f64], result: usize, argument: usize) -> f64;
-    /// The states that it starts with at parameters; why not, where it refuses.
-    fn starts(&self, parameters: &[f64]) -> std::result::Result<Vec<f64>, String>;
+    /// The states that it starts with at parameters, its inputs as they are described or all of them 1 more; why not,
+    /// where it refuses.
+    fn starts(&self, parameters: &[f64], is_moved: bool) -> std::result::Result<Vec<f64>, String>;
+    /// The rates there at t = 0, the inputs likewise.
+    fn rates(&self, states: &[f64], parameters: &[f64], is_moved: bool) -> Vec<f64>;
     /// Why it refused a value, since this was asked last.
     fn refusal(&self) -> Option<String>;
     /// Whether it is the same code with the same arguments.

@@ -189,6 +189,15 @@ impl Exchange {
     }
 }
 
+impl Exchange {
+    /// The inputs of its description and 1 more, in its units; none where they are not wanted.
+    fn described(&self, is_wanted: bool) -> Vec<f64> {
+        let start =
+            |s: &Scalar| self.fmu.description.variables[s.place.variable].start[s.place.element] + 1.0;
+        self.inputs.iter().filter(|_| is_wanted).map(start).collect()
+    }
+}
+
 impl Compute for Exchange {
     fn arguments(&self) -> usize {
         1 + self.scalars().count()
@@ -223,13 +232,25 @@ impl Compute for Exchange {
         })
     }
 
-    fn starts(&self, parameters: &[f64]) -> Result<Vec<f64>, String> {
+    fn starts(&self, parameters: &[f64], is_moved: bool) -> Result<Vec<f64>, String> {
         let p: Vec<f64> = self.parameters.iter().zip(parameters).map(|(s, v)| s.unit.from_si(*v)).collect();
         let places: Vec<Place> = self.parameters.iter().map(|s| s.place).collect();
-        let mut seat = Seat::start(&self.fmu, (0.0, &[], &[]), (&places, &p))?;
+        let inputs: Vec<Place> = self.inputs.iter().filter(|_| is_moved).map(|s| s.place).collect();
+        let mut seat = Seat::start(&self.fmu, (0.0, &inputs, &self.described(is_moved)), (&places, &p))?;
         let mut x = vec![0.0; self.states.len()];
         seat.instance.states(&mut x).map_err(|e| e.to_string())?;
         Ok(self.states.iter().zip(x).map(|(s, v)| s.unit.to_si(v)).collect())
+    }
+
+    fn rates(&self, states: &[f64], parameters: &[f64], is_moved: bool) -> Vec<f64> {
+        let inputs =
+            self.inputs.iter().zip(self.described(true)).map(|(s, v)| s.unit.to_si(v - f64::from(!is_moved)));
+        let arguments: Vec<f64> = std::iter::once(0.0)
+            .chain(states.iter().copied())
+            .chain(inputs)
+            .chain(parameters.iter().copied())
+            .collect();
+        (0..self.states.len()).map(|k| self.value(&arguments, k)).collect()
     }
 
     fn refusal(&self) -> Option<String> {

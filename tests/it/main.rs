@@ -15,6 +15,7 @@ mod diagnose_rough;
 mod dialects;
 mod endings;
 mod exchanged;
+mod export;
 mod faults;
 mod few_rows;
 mod fields;

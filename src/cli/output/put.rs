@@ -30,23 +30,23 @@ struct Fresh {
 /// A result with its place, as it may be shown.
 pub struct Ready {
     place: Place,
-    text: String,
+    bytes: Vec<u8>,
 }
 
 impl Place {
     /// Words for here: what in them would steer a terminal is shown as an escape.
     pub fn words(self, text: &str) -> Ready {
-        Ready { place: self, text: shown(text).into_owned() }
+        Ready { place: self, bytes: shown(text).into_owned().into_bytes() }
     }
 
     /// JSON for here, or TOML whose strings stand in double quotes: the same, in that language's own escapes.
     pub fn quoted(self, text: &str) -> Ready {
-        Ready { place: self, text: in_quotes(text).into_owned() }
+        Ready { place: self, bytes: in_quotes(text).into_owned().into_bytes() }
     }
 
     /// Data for here as they are, or a page whose texts are escaped already.
-    pub fn data(self, text: String) -> Ready {
-        Ready { place: self, text }
+    pub fn data(self, data: impl Into<Vec<u8>>) -> Ready {
+        Ready { place: self, bytes: data.into() }
     }
 }
 
@@ -58,17 +58,17 @@ pub fn put(results: &[Ready], read: impl IntoIterator<Item = impl AsRef<Path>>) 
     spare(results.iter().map(|r| &r.place), read)?;
     clean_up_when_interrupted();
     let mut written = Vec::new();
-    for Ready { place, text } in results {
+    for Ready { place, bytes } in results {
         if let Way::File(path) = &place.way {
-            let file = beside(path, text.as_bytes()).map_err(|e| Error::io(place.given(), &e))?;
+            let file = beside(path, bytes).map_err(|e| Error::io(place.given(), &e))?;
             written.push(Fresh { file, path: path.clone(), given: place.given().to_owned() });
         }
     }
-    for Ready { place, text } in results {
+    for Ready { place, bytes } in results {
         match &place.way {
-            Way::StandardOutput => print(text.as_bytes())?,
+            Way::StandardOutput => print(bytes)?,
             Way::AsItStands(file) => {
-                (&*file).write_all(text.as_bytes()).map_err(|e| Error::io(place.given(), &e))?;
+                (&*file).write_all(bytes).map_err(|e| Error::io(place.given(), &e))?;
             }
             Way::File(_) => {}
         }
@@ -77,7 +77,7 @@ pub fn put(results: &[Ready], read: impl IntoIterator<Item = impl AsRef<Path>>) 
 }
 
 /// Writes a file beside its place, with the mode and the owner of the one that it replaces.
-fn beside(path: &Path, text: &[u8]) -> std::io::Result<NamedTempFile> {
+fn beside(path: &Path, bytes: &[u8]) -> std::io::Result<NamedTempFile> {
     let old = std::fs::metadata(path).ok();
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX);
@@ -90,7 +90,7 @@ fn beside(path: &Path, text: &[u8]) -> std::io::Result<NamedTempFile> {
     if let Some(old) = old {
         inherit(&file, &old)?;
     }
-    file.write_all(text)?;
+    file.write_all(bytes)?;
     file.as_file().sync_all()?;
     Ok(file)
 }

@@ -21,6 +21,9 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
+/// Rate of a state, as a share of its size or of 1, by which it stands still.
+const STANDS: f64 = 1e-6;
+
 /// What a file's line `fmu = "…"` begins with.
 pub(super) fn start(root: &Form<'_>, file: &Path) -> Result<Model> {
     let fmu = Fmu::load(file)?;
@@ -176,9 +179,23 @@ fn starts(model: &mut Model, mockup: &Mockup, free: &[String]) -> Result<()> {
         let own = model.parameters.iter().filter(|p| mockup.names.contains(&p.name));
         own.enumerate().map(|(k, p)| if moved == Some(k) { p.value * 1.01 + 1e-3 } else { p.value }).collect()
     };
-    let at = compute.starts(&values(None)).map_err(|why| {
+    let at = compute.starts(&values(None), false).map_err(|why| {
         Error::not_computed(format!("the FMU does not start: {why}")).with_file(&mockup.file)
     })?;
+    let moved = compute.starts(&values(None), true).unwrap_or_else(|_| at.clone());
+    if let Some(s) = follower(model, (&at, &moved), free) {
+        let stands = |x: &[f64], is_moved: bool| {
+            let rates = compute.rates(x, &values(None), is_moved);
+            rates.iter().zip(x).all(|(r, x)| r.abs() <= STANDS * x.abs().max(1.0))
+        };
+        if !stands(&at, false) || !stands(&moved, true) {
+            let e =
+                Error::bad_input(format!("the FMU's state {s} starts where its inputs say, and not at rest"));
+            return Err(e.with_hint(format!("add [states] with {s} = {{ initial = \"fit\" }}")));
+        }
+        model.states.iter_mut().filter(|s| free.contains(&s.name)).for_each(|s| s.initial = Initial::Steady);
+        return Ok(());
+    }
     let fitted: Vec<(usize, String)> = model
         .parameters
         .iter()
@@ -188,24 +205,24 @@ fn starts(model: &mut Model, mockup: &Mockup, free: &[String]) -> Result<()> {
         .map(|(k, p)| (k, p.name.clone()))
         .collect();
     for (k, name) in fitted {
-        let moved = compute.starts(&values(Some(k))).unwrap_or_else(|_| at.clone());
-        let depends = model
-            .states
-            .iter()
-            .zip(at.iter().zip(&moved))
-            .find(|(s, (a, b))| free.contains(&s.name) && a != b);
-        if let Some((s, _)) = depends {
+        let moved = compute.starts(&values(Some(k)), false).unwrap_or_else(|_| at.clone());
+        if let Some(s) = follower(model, (&at, &moved), free) {
             let e = Error::bad_input(format!(
-                "the FMU's state {} starts where the fitted parameter {name} says",
-                s.name
+                "the FMU's state {s} starts where the fitted parameter {name} says"
             ));
-            return Err(e.with_hint(format!("add [states] with {} = {{ initial = \"fit\" }}", s.name)));
+            return Err(e.with_hint(format!("add [states] with {s} = {{ initial = \"fit\" }}")));
         }
     }
     for (s, value) in model.states.iter_mut().zip(at).filter(|(s, _)| free.contains(&s.name)) {
         s.initial = Initial::Number(value);
     }
     Ok(())
+}
+
+/// The first of the free states that starts elsewhere.
+fn follower(model: &Model, (at, moved): (&[f64], &[f64]), free: &[String]) -> Option<String> {
+    let both = model.states.iter().zip(at.iter().zip(moved));
+    both.into_iter().find(|(s, (a, b))| free.contains(&s.name) && a != b).map(|(s, _)| s.name.clone())
 }
 
 /// Gives an input or output the name of the channel that holds it.
