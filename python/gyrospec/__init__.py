@@ -5,7 +5,8 @@
 0.08333333333333333
 
 `gyrospec.diagnose(model, recording)` names what the model leaves out of a recording; `fit` and
-`simulate` are its parts. A model is a file or its text; a recording is a file, or a frame with units:
+`simulate` are its parts. A model is a file, its text, or what `gyrospec.model` makes of a Python function or a transfer
+function; a recording is a file, or a frame with units:
 `gyrospec.recording(frame, units={"t": "s", "roll": "deg"})`. `gyrospec.fleet` does the same for
 thousands of files on Dask.
 """
@@ -15,6 +16,7 @@ from ._api import (
     fit,
     identify,
     integral_batch,
+    model,
     pendulous,
     roll_error,
     roll_error_sweep,
@@ -66,6 +68,7 @@ __all__ = [
     "identify",
     "integral",
     "integral_batch",
+    "model",
     "pendulous",
     "recording",
     "roll_error",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import warnings
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -13,8 +13,11 @@ from numpy.typing import ArrayLike
 
 from . import _gyrospec as native
 from ._errors import InputError, UsageError, Warning
+from ._function import Named, of_function
 from ._inputs import Column, Floats, ModelLike, RecordingLike, as_model, as_recordings, listed
+from ._linear import is_linear, of_linear
 from ._results import Diagnosis, Fit, IntegralBatch, RollError, Simulation
+from ._simulator import Simulator, simulated
 
 Quantity: TypeAlias = float | str
 """A number in SI (latitude and heading in degrees), or a text with its unit: `"4deg"`."""
@@ -45,6 +48,50 @@ def table(orders: int | str | range | tuple[int, int], format: str = "markdown")
         raise TypeError(f"orders are 7, '1..10', (1, 10) or a range, not {type(orders).__name__}")
     text = "..".join(str(n) for n in orders) if isinstance(orders, tuple) else str(orders)
     return native.table(text, format)
+
+
+def model(
+    source: Any,
+    *,
+    states: Named | None = None,
+    inputs: Named | None = None,
+    parameters: Mapping[str, Any] | None = None,
+    outputs: Named | None = None,
+    name: str | None = None,
+) -> native.Model:
+    """A model from a Python function, a linear system, a file or a file's text.
+
+    source: `f(t, x, u, p)`, which returns rates and outputs, as dicts or in the order named. It is called once, with
+        symbols: operators, NumPy's functions, np.where and small arrays work on them, branches on values do not. x, u and
+        p are reached by attribute, by item, or unpacked. Or a transfer function or state space in continuous time of
+        python-control or SciPy, whose coefficients become the parameters; then `states`, `inputs`, `outputs` are names.
+    states, inputs, outputs: names, or names with their units: {"q": "m"}; a state may be {"unit": "m", "initial": 0.0},
+        and is fitted at its start without. Without outputs the states are measured.
+    parameters: a number, which is fitted, or the fields of a model file: {"value": 3.0, "unit": "kg", "fit": True, "min": 0}.
+
+    Units may be left out: those of some follow from the equations, and where none is given none is checked.
+
+    >>> def axis(t, x, u, p):
+    ...     return {"v": (u.force - p.d * x.v) / p.M}, {"speed": x.v}
+    >>> gyrospec.model(axis, states=["v"], inputs=["force"], outputs=["speed"], parameters={"d": 1.0, "M": 3.0}).states
+    ['v']
+    """
+    if is_linear(source):
+        if parameters is not None:
+            raise UsageError("the parameters of a linear system are its coefficients: leave `parameters` out")
+        own = str(getattr(source, "name", None) or "")
+        title = name or (own if own and not own.startswith("sys[") else type(source).__name__)
+        return of_linear(source, _listed(states), _listed(inputs), _listed(outputs), title)
+    if callable(source) and not isinstance(source, native.Model):
+        title = name or getattr(source, "__name__", type(source).__name__)
+        return of_function(source, states or [], inputs or [], parameters or {}, outputs, title)
+    if any(x is not None for x in (states, inputs, parameters, outputs, name)):
+        raise UsageError("a model file says its names itself: give it alone")
+    return as_model(source)
+
+
+def _listed(names: Named | None) -> list[str] | None:
+    return None if names is None else list(names)
 
 
 def simulate(
@@ -82,13 +129,18 @@ def fit(
     fitted, held = _lists(recordings, holdout, units, time)
     told = native.fit(as_model(model), fitted, held, _seed(seed), _limit(time_limit))
     _warn(told.warnings)
-    return Fit._of(told)
+    found = Fit._of(told)
+    return found._with({"fitted": found.model_out}, fitted[0])
 
 
 def diagnose(
-    model: ModelLike,
-    recordings: RecordingLike | Sequence[RecordingLike],
+    model: ModelLike | None = None,
+    recordings: RecordingLike | Sequence[RecordingLike] | None = None,
     *,
+    simulator: Callable[..., Any] | None = None,
+    inputs: Sequence[str] = (),
+    outputs: Sequence[str] = (),
+    parameters: Mapping[str, Any] | None = None,
     holdout: RecordingLike | Sequence[RecordingLike] | None = None,
     seed: int = 1,
     units: Mapping[str, str] | None = None,
@@ -99,11 +151,29 @@ def diagnose(
 
     The same inputs and seed give the same answer as `gyrospec diagnose`.
     time_limit: s of wall time after which the search ends with the best so far, which `made.ended_early` tells.
+    simulator: in place of a model, a callable `(t, u, p)` whose equations cannot be had: times in s, a dict of the `inputs`
+        at them and a dict of the `parameters` give a dict of the `outputs`, arrays at the same times in the units of the
+        recording. Its parameters are fitted by whole runs to the first 60 % of the one recording; what acts on
+        outputs and clocks can then be named.
     """
+    if recordings is None:
+        raise UsageError("give a recording")
     fitted, held = _lists(recordings, holdout, units, time)
-    told = native.diagnose(as_model(model), fitted, held, _seed(seed), _limit(time_limit))
+    if simulator is None:
+        if model is None or inputs or outputs or parameters is not None:
+            raise UsageError("give a model; or a simulator with its inputs, outputs and parameters, and no model")
+        given = as_model(model)
+    else:
+        if model is not None or len(fitted) != 1 or held:
+            raise UsageError("a simulator takes the place of the model, and is fitted to one recording without `holdout`")
+        title = getattr(simulator, "__name__", type(simulator).__name__)
+        box = Simulator(simulator, fitted[0], inputs, outputs, parameters or {})
+        given, note = simulated(box, title)
+        warnings.warn(note, Warning, stacklevel=2)
+    told = native.diagnose(given, fitted, held, _seed(seed), _limit(time_limit))
     _warn(told.warnings)
-    return Diagnosis._of(told)
+    found = Diagnosis._of(told)
+    return found._with({"as given": given, "with what was found": found.model_out}, fitted[0])
 
 
 def roll_error(

@@ -21,11 +21,13 @@ __all__ = [
     "integral",
     "integral_batch",
     "pendulous",
+    "powers",
     "roll_error",
     "roll_error_sweep",
     "simulate",
     "strapdown",
     "table",
+    "unit_of",
 ]
 
 VERSION: str
@@ -57,7 +59,7 @@ class Integral:
     def __eq__(self, other: object, /) -> bool: ...
     def _repr_html_(self) -> str: ...
 
-def integral(h: _Row, g: _Row | None = None, *, c: _Row | None = None) -> Integral:
+def integral(h: _Row | Any, g: _Row | None = None, *, c: _Row | None = None) -> Integral:
     """The spectral integral I_n, within two units in the last place of the exact value.
 
     I_n = 1/(2 pi) * integral of G(jw)/(H(jw) H(-jw)) over all w, the variance of noise behind a filter.
@@ -194,3 +196,9 @@ class Told:
     def picture(self) -> str: ...
     def text(self) -> str: ...
     def html(self) -> str: ...
+
+def powers(unit: str) -> list[float]:
+    """Powers of m, kg, s, A and K of a unit; angles count as 1."""
+
+def unit_of(powers: Sequence[float]) -> str:
+    """The SI unit of such powers."""

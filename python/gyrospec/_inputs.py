@@ -70,7 +70,7 @@ def recording(
     holdout: Spans = (),
     constants: Mapping[str, tuple[float, str]] | None = None,
 ) -> Recording:
-    """A recording of a file, or of the columns of a dict, a pandas or a Polars frame.
+    """A recording of a file, or of the columns of a dict, a pandas or a Polars frame, or an xarray dataset.
 
     Columns become channels if `units` names them or their name carries its unit, as `roll [deg]`;
     others are left out. Columns of doubles are read where they lie.
@@ -101,6 +101,7 @@ def recording(
     if kind not in ("time", "trials"):
         raise UsageError(f"kind is 'time' or 'trials', not {kind!r}")
     of = dict(units or {})
+    data = _of_xarray(data, of)
     columns = _columns(data, of, time)
     clock, columns = (None, columns) if kind == "trials" else _clock(columns, time, of)
     if kind == "trials" and time is not None:
@@ -158,6 +159,27 @@ def _columns(data: Columns, units: Mapping[str, str], time: object) -> dict[str,
     raise TypeError(
         f"a recording is a path, a dict of columns or a pandas or Polars frame, not {type(data).__name__}"
     )
+
+
+def _of_xarray(data: Any, units: dict[str, str]) -> Any:
+    """The columns of an xarray dataset or array, its coordinate first, with the units of their attributes."""
+    if not (hasattr(data, "dims") and hasattr(data, "coords")):
+        return data
+    if hasattr(data, "to_dataset") and not hasattr(data, "data_vars"):
+        data = data.to_dataset(name=data.name or "value")
+    if len(data.sizes) != 1:
+        raise InputError(
+            f"the dataset has the dimensions {', '.join(map(str, data.sizes)) or '(none)'}, where one of time is wanted\n"
+            "help: select one row of the others: data.isel(other=0), or data.to_dataset('other')"
+        )
+    (clock,) = data.sizes
+    columns = {str(clock): data.coords[clock]} if clock in data.coords else {}
+    columns |= {str(n): v for n, v in data.data_vars.items()}
+    for n, v in columns.items():
+        unit = v.attrs.get("units")
+        if isinstance(unit, str) and _split(n)[1] is None:
+            units.setdefault(n, unit)
+    return {n: v.values for n, v in columns.items()}
 
 
 def _index(data: Frame, units: Mapping[str, str], time: object) -> tuple[str, Any] | None:

@@ -4,7 +4,7 @@ use super::Outcome;
 use super::output;
 use crate::Result;
 use crate::model::Model;
-use crate::record::{Channel, Recording, read_once};
+use crate::record::read_once;
 use crate::simulate::Options;
 use std::path::PathBuf;
 const HELP: &str = "\
@@ -45,7 +45,9 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let sources = recording.sources.iter().chain(model.begun_with());
     let read: Vec<PathBuf> = sources.map(|s| s.file.clone()).chain([call.model.clone()]).collect();
     output::spare(&place, &read)?;
-    predict_what_is_not_measured(&model, &mut recording);
+    for note in model.foresee(&mut recording) {
+        super::warn(&note);
+    }
     let ran =
         crate::simulate(&model, &recording).tolerance(call.tolerance).run().map_err(|e| match e.file() {
             None => e.with_file(&call.model),
@@ -63,25 +65,4 @@ pub fn run(call: &Call) -> Result<Outcome> {
         output::words(&ran.text())?;
     }
     Ok(Outcome::Done)
-}
-
-/// Outputs that nobody measured are predicted at the times of the first input: their channel is a gap.
-fn predict_what_is_not_measured(model: &Model, recording: &mut Recording) {
-    let own = model.simulated.iter().flat_map(|s| s.channels.iter());
-    let mut inputs = model.inputs.iter().filter_map(|i| recording.find(&i.name)).chain(own);
-    let Some(first) = inputs.next() else { return };
-    let (time, table, input) = (first.time.clone(), first.table, first.name.clone());
-    drop(inputs);
-    for o in &model.outputs {
-        if recording.find(&o.name).is_none() {
-            let gaps = vec![f64::NAN; time.len()];
-            let channel =
-                Channel { table, ..Channel::new(o.name.clone(), o.unit.clone(), time.clone(), gaps) };
-            recording.channels.push(channel);
-            super::warn(&format!(
-                "the recording has no channel `{}`: it is predicted at the times of `{input}`, and compared with nothing",
-                o.name
-            ));
-        }
-    }
 }

@@ -37,6 +37,7 @@ pub(crate) mod program;
 mod read;
 mod scalar;
 mod simulated;
+mod unmeasured;
 mod write;
 
 #[cfg(feature = "fmu")]

@@ -185,8 +185,7 @@ impl Dimension {
     }
 
     /// The powers of m, kg, s, A and K.
-    #[cfg(feature = "diagnose")]
-    pub(crate) fn powers(self) -> [f64; 5] {
+    pub fn powers(self) -> [f64; 5] {
         self.0.map(Ratio::to_f64)
     }
 

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from html import escape
+from typing import Any
 
 from .._gyrospec import Model
+from . import _plot
 from ._report import Made, Report, Value
 
 
@@ -167,6 +169,14 @@ class Diagnosis(Report):
         """The model with the findings in it, fitted."""
         assert self._model is not None
         return self._model
+
+    def to_pandas(self) -> Any:
+        """A pandas frame of the findings' parameters with their 95 % intervals; a finding without one has a row too."""
+        rows = [(f, v) for f in self.findings for v in (f.parameters or [None])]
+        fields = ("name", "value", "low", "high", "unit")
+        columns: dict[str, list[Any]] = {"code": [f.code for f, _ in rows], "site": [f.site.name for f, _ in rows]}
+        columns |= {n: [getattr(v, n, None) for _, v in rows] for n in fields}
+        return _plot.frame(columns)
 
     def _repr_html_(self) -> str:
         # a frame of its own: the page's style is not to reach the notebook's

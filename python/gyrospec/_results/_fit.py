@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from html import escape
+from typing import Any
 
 from .._gyrospec import Model
+from . import _plot
 from ._report import Made, Report, Value, table
 
 
@@ -103,6 +105,12 @@ class Fit(Report):
         """The model with the fitted values in it."""
         assert self._model is not None
         return self._model
+
+    def to_pandas(self) -> Any:
+        """A pandas frame of the parameters, by name."""
+        return _plot.frame(
+            {n: [getattr(p, n) for p in self.parameters] for n in ("name", "value", "low", "high", "unit", "status")}
+        ).set_index("name")
 
     def __getitem__(self, name: str) -> FittedParameter:
         for p in self.parameters:

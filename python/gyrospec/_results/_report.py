@@ -10,8 +10,11 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from .._gyrospec import Model, Told
+from .._errors import UsageError
+from .._gyrospec import Model, Recording, Told, simulate
+from .._inputs import Floats
 from .._reading import read
+from . import _plot
 
 R = TypeVar("R", bound="Report")
 
@@ -25,6 +28,7 @@ class Report:
     _text: str = field(repr=False, compare=False, kw_only=True, default="")
     _model: Model | None = field(repr=False, compare=False, kw_only=True, default=None)
     _html: str | None = field(repr=False, compare=False, kw_only=True, default=None)
+    _runs: tuple[dict[str, Model], Recording] | None = field(repr=False, compare=False, kw_only=True, default=None)
 
     @classmethod
     def _of(cls: type[R], told: Told) -> R:
@@ -42,6 +46,22 @@ class Report:
         data: dict[str, Any] = json.loads(self._json)
         return data
 
+    def plot(self) -> Any:
+        """A Matplotlib figure of the first recording: each output measured and predicted, and what is left."""
+        if self._runs is None:
+            raise UsageError("a result that came out of a pickle has no recording to plot\nhelp: plot it where it was made")
+        models, recording = self._runs
+        drawn: dict[str, Any] = {}
+        for label, model in models.items():
+            for name, unit, time, measured, predicted in _predicted(model, recording):
+                drawn.setdefault(name, (name, unit, time, measured, {}))[4][label] = predicted
+        return _plot.pairs(list(drawn.values()))
+
+    def _with(self: R, models: dict[str, Model], recording: Recording) -> R:
+        """The same, which knows what to plot."""
+        object.__setattr__(self, "_runs", (models, recording))
+        return self
+
     def text(self) -> str:
         """The report in words, as the program prints it."""
         return self._told.text() if self._told else self._text
@@ -58,7 +78,7 @@ class Report:
     def __getstate__(self) -> dict[str, Any]:
         # the native half stays behind; its words and its page go along
         state = dict(self.__dict__)
-        state.update(_told=None, _text=self.text(), _html=self.html())
+        state.update(_told=None, _runs=None, _text=self.text(), _html=self.html())
         return state
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -93,6 +113,12 @@ class Value:
     low: float
     high: float
     unit: str
+
+
+def _predicted(model: Model, recording: Recording) -> list[tuple[str, str, Floats, Floats, Floats]]:
+    """Name, unit, times, measured and predicted of each output."""
+    ran = simulate(model, recording, 1e-5)
+    return [(name, unit, *ran.output(i)[:3]) for i, (name, unit) in enumerate(ran.outputs)]
 
 
 def number(x: float) -> float | None:

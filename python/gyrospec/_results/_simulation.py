@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from .._errors import UsageError
 from .._gyrospec import Simulated
 from .._inputs import Floats
+from . import _plot
 from ._report import number, table
 
 
@@ -83,6 +84,30 @@ class Simulation:
             for o in self.outputs
         ]
         return {"outputs": listed, "solver_error": number(self.solver_error), "warnings": self.warnings}
+
+    def plot(self) -> Any:
+        """A Matplotlib figure: each output measured and predicted, and what is left."""
+        return _plot.pairs([(o.name, o.unit, o.time, o.measured, {"predicted": o.predicted}) for o in self.outputs])
+
+    def to_pandas(self) -> Any:
+        """A pandas frame by time in s: measured, predicted and residual of each output, NaN where there is none."""
+        columns: dict[str, Any] = {}
+        at = np.unique(np.concatenate([o.time for o in self.outputs]))
+        for o in self.outputs:
+            for name, values in (("measured", o.measured), ("predicted", o.predicted)):
+                columns[f"{o.name} {name}"] = np.full(len(at), np.nan)
+                columns[f"{o.name} {name}"][np.searchsorted(at, o.time)] = values
+            columns[f"{o.name} residual"] = columns[f"{o.name} measured"] - columns[f"{o.name} predicted"]
+        return _plot.frame({"time": at, **columns}).set_index("time")
+
+    def to_xarray(self) -> Any:
+        """An xarray dataset of the same, `time` its coordinate, units as attributes."""
+        made = self.to_pandas().to_xarray()
+        made["time"].attrs["units"] = "s"
+        for o in self.outputs:
+            for name in ("measured", "predicted", "residual"):
+                made[f"{o.name} {name}"].attrs["units"] = o.unit
+        return made
 
     def to_json(self) -> str:
         """The same as JSON."""

@@ -106,6 +106,9 @@ impl Integral {
 /// g: b0 ... b(n-1) of the even G(s) = b0 s^(2n-2) + b1 s^(2n-4) + ... + b(n-1).
 /// c: instead of g, C with G(s) = C(s) C(-s), highest power first.
 ///
+/// Without g and c, h is a stable system of one input and output, a transfer function or a state space of python-control or
+/// SciPy: the variance of its output at white noise of the spectral density 1.
+///
 /// Raises InputError, UnstableError, ImaginaryAxisError, OutOfRangeError.
 ///
 /// >>> integral([1, 2, 3], [0, 1]).value   # b1/(2 a1 a2)
@@ -118,6 +121,12 @@ pub fn integral(
     g: Option<&Bound<'_, PyAny>>,
     c: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<Integral> {
+    if g.is_none() && c.is_none() {
+        // polynomials of a system
+        let both = py.import("gyrospec._linear").and_then(|m| m.call_method1("coefficients", (h,)))?;
+        let (h, c) = (both.get_item(0)?, both.get_item(1)?);
+        return integral(py, &h, None, Some(&c));
+    }
     let h = array::row("h", h)?;
     let (is_square, numerator) = match (g, c) {
         (Some(g), None) => (false, array::row("g", g)?),

@@ -21,6 +21,7 @@ mod strapdown;
 mod sweep;
 mod table;
 mod told;
+mod units;
 mod work;
 
 use pyo3::prelude::*;
@@ -56,6 +57,8 @@ mod _gyrospec {
     use super::table::table;
     #[pymodule_export]
     use super::told::Told;
+    #[pymodule_export]
+    use super::units::{powers, unit_of};
 
     /// The version of the package.
     #[pymodule_export]

@@ -85,8 +85,13 @@ pub fn simulate(
     recording: PyRef<'_, Recording>,
     tolerance: f64,
 ) -> PyResult<Simulated> {
-    let (model, recording) = (Arc::clone(&model.0), Arc::clone(&recording.0));
+    let (model, mut recording) = (Arc::clone(&model.0), Arc::clone(&recording.0));
+    let mut warnings = Vec::new();
+    if model.outputs.iter().any(|o| recording.find(&o.name).is_none()) {
+        warnings = model.foresee(Arc::make_mut(&mut recording));
+    }
     let work = || gyrospec::simulate(&model, &recording).tolerance(tolerance).run();
     let ran = py.detach(work)?;
-    Ok(Simulated { warnings: ran.warnings(), ran })
+    warnings.extend(ran.warnings());
+    Ok(Simulated { warnings, ran })
 }
