@@ -83,8 +83,8 @@ def model(
         title = name or (own if own and not own.startswith("sys[") else type(source).__name__)
         return of_linear(source, _listed(states), _listed(inputs), _listed(outputs), title)
     if callable(source) and not isinstance(source, native.Model):
-        title = name or getattr(source, "__name__", type(source).__name__)
-        return of_function(source, states or [], inputs or [], parameters or {}, outputs, title)
+        called = str(name or getattr(source, "__name__", type(source).__name__))
+        return of_function(source, states or [], inputs or [], parameters or {}, outputs, called)
     if any(x is not None for x in (states, inputs, parameters, outputs, name)):
         raise UsageError("a model file says its names itself: give it alone")
     return as_model(source)

@@ -101,8 +101,7 @@ def recording(
     if kind not in ("time", "trials"):
         raise UsageError(f"kind is 'time' or 'trials', not {kind!r}")
     of = dict(units or {})
-    data = _of_xarray(data, of)
-    columns = _columns(data, of, time)
+    columns = _columns(_of_xarray(data, of), of, time)
     clock, columns = (None, columns) if kind == "trials" else _clock(columns, time, of)
     if kind == "trials" and time is not None:
         raise UsageError("a table of trials has no time")

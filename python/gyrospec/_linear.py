@@ -133,7 +133,7 @@ def _polynomials(given: Any) -> tuple[Floats, Floats]:
     if hasattr(given, "A"):
         a, b, c, d = (np.atleast_2d(np.asarray(m, dtype=float)) for m in (given.A, given.B, given.C, given.D))
         _single(b.shape[1] if b.size else d.shape[1], d.shape[0])
-        h = np.poly(a) if a.size else np.ones(1)
+        h: Floats = np.asarray(np.poly(a), dtype=np.float64) if a.size else np.ones(1)
         # det(sI − A + BC)/det(sI − A) = 1 + C (sI − A)⁻¹ B
         c_over = np.poly(a - b @ c) - h if a.size else np.zeros(1)
         return _stripped(c_over + d[0, 0] * h), h

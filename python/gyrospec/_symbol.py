@@ -105,7 +105,7 @@ class Symbol:
             "write NumPy's function instead: np.sin for math.sin",
         )
 
-    __int__ = __index__ = __complex__ = __float__  # type: ignore[assignment]
+    __int__ = __index__ = __complex__ = __float__
 
     def __round__(self, digits: int | None = None) -> Any:
         raise refuse("round of a value of the model", "leave it out: the language has no steps but np.heaviside")

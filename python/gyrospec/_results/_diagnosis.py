@@ -172,7 +172,7 @@ class Diagnosis(Report):
 
     def to_pandas(self) -> Any:
         """A pandas frame of the findings' parameters with their 95 % intervals; a finding without one has a row too."""
-        rows = [(f, v) for f in self.findings for v in (f.parameters or [None])]
+        rows: list[tuple[Finding, Value | None]] = [(f, v) for f in self.findings for v in f.parameters or (None,)]
         fields = ("name", "value", "low", "high", "unit")
         columns: dict[str, list[Any]] = {"code": [f.code for f, _ in rows], "site": [f.site.name for f, _ in rows]}
         columns |= {n: [getattr(v, n, None) for _, v in rows] for n in fields}
