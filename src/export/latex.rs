@@ -200,14 +200,10 @@ fn call(f: Function, x: &[String]) -> String {
 /// A name: Greek letters as such, what follows a `_` or a letter's digits below it, words upright.
 fn symbol(name: &str) -> String {
     let ascii = super::names::plain(name);
-    let (stem, below) = match ascii.trim_matches('_').split_once('_') {
-        Some((stem, below)) => (stem.to_string(), below.replace('_', ",")),
-        None => {
-            let stem = ascii.trim_matches('_').trim_end_matches(|c: char| c.is_ascii_digit()).to_string();
-            let below = ascii.trim_matches('_')[stem.len()..].to_string();
-            (stem, below)
-        }
-    };
+    let whole = ascii.trim_matches('_');
+    let letters = whole.trim_end_matches(|c: char| c.is_ascii_digit());
+    let (stem, below) = whole.split_once('_').unwrap_or((letters, &whole[letters.len()..]));
+    let (stem, below) = (stem.to_string(), below.replace('_', ","));
     let small = stem.to_ascii_lowercase();
     let stem = match stem.chars().count() {
         _ if GREEK.contains(&small.as_str()) => greek(&stem),

@@ -93,5 +93,5 @@ pub fn simulate(
     let work = || gyrospec::simulate(&model, &recording).tolerance(tolerance).run();
     let ran = py.detach(work)?;
     warnings.extend(ran.warnings());
-    Ok(Simulated { warnings, ran })
+    Ok(Simulated { ran, warnings })
 }
