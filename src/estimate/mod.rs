@@ -2,6 +2,7 @@
 
 mod bootstrap;
 mod coordinates;
+mod correlation;
 mod covariance;
 pub mod fit;
 mod identify;
@@ -13,6 +14,9 @@ pub(crate) mod triangle;
 
 pub use bootstrap::improvement;
 pub use coordinates::{Range, Side};
+pub use correlation::{
+    Correlation, Lags, Pair, autocorrelation, correlations, cross_correlation, fit_percent,
+};
 pub use covariance::{Stretch, coloured_covariance, half_width, independent_samples, inverse_square};
 pub use fit::{Fit, FitOptions, fit, holdout};
 pub use identify::{Direction, unseen};

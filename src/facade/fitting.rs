@@ -6,6 +6,7 @@ use crate::diagnose::Request;
 use crate::estimate::fit::{
     self as estimate, Fit, FitOptions, HeldOut, ResidualSpectrum, Status, residual_spectra,
 };
+use crate::estimate::{Correlation, correlations};
 use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::report::fit::{FitReport, json, page, text};
@@ -65,10 +66,11 @@ impl<'a> Fitting<'a> {
         }
         let held_out = estimate::holdout(&fit, &recordings, &separate, &options.without_limit())?;
         let spectra = residual_spectra(&fit);
+        let correlations = correlations(&fit, &recordings);
         // a model that was not read from a file: its own text stands among the inputs
         let source =
             source.cloned().unwrap_or_else(|| Source::of(Path::new("model"), model.to_toml().as_bytes()));
-        Ok(Fitted { fit, source, held_out, spectra, recordings, separate, seed })
+        Ok(Fitted { fit, source, held_out, spectra, correlations, recordings, separate, seed })
     }
 }
 
@@ -78,6 +80,7 @@ pub struct Fitted<'a> {
     source: Source,
     held_out: Vec<HeldOut>,
     spectra: Vec<ResidualSpectrum>,
+    correlations: Vec<Correlation>,
     recordings: Cow<'a, [Recording]>,
     separate: Cow<'a, [Recording]>,
     seed: u64,
@@ -176,6 +179,7 @@ impl Fitted<'_> {
             recordings: &self.recordings,
             separate: &self.separate,
             spectra: &self.spectra,
+            correlations: &self.correlations,
             seed: self.seed,
         }
     }

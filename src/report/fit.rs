@@ -7,15 +7,17 @@ pub use json::render as json;
 pub use text::render as text;
 
 use crate::diagnose::pictures::closer;
-use crate::estimate::Direction;
 use crate::estimate::fit::{
     Beside, Combination, Fit, HeldOut, InitialEstimate, ParameterEstimate, ResidualSpectrum, Series, Status,
 };
+use crate::estimate::{Correlation, Direction, fit_percent};
 use crate::model::Output;
 use crate::record::{Kind, Recording, Source};
-use crate::report::page::{self, Page, Section, head, table, with_unit};
+use crate::report::correlation;
+use crate::report::page::{self, Page, Section, head, percent, table, with_unit};
 use crate::report::svg::{Layer, Picture, escaped};
 use crate::units::{Unit, figure};
+use std::f64::consts::TAU;
 use std::path::Path;
 
 /// Recordings that are drawn, at most, of the fitted and of the separate ones each.
@@ -35,6 +37,8 @@ pub struct FitReport<'a> {
     pub separate: &'a [Recording],
     /// Spectra of the residuals, by output.
     pub spectra: &'a [ResidualSpectrum],
+    /// What the residuals do against themselves and against the inputs.
+    pub correlations: &'a [Correlation],
     pub seed: u64,
 }
 
@@ -69,6 +73,11 @@ pub fn page(r: &FitReport<'_>) -> String {
             Section::new("courses", "Recording and model", drawn(course)),
             Section::new("residuals", "What the model leaves over time", drawn(residual)),
             Section::new("spectra", "What it leaves in frequency", r.spectra.iter().map(spectrum).collect()),
+            Section::new(
+                "correlations",
+                "What it leaves, against itself and its inputs",
+                correlation::section(&[], r.correlations),
+            ),
             Section::new("parameters", "Parameters", parameters(r)),
             Section::new("errors", "Free-run error", errors(r)),
             Section::new("unseen", "What these data do not tell", unseen(&r.fit.unseen, &r.fit.determined)),
@@ -172,25 +181,36 @@ impl Course<'_> {
         if self.trials { Layer::dots(class, name, points) } else { Layer::line(class, name, points) }
     }
 
-    fn drawn(&self, title: &str, part: impl Fn(Vec<[f64; 2]>) -> Vec<[f64; 2]>) -> String {
+    /// How much of the movement the model follows on what was fitted and on what was held out.
+    fn percent(&self) -> String {
+        let is_held = |s: &&Beside| self.held.iter().any(|h| (h[0]..=h[1]).contains(&s.time));
+        let of = |wanted: bool| {
+            let own = self.samples.iter().filter(|s| is_held(s) == wanted);
+            fit_percent(own.map(|s| [s.measured, s.residual]))
+        };
+        percent(of(false), of(true))
+    }
+
+    /// The measurement on top of the model.
+    fn drawn(&self, title: &str, name: &str, part: impl Fn(Vec<[f64; 2]>) -> Vec<[f64; 2]>) -> String {
         let unit = &self.output.unit;
         let measured = part(self.points(|s| unit.from_si(s.measured)));
         let fitted = part(self.points(|s| unit.from_si(s.predicted)));
         self.picture(title, &with_unit(&self.output.name, unit.text()))
+            .with(self.layer("after", name, fitted))
             .with(self.layer("measured", "measured", measured))
-            .with(self.layer("after", "fitted model", fitted))
             .draw()
     }
 }
 
 /// The whole, and where measurement and model part most.
 fn course(c: &Course<'_>) -> String {
-    let whole = c.drawn(&c.title, |points| points);
+    let whole = c.drawn(&c.title, &format!("fitted model{}", c.percent()), |points| points);
     match closer::span(&c.points(|s| s.residual)).filter(|_| !c.trials) {
         None => whole,
         Some(span) => {
             let title = format!("{}: a closer look, where they part most", c.title);
-            whole + &c.drawn(&title, |points| closer::within(&points, span))
+            whole + &c.drawn(&title, "fitted model", |points| closer::within(&points, span))
         }
     }
 }
@@ -198,14 +218,16 @@ fn course(c: &Course<'_>) -> String {
 fn residual(c: &Course<'_>) -> String {
     let unit = c.output.unit.of_differences();
     c.picture(&format!("{}: measured less model", c.title), &with_unit("residual", unit.text()))
-        .with(c.layer("after", "residual", c.points(|s| unit.difference_from_si(s.residual))))
+        .with(c.layer("after thin", "residual", c.points(|s| unit.difference_from_si(s.residual))))
         .draw()
 }
 
 fn spectrum(s: &ResidualSpectrum) -> String {
-    let y = format!("power density, {}", s.unit);
-    Picture::new(&format!("{}: power of the residual, fitted part", s.output), "angular frequency, rad/s", &y)
+    let (title, y) =
+        (format!("{}: power of the residual, fitted part", s.output), format!("power density, {}", s.unit));
+    Picture::new(&title, "angular frequency, rad/s (frequency, Hz)", &y)
         .logarithmic()
+        .beside(1.0 / TAU)
         .with(Layer::line("after", "residual", s.points.clone()))
         .draw()
 }

@@ -1,6 +1,7 @@
 //! Text, JSON and HTML reports; computes nothing.
 
 pub mod braille;
+pub mod correlation;
 pub mod diagnosis;
 pub mod fit;
 pub mod identified;

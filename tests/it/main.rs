@@ -9,6 +9,8 @@ mod card;
 mod chained;
 mod circles;
 mod clock_shift;
+mod closer;
+mod correlation;
 mod cross;
 mod diagnose;
 mod diagnose_rough;

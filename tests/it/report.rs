@@ -6,7 +6,7 @@ use gyrospec::diagnose::answer::{
     SignalChance, SiteName, Spell, Stretch, Unexplained, Value, Verdict, Visible,
 };
 use gyrospec::diagnose::pictures::{Close, Course, Faulty, Law, Pictures, Spectrum, Standing, Tried};
-use gyrospec::estimate::Direction;
+use gyrospec::estimate::{Correlation, Direction, Lags};
 use gyrospec::report::diagnosis::page;
 use std::path::Path;
 use std::process::Command;
@@ -111,6 +111,11 @@ fn answer(verdict: Verdict) -> Answer {
     }
 }
 
+fn left(size: f64) -> Correlation {
+    let lags = Lags { first: -2, values: vec![0.0, size, 0.0, -size, 0.0], band: vec![0.2; 5] };
+    Correlation { output: "position".into(), input: Some("force".into()), step: Some(0.05), lags }
+}
+
 /// Series as long as the pictures ever have.
 fn pictures(verdict: Verdict) -> Pictures {
     let wave = |size: f64| -> Vec<[f64; 2]> {
@@ -122,6 +127,8 @@ fn pictures(verdict: Verdict) -> Pictures {
         difference_unit: "m".into(),
         recording: "trial <7>".into(),
         held: vec![Stretch { from: 40.0, to: 60.0 }],
+        percent_before: [80.0, 79.0],
+        percent_after: [99.0, f64::NAN],
         measured: wave(1.0),
         before: wave(0.8),
         after: wave(0.99),
@@ -152,6 +159,8 @@ fn pictures(verdict: Verdict) -> Pictures {
             before: power(1.0),
             after: power(0.1),
         }],
+        left_before: vec![left(0.5)],
+        left_after: vec![left(0.1)],
         laws: has_law.then_some(law).into_iter().collect(),
         tried: vec![Tried {
             code: "dry-friction".into(),
@@ -188,8 +197,18 @@ fn sections(page: &str) -> Vec<(String, String)> {
 }
 
 fn expected(verdict: Verdict) -> Vec<&'static str> {
-    let mut names =
-        vec!["findings", "courses", "residuals", "spectra", "proof", "sites", "parameters", "next", "made"];
+    let mut names = vec![
+        "findings",
+        "courses",
+        "residuals",
+        "spectra",
+        "correlations",
+        "proof",
+        "sites",
+        "parameters",
+        "next",
+        "made",
+    ];
     match verdict {
         Verdict::Named | Verdict::Tie => names.push("laws"),
         Verdict::NothingMissing => names.push("visible"),
@@ -224,7 +243,7 @@ fn a_page_is_small_and_asks_nothing_from_outside() {
     for verdict in VERDICTS {
         let page = made(verdict);
         assert!(page.len() < 3_000_000, "{} bytes", page.len());
-        for foreign in ["http:", "https:", "<script", "src=", "@import", "url("] {
+        for foreign in ["http:", "https:", "<script ", "src=", "@import", "url("] {
             assert!(!page.contains(foreign), "{verdict:?}: {foreign}");
         }
         assert!(page.contains("axis &lt;1&gt;") && page.contains("&lt;model&gt;"));
@@ -345,7 +364,7 @@ fn a_page_of_a_fit_has_its_sections() {
     let page = page_of(&["fit", "examples/clinometer.toml", "examples/clinometer.csv"]);
     let sections = sections(&page);
     let names: Vec<&str> = sections.iter().map(|s| s.0.as_str()).collect();
-    assert_eq!(names, ["courses", "residuals", "spectra", "parameters", "errors", "made"]);
+    assert_eq!(names, ["courses", "residuals", "spectra", "correlations", "parameters", "errors", "made"]);
     // the whole recording, and a closer look; the held-out part is marked in the whole
     assert_eq!(sections[0].1.matches("<figure>").count(), 2);
     assert!(

@@ -4,8 +4,8 @@ use super::{Assembly, Close, Course, Point, closer, thinned};
 use crate::Result;
 use crate::diagnose::answer::Stretch;
 use crate::diagnose::bench::Stand;
-use crate::estimate::Fit;
 use crate::estimate::fit::{Effort, Series, holdout, setup};
+use crate::estimate::{Fit, fit_percent};
 use crate::record::{Recording, Span};
 
 /// Pictures at most.
@@ -90,6 +90,8 @@ fn pair(
             // a gap of the residual is one of the measurement
             let level: Vec<Point> =
                 before.iter().map(|(t, e)| [*t, o.unit.from_si(measured(channel, *t)) + 0.0 * e]).collect();
+            let percent = |v: &[(f64, f64)]| percent(v, held, channel);
+            let (percent_before, percent_after) = (percent(&before), percent(&after));
             let (left, with) = (residual(&before), residual(&after));
             let (before, after) = (predicted(&before), predicted(&after));
             let close = closer::span(&left).map(|span| {
@@ -103,6 +105,8 @@ fn pair(
                 difference_unit: unit.text().to_string(),
                 recording: recording.name.clone(),
                 held: held.to_vec(),
+                percent_before,
+                percent_after,
                 measured: whole(level),
                 before: whole(before),
                 after: whole(after),
@@ -112,6 +116,15 @@ fn pair(
             })
         })
         .collect()
+}
+
+/// How much of the measured movement is followed, %: on what was fitted and on what was held out.
+fn percent(residual: &[(f64, f64)], held: &[Stretch], channel: &crate::record::Channel) -> [f64; 2] {
+    let is_held = |t: f64| held.iter().any(|h| (h.from..=h.to).contains(&t));
+    [false, true].map(|wanted| {
+        let own = residual.iter().filter(|(t, _)| is_held(*t) == wanted);
+        fit_percent(own.map(|(t, e)| [measured(channel, *t), *e]))
+    })
 }
 
 /// Times and residuals, a NaN after each stretch.

@@ -18,7 +18,7 @@ use super::answer::{Band, SiteName, Stretch};
 use super::assemble::Assembly;
 use super::faults::Spoiled;
 use super::locate;
-use crate::estimate::Fit;
+use crate::estimate::{Correlation, Fit, correlations};
 use serde::Serialize;
 
 /// Stretches that a long series is thinned to.
@@ -38,6 +38,10 @@ pub struct Pictures {
     pub courses: Vec<Course>,
     /// Spectra of the residuals.
     pub spectra: Vec<Spectrum>,
+    /// What the model as given leaves, against itself and against its inputs.
+    pub left_before: Vec<Correlation>,
+    /// The same of the model with the findings.
+    pub left_after: Vec<Correlation>,
     /// What each finding explains, against the signal that it goes with.
     pub laws: Vec<Law>,
     /// What was tried, likeliest first.
@@ -59,6 +63,10 @@ pub struct Course {
     pub recording: String,
     /// Spans that were held out; a separate record is held out whole.
     pub held: Vec<Stretch>,
+    /// How much of the movement the model as given follows, %: fitted, held out; NaN where there is none.
+    pub percent_before: [f64; 2],
+    /// The same of the model with the findings.
+    pub percent_after: [f64; 2],
     /// Measured.
     pub measured: Vec<Point>,
     /// The model as given, fitted.
@@ -169,6 +177,8 @@ pub(super) fn gather(assembly: &Assembly<'_>) -> Pictures {
         trials: assembly.bench.is_trials(),
         courses: course::courses(assembly),
         spectra: spectra(&found.base, &found.last),
+        left_before: correlations(&found.base, &assembly.bench.recordings),
+        left_after: correlations(&found.last, &assembly.bench.recordings),
         laws: law::laws(assembly),
         tried: sites::tried(found),
         faults: faulty(assembly),

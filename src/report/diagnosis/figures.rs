@@ -1,10 +1,12 @@
 //! The pictures of the page.
 
 use super::text::{chance, title};
-use crate::diagnose::answer::{Answer, Spell, Stretch};
+use crate::diagnose::answer::{Answer, Band, Spell, Stretch};
 use crate::diagnose::pictures::{Course, Law, Pictures, Point};
-use crate::report::page::with_unit;
+use crate::report::page::{percent, with_unit};
 use crate::report::svg::{Layer, Picture, escaped};
+use crate::units::figure;
+use std::f64::consts::TAU;
 
 fn pairs(spans: &[Stretch]) -> Vec<[f64; 2]> {
     spans.iter().map(|s| [s.from, s.to]).collect()
@@ -31,22 +33,31 @@ fn heading(c: &Course) -> String {
 pub fn courses(p: &Pictures) -> String {
     let mut out = String::new();
     for c in &p.courses {
-        out += &course(p, c, &heading(c), [&c.measured, &c.before, &c.after]);
+        out += &course(p, c, (&heading(c), true), [&c.measured, &c.before, &c.after]);
         if let Some(near) = c.close.as_ref().filter(|_| !p.trials) {
             let title = format!("{}: a closer look, where they part most", heading(c));
-            out += &course(p, c, &title, [&near.measured, &near.before, &near.after]);
+            out += &course(p, c, (&title, false), [&near.measured, &near.before, &near.after]);
         }
     }
     out
 }
 
-fn course(p: &Pictures, c: &Course, title: &str, [measured, before, after]: [&[Point]; 3]) -> String {
+/// The measurement lies on top of both models.
+fn course(
+    p: &Pictures,
+    c: &Course,
+    (title, whole): (&str, bool),
+    [measured, before, after]: [&[Point]; 3],
+) -> String {
     let after = if changed(c) { after } else { &[] };
+    let named = |name: &str, [fitted, held]: [f64; 2]| {
+        if whole { format!("{name}{}", percent(fitted, held)) } else { name.to_owned() }
+    };
     Picture::new(title, clock(p), &with_unit(&c.output, &c.unit))
         .with(Layer::span("held", "held out", pairs(&c.held)))
+        .with(series(p, "before", &named("model as given", c.percent_before), before))
+        .with(series(p, "after", &named("with what was found", c.percent_after), after))
         .with(series(p, "measured", "measured", measured))
-        .with(series(p, "before", "model as given", before))
-        .with(series(p, "after", "with what was found", after))
         .draw()
 }
 
@@ -70,8 +81,8 @@ pub fn residuals(p: &Pictures, a: &Answer) -> String {
         )
         .with(Layer::span("held", "held out", pairs(&c.held)))
         .with(Layer::span("shade", "where the mismatch sits", located))
-        .with(series(p, "before whole", "model as given", &c.residual_before))
-        .with(series(p, "after", "with what was found", after))
+        .with(series(p, "before whole thin", "model as given", &c.residual_before))
+        .with(series(p, "after thin", "with what was found", after))
         .draw()
     };
     p.courses.iter().map(picture).collect()
@@ -86,18 +97,30 @@ pub fn spectra(p: &Pictures, a: &Answer) -> String {
         let located = if a.located.bands.is_empty() { &[][..] } else { &s.bands };
         let bands: Vec<[f64; 2]> = located.iter().map(|b| [b.from, b.to]).collect();
         let after = if s.before == s.after { Vec::new() } else { s.after.clone() };
-        Picture::new(
+        let drawn = Picture::new(
             &format!("{}: power of the residual, fitted part", s.output),
-            "angular frequency, rad/s",
+            "angular frequency, rad/s (frequency, Hz)",
             "relative power",
         )
         .logarithmic()
+        .beside(1.0 / TAU)
         .with(Layer::span("shade", "bands that hold most of the mismatch", bands))
         .with(Layer::line("before whole", "model as given", s.before.clone()))
         .with(Layer::line("after", "with what was found", after))
-        .draw()
+        .draw();
+        drawn + &located.iter().map(band).collect::<String>()
     });
     pictures.collect()
+}
+
+/// A band of the mismatch in words, in both units of frequency.
+fn band(b: &Band) -> String {
+    let [from, to] = [b.from, b.to].map(figure);
+    let [from_hz, to_hz] = [b.from, b.to].map(|w| figure(w / TAU));
+    let share = figure((1000.0 * b.share).round() / 10.0);
+    format!(
+        "<p class=\"note\">{from} to {to} rad/s ({from_hz} to {to_hz} Hz): {share} % of the mismatch.</p>"
+    )
 }
 
 /// The residual against the accused signal, with the fitted law and its band.

@@ -1,4 +1,4 @@
-//! A diagnosis as one page that opens offline, without scripts.
+//! A diagnosis as one page that opens offline.
 
 use super::figures;
 use super::tables;
@@ -8,9 +8,9 @@ use crate::diagnose::Diagnosis;
 use crate::diagnose::answer::{Answer, FREE_LAW, Finding, Verdict, told};
 use crate::diagnose::pictures::Pictures;
 use crate::estimate::Direction;
-use crate::report::fit;
 use crate::report::page::{self, Page, Section};
 use crate::report::svg::escaped;
+use crate::report::{correlation, fit};
 use crate::units::without_needless_zeros;
 use std::path::Path;
 
@@ -50,6 +50,11 @@ fn sections(a: &Answer, pictures: &Pictures, unseen: String) -> Vec<Section> {
         Section::new("courses", "Recording and model", figures::courses(pictures)),
         Section::new("residuals", "What the model leaves over time", figures::residuals(pictures, a)),
         Section::new("spectra", "What it leaves in frequency", figures::spectra(pictures, a)),
+        Section::new(
+            "correlations",
+            "What it leaves, against itself and its inputs",
+            correlation::section(&pictures.left_before, &pictures.left_after),
+        ),
         Section::new("proof", "Proof on what was held out", tables::proof(a)),
         Section::new("sites", "What was considered", tables::tried(pictures, a)),
         Section::new("unexplained", "What no name explains", figures::unexplained(a)),

@@ -1,4 +1,5 @@
-//! One page that opens offline, without scripts: the same house for every report.
+//! One page that opens offline and asks for nothing: the same house for every report. Its only script looks closer at
+//! the pictures; without it the page is the same.
 
 mod sheet;
 mod table;
@@ -11,6 +12,8 @@ use std::fmt::Write;
 use std::path::Path;
 
 const STYLE: &str = include_str!("style.css");
+/// A closer look at the pictures.
+const CLOSER: &str = include_str!("closer.js");
 
 /// A part of a page: its name, its heading, its content as HTML.
 #[derive(Debug, Clone)]
@@ -73,12 +76,21 @@ impl Page {
         for s in sections() {
             let _ = write!(page, "<a href=\"#{}\">{}</a> ", s.name, s.heading);
         }
-        page.push_str("</nav>\n<main>");
+        let has_pictures = self.sections.iter().any(|s| s.content.contains("<svg viewBox"));
+        page.push_str(if has_pictures {
+            "</nav>\n<p class=\"note\" id=\"closer\"></p><main>"
+        } else {
+            "</nav>\n<main>"
+        });
         for s in sections() {
             let _ =
                 write!(page, "\n<section id=\"{}\"><h2>{}</h2>{}</section>", s.name, s.heading, s.content);
         }
-        page + "</main></body></html>\n"
+        page.push_str("</main>");
+        if has_pictures {
+            let _ = write!(page, "<script>\n{CLOSER}</script>");
+        }
+        page + "</body></html>\n"
     }
 }
 
@@ -99,4 +111,18 @@ pub fn made<'a>(program: &str, seed: u64, inputs: impl Iterator<Item = (&'a Path
 /// Words and, behind a comma, a unit that is not `1`.
 pub fn with_unit(words: &str, unit: &str) -> String {
     if unit == "1" { words.to_string() } else { format!("{words}, {unit}") }
+}
+
+/// How much of a signal's movement a model follows, in brackets for a legend: on what was fitted and on what was held
+/// out, each where it is known.
+///
+/// ```
+/// use gyrospec::report::page::percent;
+/// assert_eq!(percent(93.21, f64::NAN), " (fit 93.2 %)");
+/// assert_eq!(percent(93.21, -7.0), " (fit 93.2 %, held out −7.0 %)");
+/// ```
+pub fn percent(fitted: f64, held_out: f64) -> String {
+    let one = |words: &str, x: f64| x.is_finite().then(|| format!("{words} {x:.1} %").replace('-', "−"));
+    let both: Vec<String> = [one("fit", fitted), one("held out", held_out)].into_iter().flatten().collect();
+    if both.is_empty() { String::new() } else { format!(" ({})", both.join(", ")) }
 }

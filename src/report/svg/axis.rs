@@ -49,6 +49,19 @@ impl Axis {
         Some(Self { scale, low, high, places })
     }
 
+    /// The value at a place.
+    pub fn value(&self, place: f64) -> f64 {
+        let share = (place - self.places.0) / (self.places.1 - self.places.0);
+        let inner = self.low + share * (self.high - self.low);
+        if self.scale == Scale::Linear { inner } else { 10f64.powf(inner) }
+    }
+
+    /// What a script needs to draw it anew: both ends (their logarithms), both places, and whether it is logarithmic.
+    pub fn told(&self) -> String {
+        let is_log = u8::from(self.scale == Scale::Logarithmic);
+        format!("{:e} {:e} {:.1} {:.1} {is_log}", self.low, self.high, self.places.0, self.places.1)
+    }
+
     fn inner(&self, value: f64) -> f64 {
         if self.scale == Scale::Linear { value } else { value.log10() }
     }

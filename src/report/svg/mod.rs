@@ -13,6 +13,7 @@ mod thin;
 pub use axis::{Scale, tick_text, ticks};
 
 use crate::text::shown as visible;
+use crate::units::significant;
 use axis::Axis;
 use std::fmt::Write;
 
@@ -116,6 +117,8 @@ pub struct Picture {
     title: String,
     x: (String, Scale),
     y: (String, Scale),
+    /// What the ticks of x are told in beside, times this.
+    beside: Option<f64>,
     layers: Vec<Layer>,
 }
 
@@ -123,7 +126,7 @@ impl Picture {
     /// A picture with linear axes; the words are plain text.
     pub fn new(title: &str, x: &str, y: &str) -> Self {
         let axis = |words: &str| (words.to_string(), Scale::Linear);
-        Self { title: title.into(), x: axis(x), y: axis(y), layers: Vec::new() }
+        Self { title: title.into(), x: axis(x), y: axis(y), beside: None, layers: Vec::new() }
     }
 
     /// The same with both axes logarithmic.
@@ -131,6 +134,13 @@ impl Picture {
     pub fn logarithmic(mut self) -> Self {
         self.x.1 = Scale::Logarithmic;
         self.y.1 = Scale::Logarithmic;
+        self
+    }
+
+    /// The same with each tick of x told in another unit too, in brackets: the value times a factor.
+    #[must_use]
+    pub fn beside(mut self, factor: f64) -> Self {
+        self.beside = Some(factor);
         self
     }
 
@@ -152,14 +162,25 @@ impl Picture {
         let Some(x) = Axis::over(along(0), self.x.1, (left, w - right), false) else { return String::new() };
         let title = escaped(&self.title);
         let mut svg = format!(
-            "<figure><figcaption>{title}</figcaption><svg viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{title}\">"
+            "<figure><figcaption>{title}</figcaption><svg viewBox=\"0 0 {w} {h}\" role=\"img\" aria-label=\"{title}\" data-x=\"{}\" data-y=\"{}\" data-beside=\"{}\">",
+            x.told(),
+            y.told(),
+            self.beside.unwrap_or(0.0)
+        );
+        // what is drawn stands in a window of its own, which cuts at the frame when a script looks closer
+        let window = format!(
+            "<svg class=\"plot\" x=\"{left:.1}\" y=\"{top}\" width=\"{0:.1}\" height=\"{1}\" viewBox=\"{left:.1} {top} {0:.1} {1}\" preserveAspectRatio=\"none\">",
+            w - right - left,
+            h - top - bottom
         );
         let layers = |svg: &mut String, below: bool| {
+            svg.push_str(&window);
             for l in &self.layers {
                 if matches!(l, Layer::Span { .. }) == below {
                     layer(svg, l, &x, &y);
                 }
             }
+            svg.push_str("</svg>");
         };
         layers(&mut svg, true);
         self.frame(&mut svg, &x, &y, left);
@@ -172,6 +193,7 @@ impl Picture {
     fn frame(&self, svg: &mut String, x: &Axis, y: &Axis, left: f64) {
         let [_, top, right, bottom] = MARGIN;
         let (w, h) = SIZE;
+        svg.push_str("<g class=\"ticks\">");
         for (at, text) in y.ticks(5) {
             let _ = write!(
                 svg,
@@ -181,7 +203,7 @@ impl Picture {
                 at + 5.0
             );
         }
-        for (at, text) in ticks_with_room(x, left) {
+        for (at, text) in self.ticks_with_room(x, left) {
             let inside = at.min(w - 0.5 * width(&text));
             let _ = write!(
                 svg,
@@ -192,7 +214,7 @@ impl Picture {
         }
         let _ = write!(
             svg,
-            "<path class=\"frame\" d=\"M{left:.1} {top}V{:.1}H{:.1}\"/><text class=\"words\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text><text class=\"words\" x=\"4\" y=\"18\">{}</text>",
+            "</g><path class=\"frame\" d=\"M{left:.1} {top}V{:.1}H{:.1}\"/><text class=\"words\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text><text class=\"words\" x=\"4\" y=\"18\">{}</text>",
             h - bottom,
             w - right,
             0.5 * (left + w - right),
@@ -200,6 +222,23 @@ impl Picture {
             escaped(&self.x.0),
             escaped(&self.y.0)
         );
+    }
+
+    /// As many ticks as have room for their texts.
+    fn ticks_with_room(&self, x: &Axis, left: f64) -> Vec<(f64, String)> {
+        let ticks = |about: usize| -> Vec<(f64, String)> {
+            let plain = x.ticks(about);
+            let Some(factor) = self.beside else { return plain };
+            plain
+                .into_iter()
+                .map(|(at, text)| (at, format!("{text} ({})", significant(factor * x.value(at), 3))))
+                .collect()
+        };
+        let fits = |ticks: &[(f64, String)]| {
+            let needed: f64 = ticks.iter().map(|t| width(&t.1) + DIGIT).sum();
+            needed <= SIZE.0 - left
+        };
+        (2..=7).rev().map(ticks).find(|t| fits(t)).unwrap_or_else(|| ticks(2))
     }
 
     fn legend(&self, svg: &mut String, x: &Axis) {
@@ -229,15 +268,6 @@ impl Picture {
     }
 }
 
-/// As many ticks as have room for their texts.
-fn ticks_with_room(x: &Axis, left: f64) -> Vec<(f64, String)> {
-    let fits = |ticks: &[(f64, String)]| {
-        let needed: f64 = ticks.iter().map(|t| width(&t.1) + DIGIT).sum();
-        needed <= SIZE.0 - left
-    };
-    (2..=7).rev().map(|about| x.ticks(about)).find(|t| fits(t)).unwrap_or_else(|| x.ticks(2))
-}
-
 /// Width of a tick's text on a phone, where texts are largest in the picture's own units.
 fn width(text: &str) -> f64 {
     text.chars().map(|c| if c == '−' { 1.34 * DIGIT } else { DIGIT }).sum()
@@ -251,7 +281,7 @@ fn layer(svg: &mut String, layer: &Layer, x: &Axis, y: &Axis) {
             for stretch in points.split(|p| !p[1].is_finite()).filter(|s| !s.is_empty()) {
                 let _ = write!(svg, "<polyline class=\"{class}\" points=\"");
                 for (a, b) in thin::thinned(stretch.iter().filter_map(|p| at(*p)).collect()) {
-                    let _ = write!(svg, "{a:.1},{b:.1} ");
+                    let _ = write!(svg, "{a:.2},{b:.2} ");
                 }
                 svg.push_str("\"/>");
             }
@@ -281,7 +311,7 @@ fn layer(svg: &mut String, layer: &Layer, x: &Axis, y: &Axis) {
                 };
                 let _ = write!(
                     svg,
-                    "<path class=\"bar {class}\" d=\"M{a:.1} {low:.1}V{high:.1}\"/><circle class=\"{class}\" cx=\"{a:.1}\" cy=\"{b:.1}\" r=\"3.5\"/>"
+                    "<path class=\"bar {class}\" d=\"M{a:.1} {low:.1}V{high:.1}\"/><path class=\"dots {class}\" d=\"M{a:.1} {b:.1}h0\"/>"
                 );
             }
         }
