@@ -151,7 +151,7 @@ fn ran(
     assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
     let mut program = if let [compiler, options @ ..] = compiler {
         let Ok(done) = Command::new(compiler).args(options).current_dir(folder).output() else {
-            skipped(&format!("no compiler `{compiler}`: export to {language}"));
+            skipped(format!("no compiler `{compiler}`: export to {language}"));
             return None;
         };
         assert!(done.status.success(), "{language}: {}", String::from_utf8_lossy(&done.stderr));
@@ -164,7 +164,7 @@ fn ran(
     std::fs::write(folder.join("plain.csv"), table("")).unwrap();
     let input = std::fs::File::open(folder.join("plain.csv")).unwrap();
     let Ok(child) = program.args(arguments).stdin(input).stdout(Stdio::piped()).spawn() else {
-        skipped(&format!("nothing runs {language}: export to it"));
+        skipped(format!("nothing runs {language}: export to it"));
         return None;
     };
     let out = child.wait_with_output().unwrap();
