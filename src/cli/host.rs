@@ -37,10 +37,11 @@ pub fn hosted(words: &[OsString]) -> Option<ExitCode> {
 /// Whether a file is a unit, or a model that begins with one.
 fn names_unit(word: &Path) -> bool {
     use std::io::Read;
-    let Ok(mut file) = std::fs::File::open(word) else { return false };
-    if !file.metadata().is_ok_and(|m| m.is_file()) {
+    // a pipe is not opened: that waits for who writes into it, and what it brings is read once
+    if !std::fs::metadata(word).is_ok_and(|m| m.is_file()) {
         return false;
     }
+    let Ok(mut file) = std::fs::File::open(word) else { return false };
     let mut text = Vec::new();
     // a model file is small; what is longer is a table
     if file.by_ref().take(1 << 20).read_to_end(&mut text).is_err() {

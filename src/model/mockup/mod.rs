@@ -95,10 +95,13 @@ impl Mockup {
 
 /// Whether a file is a unit: an archive.
 pub(super) fn is_unit(path: &Path) -> bool {
+    // what comes through a pipe can be read only once
+    if !path.metadata().is_ok_and(|m| m.is_file()) {
+        return false;
+    }
     let mut first = [0; 4];
     let read = std::fs::File::open(path).and_then(|mut f| std::io::Read::read_exact(&mut f, &mut first));
-    read.is_ok() && first == *b"PK\x03\x04"
-        || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("fmu")) && path.exists()
+    read.is_ok() && first == *b"PK\x03\x04" || path.extension().is_some_and(|e| e.eq_ignore_ascii_case("fmu"))
 }
 
 /// The model of a unit alone, without a file beside it.
