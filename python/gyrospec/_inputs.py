@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import pathlib
 import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol, TypeAlias, cast, runtime_checkable
@@ -13,6 +14,25 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._errors import FileError, InputError, UnitsError, UsageError, Warning
 from ._gyrospec import Model, Recording
+
+# files that pandas reads for this package; a pickle may run anything, and is not among them
+PANDAS = {
+    ".parquet": "read_parquet",
+    ".pq": "read_parquet",
+    ".feather": "read_feather",
+    ".orc": "read_orc",
+    ".xlsx": "read_excel",
+    ".xlsm": "read_excel",
+    ".xlsb": "read_excel",
+    ".xls": "read_excel",
+    ".ods": "read_excel",
+    ".h5": "read_hdf",
+    ".hdf5": "read_hdf",
+    ".dta": "read_stata",
+    ".sas7bdat": "read_sas",
+    ".xpt": "read_sas",
+    ".sav": "read_spss",
+}
 
 Floats: TypeAlias = NDArray[np.float64]
 
@@ -72,6 +92,9 @@ def recording(
 ) -> Recording:
     """A recording of a file, or of the columns of a dict, a pandas or a Polars frame, or an xarray dataset.
 
+    Files that the program does not read itself (Parquet, Feather, workbooks of spreadsheets, HDF5, Stata, SAS and more)
+    are read by pandas, and are frames then.
+
     Columns become channels if `units` names them or their name carries its unit, as `roll [deg]`;
     others are left out. Columns of doubles are read where they lie.
 
@@ -88,6 +111,8 @@ def recording(
     """
     if isinstance(data, Recording):
         return data
+    if isinstance(data, (str, os.PathLike)) and (frame := _by_pandas(data)) is not None:
+        name, data = name or pathlib.PurePath(data).stem, frame
     if isinstance(data, (str, os.PathLike)):
         given = (units, time, name, wraps, hold, fit, holdout, constants)
         if any(x is not None and not (isinstance(x, tuple) and x == ()) for x in given) or kind != "time":
@@ -133,15 +158,42 @@ def as_recordings(
 ) -> list[Recording]:
     """Recordings; `units` and `time` are those of frames among them."""
     said = units is not None or time is not None
-    if said and all(isinstance(r, (Recording, str, os.PathLike)) for r in given):
+    if said and all(isinstance(r, (Recording, str, os.PathLike)) and not _of_pandas(r) for r in given):
         raise UsageError("units and time are for frames: a file, and a Recording, says them itself")
     return [_one(r, units, time) for r in given]
 
 
 def _one(given: RecordingLike, units: Mapping[str, str] | None, time: str | Column | None) -> Recording:
-    if isinstance(given, (Recording, str, os.PathLike)):
+    if isinstance(given, (Recording, str, os.PathLike)) and not _of_pandas(given):
         return recording(given)
     return recording(given, units=units, time=time)
+
+
+def _of_pandas(given: object) -> str | None:
+    """The function of pandas that reads a file of this name; none where the program reads it itself."""
+    if not isinstance(given, (str, os.PathLike)):
+        return None
+    return PANDAS.get(pathlib.PurePath(given).suffix.lower())
+
+
+def _by_pandas(file: str | os.PathLike[str]) -> Any:
+    """The frame in a file that pandas reads."""
+    reader = _of_pandas(file)
+    if reader is None:
+        return None
+    try:
+        import pandas
+    except ImportError as e:
+        raise FileError(f"{file}: pandas reads such files, and is not installed\nhelp: pip install pandas") from e
+    try:
+        frame = getattr(pandas, reader)(file)
+    except ImportError as e:
+        raise FileError(f"{file}: pandas wants another package to read it: {e}") from e
+    except Exception as e:
+        raise FileError(f"{file}: pandas cannot read it: {e}") from e
+    if isinstance(frame, dict):
+        raise InputError(f"{file}: it holds several tables\nhelp: give one of them as a frame")
+    return frame
 
 
 def _columns(data: Columns, units: Mapping[str, str], time: object) -> dict[str, Any]:

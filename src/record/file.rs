@@ -2,8 +2,9 @@
 
 use super::form::{ChannelForm, FormatForm, HoldForm, KindForm, QuantityForm, RecordingForm};
 use super::form::{SpansForm, StartForm, TableForm, TimeForm};
-use super::input::{Input, is_stream, read_once};
+use super::input::Input;
 use super::request::{Clock, Request, Table, Wanted, Zero};
+use super::stream::{is_stream, read_once};
 use super::{Channel, Constant, Hold, Kind, Note, Recording, Source, Span, Spans, csv, nmea};
 use crate::text::one_line;
 use crate::units::{Dimension, Unit};

@@ -5,6 +5,7 @@
 //! a few blocks are alive, so that memory does not grow with the file.
 
 use super::Source;
+use super::foreign;
 use super::packed::Unpacked;
 use crate::{Error, Result};
 use encoding_rs::Decoder;
@@ -39,8 +40,8 @@ pub(crate) struct Input {
     returns: bool,
     /// What turns the bytes into UTF-8, where they are none.
     decoder: Option<Decoder>,
-    /// The name of that encoding.
-    coded: Option<&'static str>,
+    /// What is to be said of what was turned into text.
+    coded: Option<String>,
 }
 
 impl Input {
@@ -64,7 +65,8 @@ impl Input {
 
     /// The first bytes, up to 64 KiB.
     pub(crate) fn start(&self) -> &[u8] {
-        &self.start[self.taken.min(self.start.len())..]
+        let left = &self.start[self.taken.min(self.start.len())..];
+        &left[..left.len().min(START as usize)]
     }
 
     /// Whether the first bytes are all that there are.
@@ -72,8 +74,21 @@ impl Input {
         (self.start.len() as u64) < START
     }
 
-    /// The same as a table of text, which may be UTF-16 with its mark or Windows-1252 (Latin-1) beside UTF-8.
-    pub(super) fn into_table(mut self) -> Self {
+    /// The same as a table of text, which may be UTF-16 with its mark or Windows-1252 (Latin-1) beside UTF-8, or a file
+    /// of MATLAB.
+    ///
+    /// # Errors
+    /// A table of another kind, with what to do; one that is damaged.
+    pub(super) fn into_table(mut self) -> Result<Self> {
+        let place = |e: Error, path: &Path| e.with_file(path);
+        if let Some(turn) = foreign::turn(self.start()).map_err(|e| place(e, &self.path))? {
+            let mut bytes = std::mem::take(&mut self.start);
+            self.bytes.read_to_end(&mut bytes).map_err(|e| Error::io(&self.path, &e))?;
+            let turned = turn(&bytes).map_err(|e| place(e, &self.path))?;
+            (self.start, self.taken, self.returns) = (turned.text, 0, false);
+            self.coded = Some(turned.note);
+            return Ok(self);
+        }
         let encoding = match self.start.as_slice() {
             [0xFF, 0xFE, 0, 0, ..] => None,
             [0xFF, 0xFE, ..] => Some(encoding_rs::UTF_16LE),
@@ -81,20 +96,20 @@ impl Input {
             start if is_latin(start) => Some(encoding_rs::WINDOWS_1252),
             _ => None,
         };
-        let Some(encoding) = encoding else { return self };
+        let Some(encoding) = encoding else { return Ok(self) };
         let mut decoder = encoding.new_decoder_with_bom_removal();
         let is_last = self.is_whole();
         self.start = decoded(&mut decoder, &self.start, is_last && self.failed.is_none());
         self.taken = 0;
         self.returns = ends_with_returns(&self.start);
         self.decoder = Some(decoder).filter(|_| !is_last);
-        self.coded = Some(encoding.name());
-        self
+        self.coded = Some(format!("read as {}", encoding.name()));
+        Ok(self)
     }
 
-    /// What is to be said of its encoding.
+    /// What is to be said of what was turned into text.
     pub(super) fn coded(&self) -> Option<String> {
-        self.coded.map(|name| format!("read as {name}"))
+        self.coded.clone()
     }
 
     /// Whether this is a TOML file: by its name, or as its first line that says something is `key = …` or `[table]`.
@@ -102,7 +117,7 @@ impl Input {
         let is = |names: &[&str]| {
             self.path.extension().is_some_and(|e| names.iter().any(|n| e.eq_ignore_ascii_case(n)))
         };
-        if is(&["csv", "tsv", "txt", "dat", "asc", "lvm"]) {
+        if is(&["csv", "tsv", "txt", "dat", "asc", "lvm", "mat", "parquet"]) {
             return false;
         }
         is(&["toml"]) || looks_like_toml(&String::from_utf8_lossy(self.start()))
@@ -227,45 +242,6 @@ fn looks_like_toml(start: &str) -> bool {
     let table = line.strip_prefix('[').and_then(|l| l.split('#').next()?.trim_end().strip_suffix(']'));
     let table = table.map(|t| t.strip_prefix('[').and_then(|t| t.strip_suffix(']')).unwrap_or(t));
     table.or_else(|| line.split_once('=').map(|(key, _)| key.trim())).is_some_and(is_key)
-}
-
-/// Whether a path is no file of bytes that lie there, but a pipe or a device, which is read once.
-pub(crate) fn is_stream(path: &Path) -> bool {
-    path == Path::new("-") || std::fs::metadata(path).is_ok_and(|m| !m.is_file() && !m.is_dir())
-}
-
-/// Refuses a pipe or device that would be read twice.
-///
-/// # Errors
-/// `Usage`, with the path.
-pub(crate) fn read_once<'a>(paths: impl IntoIterator<Item = &'a Path>) -> Result<()> {
-    let mut seen = Vec::new();
-    for path in paths.into_iter().filter(|p| is_stream(p)) {
-        let own = identity(path);
-        if seen.contains(&own) {
-            return Err(Error::usage("it is named twice as an input, and a pipe can be read only once")
-                .with_file(path)
-                .with_hint("write what comes into a file, and name the file"));
-        }
-        seen.push(own);
-    }
-    Ok(())
-}
-
-/// What makes a stream the same under several names.
-#[cfg(unix)]
-fn identity(path: &Path) -> (PathBuf, u64, u64) {
-    use std::os::unix::fs::MetadataExt;
-    let real = if path == Path::new("-") { Path::new("/dev/stdin") } else { path };
-    match std::fs::metadata(real) {
-        Ok(m) if !m.is_file() => (PathBuf::new(), m.dev(), m.ino()),
-        _ => (path.to_owned(), 0, 0),
-    }
-}
-
-#[cfg(not(unix))]
-fn identity(path: &Path) -> PathBuf {
-    path.to_owned()
 }
 
 /// What takes a file's lines in.

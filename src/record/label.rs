@@ -110,7 +110,7 @@ pub(super) fn unit(text: &str) -> Option<String> {
         "radian" | "radians" => "rad",
         "metre" | "metres" | "meter" | "meters" => "m",
         "newton" | "newtons" => "N",
-        "volt" | "volts" => "V",
+        "volt" | "volts" | "vdc" => "V",
         "amp" | "amps" | "ampere" => "A",
         "watt" | "watts" => "W",
         "kt" | "kts" | "knot" => "kn",

@@ -7,27 +7,33 @@
 mod apart;
 mod csv;
 mod file;
+mod foreign;
 mod form;
 mod input;
 mod label;
+mod mat;
 mod nmea;
 mod packed;
+#[cfg(feature = "parquet")]
+mod parquet;
 pub mod quality;
 mod recording;
 mod request;
 mod spans;
+mod stream;
 mod summary;
+mod turned;
 mod wrap;
 
 pub use apart::keep_apart;
 pub use csv::{Raw, columns};
 pub(crate) use input::Input;
 #[cfg(feature = "cli")]
-pub(crate) use input::{is_stream, read_once};
-#[cfg(feature = "cli")]
 pub(crate) use label::label;
 pub use recording::{Channel, Constant, Hold, Kind, LeftOut, Note, Origin, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
+#[cfg(feature = "cli")]
+pub(crate) use stream::{is_stream, read_once};
 pub use summary::{Peak, Summary, summaries, summary};
 pub use wrap::{principal, unwrap};
 

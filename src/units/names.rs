@@ -17,7 +17,7 @@ pub(super) struct Named {
 type Row = (&'static str, f64, i32, [i32; 5], &'static str);
 
 /// Symbol, mantissa, decade, powers of (m, kg, s, A, K), prefixes allowed.
-const TABLE: [Row; 35] = [
+const TABLE: [Row; 37] = [
     ("m", 1.0, 0, [1, 0, 0, 0, 0], "kdcmun"),
     ("g", 1.0, -3, [0, 1, 0, 0, 0], "Mkmu"),
     ("s", 1.0, 0, [0, 0, 1, 0, 0], "mun"),
@@ -51,6 +51,9 @@ const TABLE: [Row; 35] = [
     ("ft", 3048.0, -4, [1, 0, 0, 0, 0], ""),
     ("l", 1.0, -3, [3, 0, 0, 0, 0], "mcd"),
     ("bar", 1.0, 5, [-1, 1, -2, 0, 0], "m"),
+    // 0.45359237 kg under 9.80665 m/s² on a square of 0.0254 m, and the conventional millimetre of mercury
+    ("psi", 6894.757293168362, 0, [-1, 1, -2, 0, 0], ""),
+    ("mmHg", 133.322387415, 0, [-1, 1, -2, 0, 0], ""),
     ("Wh", 3600.0, 0, [2, 1, -2, 0, 0], "kM"),
     ("1", 1.0, 0, [0; 5], ""),
 ];

@@ -109,7 +109,7 @@ impl<'a> Reader<'a> {
         let e = self.error_at(start, name.chars().count(), message);
         match spelled_out(name).or_else(|| nearest(name, known.iter().map(String::as_str))) {
             Some(near) => e.with_hint(format!("the nearest known unit is {near}")),
-            None => e.with_hint("known are m ft nmi l g s min h d A K degC N dyn Nm J Wh W Pa bar V ohm H F T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
+            None => e.with_hint("known are m ft nmi l g s min h d A K degC N dyn Nm J Wh W Pa bar psi mmHg V ohm H F T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
         }
     }
 

@@ -79,7 +79,7 @@ fn a_drag_looks_closer_and_a_double_click_goes_back() {
 
 #[test]
 fn a_closer_look_at_frequencies_tells_hertz_too() {
-    let line = Layer::line("after", "line", vec![[0.01, 1e-3], [100.0, 10.0]]);
+    let line = Layer::line("after", "line", vec![[0.01, 0.1], [100.0, 10.0]]);
     let picture = Picture::new("t", "w", "y").logarithmic().beside(1.0 / std::f64::consts::TAU).with(line);
     // the middle half of four decades: 0.1 to 10 rad/s; then a tenth of a decade
     let acts = "drag([235, 100], [549, 105]); say(); drag([78, 100], [109.4, 105]); say();";

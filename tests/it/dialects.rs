@@ -30,7 +30,7 @@ fn gives_the_force(name: &str, bytes: &[u8], label: &str) {
 fn forty_dialects_of_one_recording_mean_the_same() {
     let german = "Zeit [s];Kraft [N];Weg [mm]\r\n0,0;1,5;10\r\n0,5;-1234,5;11\r\n1,0;0,25;12\r\n";
     let plain = "t [s],Kraft [N]\n0,1.5\n0.5,-1234.5\n1,0.25\n";
-    let clean: [(&str, &str); 52] = [
+    let clean: [(&str, &str); 55] = [
         ("plain", plain),
         ("spreadsheet, German", german),
         ("byte-order mark", "\u{feff}Zeit [s];Kraft [N]\r\n0;1,5\r\n0,5;-1234,5\r\n1;0,25\r\n"),
@@ -127,6 +127,18 @@ fn forty_dialects_of_one_recording_mean_the_same() {
         ("an inch sign", "t [s];Ort;Kraft [N]\n0;12\" Rohr;1,5\n0,5;3\" Rohr;-1234,5\n1;;0,25\n"),
         ("a line between", "t [s];Kraft [N]\n\n0;1,5\n0,5;-1234,5\n1;0,25\n"),
         ("columns of words", "t [s];Zustand;Kraft [N]\n0;aus;1,5\n0,5;ein, links;-1234,5\n1;aus;0,25\n"),
+        (
+            "R's write.table, whose header is one name short",
+            "\"t_s\" \"Kraft_N\"\n\"1\" 0 1.5\n\"2\" 0.5 -1234.5\n\"3\" 1 0.25\n",
+        ),
+        (
+            "a zone in words",
+            "time,Kraft [N]\n2025-04-03 12:00:00 CET,1.5\n2025-04-03 12:00:00.5 CET,-1234.5\n2025-04-03 12:00:01 CET,0.25\n",
+        ),
+        (
+            "an oscilloscope with numbered channels",
+            "x-axis,1,Kraft\nsecond,Volt,Newton\n0,1.0E-3,1.5\n0.5,2.0E-3,-1234.5\n1,3.0E-3,0.25\n",
+        ),
         ("a column without a unit", "t [s],lfd,Kraft [N]\n0,1,1.5\n0.5,2,-1234.5\n1,3,0.25\n"),
     ];
     for (name, text) in clean {
@@ -223,6 +235,25 @@ fn a_wrong_reading_is_never_silent() {
         assert!(said.contains(part), "{part}: {said}");
     }
     assert_eq!(notes("t [s],x [m]\n0,1\n1,2\n"), "");
+}
+
+#[test]
+fn logical_values_are_ones_and_zeros() {
+    for (one, other) in [("true", "false"), ("TRUE", "FALSE"), ("WAHR", "FALSCH"), ("vrai", "faux")] {
+        for (separator, decimal) in [(",", "."), (";", ",")] {
+            let rows: String = [one, other, one]
+                .iter()
+                .enumerate()
+                .map(|(i, v)| format!("{i}{separator}{v}{separator}2{decimal}5\n"))
+                .collect();
+            let text = format!("t [s]{separator}open [1]{separator}p [psi]\n{rows}");
+            let r = read(text.as_bytes()).unwrap_or_else(|e| panic!("{one}: {e}"));
+            assert_eq!(r.channel("open").unwrap().values, [1.0, 0.0, 1.0], "{one}");
+            // a pound (0.45359237 kg) under 9.80665 m/s² on a square inch
+            let psi = 0.45359237 * 9.80665 / (0.0254 * 0.0254);
+            assert!((r.channel("p").unwrap().values[0] / (2.5 * psi) - 1.0).abs() < 1e-14);
+        }
+    }
 }
 
 #[test]

@@ -23,6 +23,7 @@ mod few_rows;
 mod fields;
 mod fit;
 mod fmu;
+mod foreign_tables;
 mod formula;
 mod fuzz;
 mod fuzz_diagnose;

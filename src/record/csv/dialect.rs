@@ -7,7 +7,7 @@
 use super::clock::Clock;
 use super::figures::{self, Form, ONE_WAY, two_ways};
 use super::header::{Seen, is_no_text};
-use super::sample::{Kind, Line, Names, in_comment, is_comment, kinds, names, width};
+use super::sample::{Kind, Line, Names, in_comment, is_comment, kinds, names, short, width};
 use super::stamp::{ORDERS, Order, Stamp, stamp};
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
@@ -143,6 +143,9 @@ impl Layout {
         let rows = all.split_off(first);
         let (header, units, above) = if let Some(Names { at, units, last }) = names(&all, width) {
             (all.swap_remove(at), units, last)
+        } else if let Some(header) = short(&mut all, width) {
+            let number = header.number;
+            (header, Vec::new(), number)
         } else {
             let header = in_comment(lines, rows[0].number, separator, width)?;
             let number = header.number;

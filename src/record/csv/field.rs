@@ -62,7 +62,7 @@ pub(super) fn number(field: &[u8]) -> Option<f64> {
     match text.parse::<f64>() {
         Ok(value) => (!value.is_infinite()).then_some(value),
         Err(_) if figures::is_missing(text) => Some(f64::NAN),
-        Err(_) => figures::grouped(text),
+        Err(_) => figures::logical(text).and_then(|d| d.parse().ok()).or_else(|| figures::grouped(text)),
     }
 }
 

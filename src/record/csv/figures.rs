@@ -5,6 +5,9 @@ use crate::Error;
 /// Marks of a missing value, beside an empty field; capitals do not matter.
 const MISSING: [&str; 12] =
     ["nan", "na", "n/a", "null", "none", "#n/a", "#nv", "#na", "-", "--", "---", "\u{2013}"];
+/// Words for 1 and 0, as programs and spreadsheets write a logical value; capitals do not matter.
+const LOGICAL: [(&str, &str); 6] =
+    [("true", "1"), ("wahr", "1"), ("vrai", "1"), ("false", "0"), ("falsch", "0"), ("faux", "0")];
 /// Signs between groups of three digits that are neither point nor comma.
 const BETWEEN: [char; 5] = ['\'', '\u{2019}', '\u{a0}', '\u{202f}', ' '];
 
@@ -50,11 +53,20 @@ pub(super) fn is_missing(text: &str) -> bool {
     text.is_empty() || MISSING.iter().any(|m| text.eq_ignore_ascii_case(m))
 }
 
+/// 1 or 0, where a field says that something is true or false.
+pub(super) fn logical(text: &str) -> Option<&'static str> {
+    let text = text.trim();
+    LOGICAL.iter().find(|(word, _)| text.eq_ignore_ascii_case(word)).map(|(_, digit)| *digit)
+}
+
 /// The form of a field.
 pub(super) fn form(text: &str) -> Form {
     let text = text.trim();
     if is_missing(text) {
         return Form::Missing;
+    }
+    if logical(text).is_some() {
+        return Form::Whole;
     }
     let Some((whole, exponent)) = parts(text) else {
         // an infinity is a number that has no place here, which the rows say
@@ -83,6 +95,9 @@ pub(super) fn form(text: &str) -> Form {
 /// decimal.
 pub(super) fn plain(text: &str, comma: bool) -> Option<String> {
     let text = text.trim();
+    if let Some(digit) = logical(text) {
+        return Some(digit.to_owned());
+    }
     let (whole, exponent) = parts(text)?;
     let (decimal, group) = if comma { (',', '.') } else { ('.', ',') };
     if whole.matches(decimal).count() > 1 || whole.contains(group) && !is_grouped(&whole, group, decimal) {

@@ -28,7 +28,7 @@ use translate::Translator;
 /// # Errors
 /// `BadInput` or `Units` with file, line and column for whatever is no such table.
 pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
-    let input = input.into_table();
+    let input = input.into_table()?;
     let path = &input.path().to_owned();
     let named = match &request.clock {
         Clock::Column { name, unit } => Some((name.as_str(), unit.as_ref())),

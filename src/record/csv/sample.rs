@@ -132,6 +132,10 @@ pub(super) fn names(above: &[Line], width: usize) -> Option<Names> {
         let is_last = k + 1 == block.len();
         match of_units(at) {
             Some(found) if block[k + 1..].iter().any(|above| differ(*above)) => units = found,
+            // an oscilloscope numbers its channels
+            Some(units) if is_last && at > 0 && above[at - 1].fields.len() == width && differ(at - 1) => {
+                return Some(Names { at: at - 1, units, last: above[nearest].number });
+            }
             _ if differ(at) || is_last => return Some(Names { at, units, last: above[nearest].number }),
             _ => {}
         }
@@ -149,6 +153,17 @@ fn rejoined(fields: Vec<(usize, String)>) -> Vec<(usize, String)> {
         }
     }
     out
+}
+
+/// Names right above the rows, one fewer than columns: the first column holds the names of the rows, as R writes them.
+pub(super) fn short(above: &mut Vec<Line>, width: usize) -> Option<Line> {
+    let names = above.last().filter(|l| l.fields.len() + 1 == width && l.forms().all(|k| k == Kind::Words));
+    // a label that holds what separates columns elsewhere is several
+    let is_torn = |l: &&Line| l.fields.iter().any(|f| f.1.contains([',', ';', '\t', '|']));
+    names.filter(|l| !l.fields.is_empty() && !is_torn(l))?;
+    let mut line = above.pop()?;
+    line.fields.insert(0, (0, String::new()));
+    Some(line)
 }
 
 /// Names in the last comment above the rows.

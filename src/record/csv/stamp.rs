@@ -170,6 +170,9 @@ fn clock(first: &str, more: &[&str]) -> Option<(String, String)> {
             "AM" | "A.M." if half.is_none() => half = Some(0),
             "PM" | "P.M." if half.is_none() => half = Some(12),
             "UTC" | "GMT" | "Z" if zone.is_empty() => zone = "Z".into(),
+            word if zone.is_empty() && named_zone(word).is_some() => {
+                named_zone(word).unwrap_or_default().clone_into(&mut zone);
+            }
             other if zone.is_empty() && other.starts_with(['+', '-']) => other.clone_into(&mut zone),
             _ => return None,
         }
@@ -206,6 +209,23 @@ fn clock(first: &str, more: &[&str]) -> Option<(String, String)> {
     };
     let fraction = if fraction.is_empty() { String::new() } else { format!(".{fraction}") };
     Some((format!("{hour:02}:{minute:0>2}:{second:0>2}{fraction}"), zone_of(&zone)?))
+}
+
+/// Zones that have one meaning, in words; those with several, such as CST and IST, are no zones here.
+fn named_zone(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "WET" => "+00:00",
+        "CET" | "MEZ" | "WEST" => "+01:00",
+        "CEST" | "MESZ" | "EET" => "+02:00",
+        "EEST" | "MSK" => "+03:00",
+        "JST" | "KST" => "+09:00",
+        "NZST" => "+12:00",
+        "EST" => "-05:00",
+        "EDT" => "-04:00",
+        "PST" => "-08:00",
+        "PDT" => "-07:00",
+        _ => return None,
+    })
 }
 
 /// `Z`, `+02`, `+0200` and `+02:00` as the last.
@@ -254,6 +274,8 @@ mod tests {
             ("59:58.5", Order::DayMonthYear, " 00:59:58.5 "),
             ("31:00:05", Order::DayMonthYear, " 31:00:05 "),
             ("12:00:00 UTC", Order::DayMonthYear, " 12:00:00 Z"),
+            ("12:00:00 CET", Order::DayMonthYear, " 12:00:00 +01:00"),
+            ("3.4.2025 12:00:00 MESZ", Order::DayMonthYear, "2025-04-03 12:00:00 +02:00"),
         ] {
             let got = stamp(text).unwrap_or_else(|| panic!("{text}"));
             let day = got.day.map(|d| d.iso(order)).unwrap_or_default();

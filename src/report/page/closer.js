@@ -5,7 +5,7 @@ const minus = text => text.replace('-', '\u2212');
 function marks(low, high, isLog, about) {
   if (isLog && high - low > 1.5) {
     const step = Math.max(1, Math.ceil((high - low) / about)), all = [];
-    for (let k = Math.ceil(low); k <= high; k++) if (k % step === 0) all.push([k, k < -3 || k > 4 ? minus('1e' + k) : String(+(10 ** k).toPrecision(1)), 10 ** k]);
+    for (let k = Math.ceil(low - 1e-9); k <= high + 1e-9; k++) if (k % step === 0) all.push([k, k < -3 || k > 4 ? minus('1e' + k) : String(+(10 ** k).toPrecision(1)), 10 ** k]);
     return all;
   }
   const [from, to] = isLog ? [10 ** low, 10 ** high] : [low, high];

@@ -1,0 +1,54 @@
+//! Tables that are no text: recognised by their first bytes, and turned into text or refused with what to do.
+
+use super::mat;
+use super::turned::Turned;
+use crate::{Error, Result};
+
+/// Turns bytes into a table of text.
+type Turn = fn(&[u8]) -> Result<Turned>;
+
+/// What turns a file that begins so into text; none for what is text, or nothing known.
+///
+/// # Errors
+/// What is known and not read here.
+pub(super) fn turn(start: &[u8]) -> Result<Option<Turn>> {
+    if mat::is_one(start) {
+        return Ok(Some(mat::table));
+    }
+    if start.starts_with(b"PAR1") {
+        return parquet();
+    }
+    let (what, hint) = if start.starts_with(b"MATLAB 7.3 MAT-file") {
+        (
+            "a MATLAB file of format 7.3",
+            "save it with `save('log.mat', '-v7')`, or write a table with `writetable`",
+        )
+    } else if start.starts_with(b"\x89HDF\r\n\x1a\n") {
+        (
+            "an HDF5 file",
+            "write its table as CSV; in Python a pandas frame goes to `gyrospec.recording` as it is",
+        )
+    } else if start.starts_with(b"PK\x03\x04") {
+        (
+            "a packed archive, such as a workbook of a spreadsheet",
+            "save the sheet as CSV; the Python package reads .xlsx and .ods",
+        )
+    } else if start.starts_with(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1") {
+        ("a workbook of an old spreadsheet", "save the sheet as CSV; the Python package reads .xls")
+    } else {
+        return Ok(None);
+    };
+    Err(Error::bad_input(format!("this is {what}, no table of text")).with_hint(hint))
+}
+
+#[cfg(feature = "parquet")]
+fn parquet() -> Result<Option<Turn>> {
+    Ok(Some(super::parquet::table))
+}
+
+#[cfg(not(feature = "parquet"))]
+fn parquet() -> Result<Option<Turn>> {
+    Err(Error::bad_input("this is a Parquet file, which this build does not read").with_hint(
+        "build the program with `--features parquet`, use the Python package, which reads it, or write it as CSV",
+    ))
+}
