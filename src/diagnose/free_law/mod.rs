@@ -48,6 +48,9 @@ const FITTED: usize = 6;
 const OF_SIGNAL: usize = 3;
 /// Share of the free-run residual's square that a law must explain at first sight.
 const LEAST: f64 = 0.03;
+/// Steps that were spent before, for each that the laws may spend: one of theirs, through many knots, costs ten of a
+/// plain model's.
+const STEPS: u64 = 5;
 /// Times that a law must lower the error of left-out blocks further than a name that stands.
 const TWICE: f64 = 2.0;
 /// Laws that are added at most.
@@ -84,12 +87,14 @@ pub fn instead(
     let mut now = Measure::of(&current, &scale);
     let start = now;
     let mut taken: Vec<Taken> = Vec::new();
-    // three times as many steps as were spent before, and no more
-    let most = 4 * bench.budget.spent();
-    while taken.len() < MOST && !is_over(bench) && bench.budget.spent() < most {
+    let bench = &Bench { budget: bench.budget.at_most(bench.budget.spent() / STEPS), ..bench.clone() };
+    // names that only resemble it may do better together; one that stands gives way to a law twice as good
+    let resembling = Measure::of(&found.last, &scale);
+    let named = stands.then_some(&resembling);
+    while taken.len() < MOST && !is_over(bench) {
         // a second law must halve what the first left: curves bend to much
         let least = if taken.is_empty() { floor(0.0) } else { TWICE.ln() };
-        let ground = Ground { bench, separate, scale: &scale, given, taken: &taken, most, progress };
+        let ground = Ground { bench, separate, scale: &scale, given, taken: &taken, named, progress };
         let Some(law) = one(&ground, &current, &now, least)? else { break };
         taken.push(Taken {
             proposal: law.proposal,
@@ -101,8 +106,6 @@ pub fn instead(
         });
         (current, now) = (law.fit, law.measure);
     }
-    // names that only resemble it may do better together; one that stands gives way to a law twice as good
-    let resembling = Measure::of(&found.last, &scale);
     if taken.is_empty() || gain(&resembling, &now) < if stands { TWICE.ln() } else { 0.0 } {
         return Ok(None);
     }
@@ -126,8 +129,8 @@ struct Ground<'a> {
     scale: &'a Scale,
     given: &'a [f64],
     taken: &'a [Taken],
-    /// Steps that may have been spent.
-    most: u64,
+    /// How good the model is with the names that stand, if some do.
+    named: Option<&'a Measure>,
     progress: &'a dyn Progress,
 }
 
@@ -144,12 +147,19 @@ fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<
     let over = (current, now);
     let runs = |l: &Lawful| prove::runs(bench, &l.fit, ground.separate);
     let Some(mut best) = best_of(ground, &view, &screened, over, least) else {
+        if ground.named.is_some() {
+            return Ok(None);
+        }
         let sites = likeliest_sites(&screened);
         let both = surfaces(&scene, &sites, None, ALONG).into_iter().filter(is_new).collect();
         return Ok(best_of(ground, &view, &explaining(bench, &view, both), over, least));
     };
+    // a curve through few knots that is worse than what has a name does not become twice as good by more
+    if ground.named.is_some_and(|named| gain(named, &best.measure) <= 0.0) {
+        return Ok(None);
+    }
     for knots in &KNOTS[1..] {
-        if bench.budget.spent() > ground.most {
+        if is_over(bench) {
             break;
         }
         let same = |p: &Proposal| p.site == best.proposal.site && p.depends == best.proposal.depends;
@@ -160,7 +170,7 @@ fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<
             None => break,
         }
     }
-    if bench.budget.spent() < ground.most {
+    if !is_over(bench) {
         let of = best.proposal.depends.first().map(String::as_str);
         let both = surfaces(&scene, std::slice::from_ref(&best.proposal.site), of, ALONG);
         let screened = explaining(bench, &view, both.into_iter().filter(is_new).collect());
