@@ -86,6 +86,7 @@ def rooms(x, u, p):
     through = of(p, "wall") * (a - b)
     sun = of(p, "sun") * u[3]
     rad = of(p, "draught") * np.sign(a - Ta) * abs(a - Ta) ** 1.5
+    rad += of(p, "window") * (a - Ta) / (1 + np.exp(-(a - 300) / 0.5))
     return [(P1 - 40 * (a - Ta) - through + sun - rad) / 2e5, (P2 - 30 * (b - Ta) + through) / 3e5]
 
 
@@ -115,6 +116,7 @@ T2_meas = { equals = "T2", unit = "K" }
     {"null": ({}, ONE),
      "wall": ({"wall": 15.0}, codes("exchange")),
      "sun": ({"sun": 2.0}, codes("cross-coupling")),
+     "window": ({"window": 30.0}, LAW),
      "draught": ({"draught": 4.0}, codes("power-law", "parameter-dependence"))},
     {"sun": ("W/m^2", steps(0, 400, 12000))},
 )
@@ -125,7 +127,8 @@ def tanks(x, u, p):
     through = of(p, "pipe") * np.sign(a - b) * np.sqrt(abs(a - b))
     over = of(p, "over") * max(a - 1.05, 0.0)
     clog = 1 - of(p, "clog") * b
-    return [(u[0] - 0.006 * a * clog - through - over) / 0.5, (u[1] - 0.008 * b + through + over) / 0.4]
+    weir = of(p, "weir") * max(a - 0.6, 0.0) ** 2.5
+    return [(u[0] - 0.006 * a * clog - through - over - weir) / 0.5, (u[1] - 0.008 * b + through + over) / 0.4]
 
 
 TANKS = Field(
@@ -152,6 +155,7 @@ h2_meas = { equals = "h2", unit = "m" }
     {"null": ({}, ONE),
      "pipe": ({"pipe": 0.002}, codes("exchange")),
      "overflow": ({"over": 0.02}, codes("overflow", "exchange")),
+     "weir": ({"weir": 0.02}, LAW | codes("overflow", "power-law", "parameter-dependence")),
      "clog": ({"clog": 0.25}, codes("parameter-dependence", "product-coupling"))},
 )
 
@@ -160,7 +164,8 @@ def reactor(x, u, p):
     X, S = np.maximum(x, 0)
     growth = 0.30 * S / (1 + S / of(p, "K", 1e9) + S**2 / of(p, "KK", 1e9)) * X
     death = of(p, "death") * X
-    return [growth - u[0] * X - death, u[0] * (u[1] - S) - growth / 0.5]
+    kept = of(p, "upkeep") * X * S / (S + 0.01)
+    return [growth - u[0] * X - death, u[0] * (u[1] - S) - growth / 0.5 - kept]
 
 
 REACTOR = Field(
@@ -185,7 +190,8 @@ S_meas = { equals = "S", unit = "kg/m^3" }
     {"null": ({}, ONE),
      "monod": ({"K": 1.0}, codes("saturable-rate", "parameter-dependence")),
      "haldane": ({"K": 2.0, "KK": 1.0}, codes("saturable-rate")),
-     "death": ({"death": 0.03}, codes("linear-damping"))},
+     "death": ({"death": 0.03}, codes("linear-damping")),
+     "upkeep": ({"upkeep": 0.03}, codes("cross-coupling"))},
 )
 
 
@@ -250,6 +256,7 @@ x_meas = { equals = "x", unit = "m" }
 i_meas = { equals = "i", unit = "A" }
 """,
     {"null": ({}, ONE),
+     "inductance": ({"sat": 0.6}, codes("parameter-dependence")),
      "force-factor": ({"bl": 0.08}, codes("parameter-dependence")),
      "suspension": ({"k": 0.12}, codes("cubic-stiffness", "parameter-dependence"))},
 )
@@ -332,9 +339,7 @@ u_meas = { equals = "E + a*s - R*i - v1", unit = "V" }
 
 def algae(x, u, p):
     N = max(x[0], 0.0)
-    grow = 0.8 * (1 - N / of(p, "K", 1e9))
-    eaten = of(p, "graze") * N**2 / (0.3 + N**2)
-    return [grow * N - u[0] * N - eaten]
+    return [0.8 * (1 - N / of(p, "K", 1e9)) * N - u[0] * N]
 
 
 ALGAE = Field(
@@ -352,13 +357,14 @@ N = { rate = "r*N - harvest*N", unit = "1", initial = "fit" }
 [outputs]
 n_meas = { equals = "N", unit = "1" }
 """,
-    {"crowding": ({"K": 5.0}, codes("parameter-dependence", "quadratic-stiffness", "quadratic-damping"))},
+    {"null": ({}, ONE),
+     "crowding": ({"K": 5.0}, codes("parameter-dependence", "quadratic-stiffness", "quadratic-damping"))},
 )
 
 
 def cstr(x, u, p):
     c = max(x[0], 0.0)
-    k = 0.05 * np.exp(of(p, "arrhenius") * (u[2] - 320) / 10)
+    k = 0.05 * np.exp(of(p, "arrhenius") * (u[2] - 320) / 10) / (1 + of(p, "poison") * (c / 300) ** 2)
     rate = k * c + of(p, "second") * c**2
     return [u[0] * (u[1] - c) - rate]
 
@@ -381,6 +387,7 @@ c_meas = { equals = "c", unit = "kg/m^3" }
 """,
     {"null": ({}, ONE),
      "arrhenius": ({"arrhenius": 0.6}, codes("parameter-dependence")),
+     "poison": ({"poison": 1.0}, codes("saturable-rate", "parameter-dependence")),
      "second-order": ({"second": 1e-4}, codes("quadratic-stiffness", "quadratic-damping", "power-law", "parameter-dependence"))},
     {"Tr": ("K", swept(6.0, 320.0, 10.0, 6))},
 )
@@ -410,6 +417,7 @@ v_meas = { equals = "v", unit = "m/s" }
 """,
     {"null": ({}, ONE),
      "air": ({"air": 0.6}, codes("quadratic-damping", "power-law", "parameter-dependence")),
+     "rolling": ({"rolling": 150.0}, codes("dry-friction", "constant-force")),
      "slope": ({"slope": 1.0}, codes("cross-coupling", "output-cross-axis"))},
     {"grade": ("1", swept(0.02, 0.0, 12.0, 6))},
 )
@@ -449,7 +457,8 @@ phi = { equals = "a", unit = "rad" }
 def chambers(x, u, p):
     a, b = x
     leak = of(p, "leak") * (a - b)
-    return [(u[0] - 0.4 * (a - 1e5) - leak) / 2.0, (u[1] - 0.5 * (b - 1e5) + leak) / 1.5]
+    out = 1e5 * np.tanh((a - 1e5) / 1e5) if of(p, "choke") else a - 1e5
+    return [(u[0] - 0.4 * out - leak) / 2.0, (u[1] - 0.5 * (b - 1e5) + leak) / 1.5]
 
 
 CHAMBERS = Field(
@@ -474,7 +483,8 @@ p2 = { rate = "(m2 - c2*(p2 - p0))/V2", unit = "Pa", initial = "fit" }
 p1_meas = { equals = "p1", unit = "Pa" }
 p2_meas = { equals = "p2", unit = "Pa" }
 """,
-    {"null": ({}, ONE), "leak": ({"leak": 0.2}, codes("exchange"))},
+    {"null": ({}, ONE), "leak": ({"leak": 0.2}, codes("exchange")),
+     "choke": ({"choke": 1.0}, LAW | codes("parameter-dependence", "power-law"))},
 )
 
 

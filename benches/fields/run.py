@@ -55,6 +55,7 @@ def case(program: str, folder: pathlib.Path, field, name: str, seed: int) -> dic
         answer = json.loads(ran.stdout)
     except json.JSONDecodeError:
         return {"field": field.name, "case": name, "said": "FAILED", "told": ran.stderr[-200:], "fall": 0, "s": took, "verdict": ""}
+    log.with_suffix(".json").write_text(ran.stdout)
     said, told = judged(answer, field.cases[name][1])
     return {"field": field.name, "case": name, "said": said, "told": told, "fall": fall(answer), "s": took,
             "verdict": answer["verdict"], "site": [f["site"]["name"] for f in answer["findings"]][:3]}

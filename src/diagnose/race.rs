@@ -7,8 +7,9 @@
 //!
 //! # Method
 //! Two heats: a few steps from the best starts of each proposal, with a solver as rough as the residual
-//! that the model leaves now allows; a few more for the better half. Those whose sum of squares then
-//! falls by a fair share of the largest fall, as logarithms, are fitted to the end. One whose own steps were
+//! that the model leaves now allows; a few more for the better half, or, where one plainly lowers what is left, for
+//! those whose sum of squares falls by some share of its fall, as logarithms. Those that then fall by a fair share of
+//! it are fitted to the end. One whose own steps were
 //! spent in a heat is told by the best that it reached, so that it can be asked whether it matters.
 //!
 //! # References
@@ -16,6 +17,7 @@
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
+use super::choose::MUCH;
 use super::foretold::Foretold;
 use super::measure::Scale;
 use super::propose::{Screened, starts};
@@ -30,10 +32,11 @@ use rayon::prelude::*;
 const HEATS: [usize; 2] = [3, 5];
 /// Proposals that the second heat takes.
 const SECOND: usize = 12;
-/// Share of the largest fall of ln Σe² in the heats from which on a proposal is fitted to the end.
-const FAIR: f64 = 0.5;
-/// Proposals that are fitted to the end at least, and at most.
-const LAST: (usize, usize) = (6, 8);
+/// Share of the largest fall of ln Σe² in the first heat from which on a proposal takes part in the second, and in
+/// both from which on it is fitted to the end. None with less than RIVAL of it can be chosen.
+const FAIR: [f64; 2] = [0.25, 0.6];
+/// Proposals that are fitted to the end at most, and at least: where one plainly lowers what is left, and else.
+const LAST: (usize, [usize; 2]) = (8, [3, 6]);
 /// Runs that the heats of a proposal take, about, and as many its last fit.
 const RUNS: usize = 20;
 
@@ -82,12 +85,11 @@ pub fn run(
     }
     bench.budget.begin("heats");
     let stage = format!("fitting the {} likeliest of them", chosen.len());
-    let foretold = Foretold::begin(bench, progress, &stage, RUNS * (chosen.len() + LAST.0));
-    let mut field = heats(bench, view, given, (chosen, &foretold), scale);
-    let fall = |r: &Runner<'_>| (now / r.left).ln();
-    let largest = field.first().map_or(0.0, fall);
-    let last = field.iter().enumerate().take(LAST.1);
-    let last = last.filter(|(i, r)| *i < LAST.0 || fall(r) >= FAIR * largest).count();
+    let foretold = Foretold::begin(bench, progress, &stage, RUNS * (chosen.len() + LAST.1[0]));
+    let mut field = heats(bench, view, given, (chosen, &foretold), (now, scale));
+    let is_plain = fall(&field, now) > MUCH;
+    let least = LAST.1[usize::from(!is_plain)];
+    let last = ahead(&field, now, FAIR[1]).clamp(least, LAST.0).min(field.len());
     let mut others = field.split_off(last);
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
@@ -109,7 +111,7 @@ fn heats<'s>(
     view: &View,
     given: &[f64],
     (chosen, foretold): (&[&'s Screened], &Foretold<'_>),
-    scale: &Scale,
+    (now, scale): (f64, &Scale),
 ) -> Vec<Runner<'s>> {
     let first = |s: &&'s Screened| {
         let walks = starts(bench, view, given, s, scale).into_iter().filter_map(|stand| {
@@ -121,7 +123,9 @@ fn heats<'s>(
     };
     let mut field: Vec<Runner<'_>> = chosen.par_iter().with_max_len(1).filter_map(first).collect();
     sort(&mut field);
-    let rest = field.split_off(SECOND.min(field.len()));
+    let is_plain = fall(&field, now) > MUCH;
+    let on = if is_plain { ahead(&field, now, FAIR[0]).max(LAST.1[0]) } else { SECOND };
+    let rest = field.split_off(on.min(SECOND).min(field.len()));
     let second = |r: Runner<'s>| {
         let longer = walk(bench, &r.fit.model, r.fit.starts(), HEATS[1], view);
         match longer {
@@ -136,6 +140,17 @@ fn heats<'s>(
     sort(&mut field);
     field.extend(rest);
     field
+}
+
+/// The largest fall of ln Σe² in a sorted field.
+fn fall(field: &[Runner<'_>], now: f64) -> f64 {
+    field.first().map_or(0.0, |r| (now / r.left).ln())
+}
+
+/// How many of a sorted field fall by a share of the largest fall.
+fn ahead(field: &[Runner<'_>], now: f64, share: f64) -> usize {
+    let least = share * fall(field, now);
+    field.iter().take_while(|r| (now / r.left).ln() >= least).count()
 }
 
 fn sort(field: &mut [Runner<'_>]) {

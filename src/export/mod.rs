@@ -2,7 +2,7 @@
 //!
 //! # Purpose
 //! Writes a model, what was found included, in another language: its equations, and where that language computes,
-//! a runner of fixed steps that does what `simulate` does.
+//! a runner of fixed steps that does what a simulation of the model does.
 //!
 //! # Method
 //! The model is brought into a form without memory of its own ([`lowered`](self)): lags become states, delayed inputs

@@ -135,9 +135,8 @@ fn any_expr() -> impl Strategy<Value = Expr> {
                 Box::new(a),
                 Box::new(b)
             )),
-            (functions, prop::collection::vec(inner, 5)).prop_map(|(f, mut args)| {
-                args.truncate(f.arity());
-                Expr::Call(f, args)
+            functions.prop_flat_map(move |f| {
+                prop::collection::vec(inner.clone(), f.arity()).prop_map(move |args| Expr::Call(f, args))
             }),
         ]
     })

@@ -16,7 +16,7 @@ pub(super) fn turn(start: &[u8]) -> Result<Option<Turn>> {
         return Ok(Some(mat::table));
     }
     if start.starts_with(b"PAR1") {
-        return parquet();
+        return parquet().map(Some);
     }
     let (what, hint) = if start.starts_with(b"MATLAB 7.3 MAT-file") {
         (
@@ -42,12 +42,13 @@ pub(super) fn turn(start: &[u8]) -> Result<Option<Turn>> {
 }
 
 #[cfg(feature = "parquet")]
-fn parquet() -> Result<Option<Turn>> {
-    Ok(Some(super::parquet::table))
+#[allow(clippy::unnecessary_wraps)] // as without the feature
+fn parquet() -> Result<Turn> {
+    Ok(super::parquet::table)
 }
 
 #[cfg(not(feature = "parquet"))]
-fn parquet() -> Result<Option<Turn>> {
+fn parquet() -> Result<Turn> {
     Err(Error::bad_input("this is a Parquet file, which this build does not read").with_hint(
         "build the program with `--features parquet`, use the Python package, which reads it, or write it as CSV",
     ))

@@ -47,7 +47,6 @@ fn quoted(text: &str) -> String {
 fn cell(field: &Field) -> String {
     let stamp = |t: std::result::Result<Timestamp, jiff::Error>| t.map(|t| t.to_string()).unwrap_or_default();
     match field {
-        Field::Null => String::new(),
         Field::Float(x) if x.is_nan() => String::new(),
         Field::Double(x) if x.is_nan() => String::new(),
         Field::Float(x) => format!("{x}"),
@@ -64,6 +63,45 @@ fn cell(field: &Field) -> String {
         Field::TimestampMillis(t) => stamp(Timestamp::from_millisecond(*t)),
         Field::TimestampMicros(t) => stamp(Timestamp::from_microsecond(*t)),
         Field::Str(words) => quoted(words),
+        // what is missing, and what is no number, word or time
         _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::table;
+    use ::parquet::data_type::{ByteArray, ByteArrayType, DoubleType, Int64Type};
+    use ::parquet::file::properties::WriterProperties;
+    use ::parquet::file::writer::SerializedFileWriter;
+    use ::parquet::schema::parser::parse_message_type;
+    use std::sync::Arc;
+
+    #[test]
+    fn numbers_stamps_words_and_what_is_missing_become_a_table() {
+        let schema = "message m { required int64 time (TIMESTAMP_MICROS); optional double force_N; optional binary word (UTF8); }";
+        let schema = Arc::new(parse_message_type(schema).unwrap());
+        let mut bytes = Vec::new();
+        let properties = Arc::new(WriterProperties::default());
+        let mut file = SerializedFileWriter::new(&mut bytes, schema, properties).unwrap();
+        let mut group = file.next_row_group().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        column.typed::<Int64Type>().write_batch(&[0, 500_000, 1_000_000], None, None).unwrap();
+        column.close().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        column.typed::<DoubleType>().write_batch(&[1.5, -0.25], Some(&[1, 0, 1]), None).unwrap();
+        column.close().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        let words = [ByteArray::from("a, b"), ByteArray::from("c \"d\"")];
+        column.typed::<ByteArrayType>().write_batch(&words, Some(&[1, 1, 0]), None).unwrap();
+        column.close().unwrap();
+        group.close().unwrap();
+        file.close().unwrap();
+        let text = String::from_utf8(table(&bytes).unwrap().text).unwrap();
+        let wanted = "\"time\",\"force_N\",\"word\"\n1970-01-01T00:00:00Z,1.5,\"a, b\"\n1970-01-01T00:00:00.5Z,,\"c \"\"d\"\"\"\n1970-01-01T00:00:01Z,-0.25,\n";
+        assert_eq!(text, wanted);
+        for end in 0..bytes.len() {
+            assert!(table(&bytes[..end]).is_err(), "{end}");
+        }
     }
 }

@@ -103,10 +103,16 @@ impl Budget {
         self.with(if self.own.most == u64::MAX { u64::MAX } else { self.own.most / one_in.max(1) })
     }
 
+    /// A part of so many steps, or of all that are left; to be asked for while nothing runs beside.
+    #[must_use]
+    pub fn at_most(&self, steps: u64) -> Self {
+        self.with(steps.min(self.own.most.saturating_sub(self.spent())))
+    }
+
     /// A part with all steps that are left; to be asked for while nothing runs beside.
     #[must_use]
     pub fn rest(&self) -> Self {
-        self.with(self.own.most.saturating_sub(self.spent()))
+        self.at_most(u64::MAX)
     }
 
     /// What one simulation may spend of it.
@@ -261,6 +267,9 @@ mod tests {
         b.spend(26);
         assert_eq!((b.over(), whole.over()), (Some(Early::Steps), Some(Early::Steps)));
         assert_eq!((whole.spent(), whole.cut()), (100, Some(Early::Steps)));
+        let three = Budget::new(5, None);
+        three.spend(3);
+        assert_eq!((three.at_most(1).most(), three.at_most(7).most()), (1, 2));
         assert!(Budget::default().cut().is_none());
     }
 

@@ -15,6 +15,9 @@ impl Unit {
     /// assert_eq!(force.over(&speed).text(), "N*s/m");
     /// assert_eq!(speed.times(&Unit::parse("s")?).text(), "m");
     /// assert_eq!(Unit::parse("s")?.times(&Unit::parse("A*V")?).text(), "V*A*s");
+    /// let rate = Unit::parse("kg/(m^3*s)")?;
+    /// assert_eq!(rate.times(&Unit::one()).text(), "kg/m^3/s");
+    /// assert_eq!(rate.over(&Unit::parse("kg/m^3")?).text(), "1/s");
     /// # Ok::<(), gyrospec::Error>(())
     /// ```
     #[must_use]
@@ -68,12 +71,30 @@ impl Unit {
     }
 }
 
-/// The factors of a text without parentheses, each with its power; one with parentheses is spelled in SI.
+/// A text without its parentheses: `kg/(m^3*s)` is `kg/m^3/s`. `None` where they stand in each other or under a power.
+fn opened(text: &str) -> Option<String> {
+    let (mut out, mut before) = (String::new(), '*');
+    let mut inside: Option<bool> = None;
+    for c in text.chars().filter(|c| !c.is_whitespace()) {
+        match (c, inside) {
+            ('(', None) if before == '*' || before == '/' => inside = Some(before == '/'),
+            (')', Some(_)) => inside = None,
+            ('(' | ')', _) => return None,
+            ('*' | '/', Some(true)) => out.push(if c == '*' { '/' } else { '*' }),
+            ('^', _) if before == ')' => return None,
+            _ => out.push(c),
+        }
+        before = c;
+    }
+    inside.is_none().then_some(out)
+}
+
+/// The factors of a text, each with its power; one whose parentheses cannot be opened is spelled in SI.
 fn factors(text: &str) -> Vec<(String, f64)> {
     let mut out: Vec<(String, f64)> = Vec::new();
     let mut sign = 1.0;
     let plain = if text.contains('(') {
-        Unit::parse(text).map(|u| u.dimension.to_string()).unwrap_or_default()
+        opened(text).unwrap_or_else(|| Unit::parse(text).map(|u| u.dimension.to_string()).unwrap_or_default())
     } else {
         text.to_string()
     };

@@ -8,6 +8,8 @@
 //! # Equation
 //! ```text
 //!     s' = … + c u,  perhaps c u sin(heading) or c u cos(heading)
+//!     a cos(heading) -> a cos(heading) - c u sin(heading)   and at the same time
+//!     a sin(heading) -> a sin(heading) + c u cos(heading)   where u is the second component of the vector (a, u)
 //! ```
 //!
 //! # What else looks like this
@@ -20,8 +22,9 @@
 //! # Example
 //! A gyrocompass model that knows roll alone while the ship pitches.
 
-use crate::expression::Expr;
+use crate::expression::{Expr, Function};
 
+use super::terms::{factors, rewritten, with_factor};
 use super::{
     Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit,
 };
@@ -50,7 +53,77 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             all.extend(definitions.filter_map(|d| in_definition(scene, d, signal, &factor)));
         }
     }
+    all.extend(components(scene));
     all
+}
+
+/// Channels as the second component of the vector whose first one is an input that the model turns by a heading.
+fn components(scene: &Scene) -> Vec<Proposal> {
+    let mut all = Vec::new();
+    for i in scene.moving(&[SignalKind::Input]).filter(|s| !s.is_heading()) {
+        for h in scene.headings() {
+            let channels = scene.moving(&[SignalKind::Channel]);
+            let alike = channels.filter(|c| c.unit.dimension() == i.unit.dimension());
+            all.extend(alike.filter_map(|c| component(scene, [i, c], &h.name)));
+        }
+    }
+    all
+}
+
+/// The second component of a vector at every place of the first: sine and cosine exchanged, one coefficient for all.
+fn component(scene: &Scene, [first, second]: [&Signal; 2], heading: &str) -> Option<Proposal> {
+    let site = |m: &Motion| (SiteKind::State, m.state.clone());
+    let places = turned_places(scene, &first.name, heading);
+    // at one place alone it is a signal that acts there, as above
+    if places.len() < 2 {
+        return None;
+    }
+    let felt = |n: &str| {
+        let states = &scene.model.states;
+        states.iter().any(|s| s.name == n || edit::reaches(scene.model, &s.rate, n))
+    };
+    let (kind, name) = match places.iter().find(|p| felt(p.1)) {
+        Some((kind, name)) => (*kind, (*name).to_owned()),
+        None => scene.motions().first().map(site)?,
+    };
+    let mut d = Draft::new(scene, "cross-coupling", kind, &name);
+    let c = d.amplitude("c", &scene.unit(&first.name).over(&scene.unit(&second.name)), ANY, "coupling");
+    d.uses(&second.name);
+    let own = Expr::parse(&format!("{c}*{}", second.name)).ok()?;
+    d.each_rate(&|e| rewritten(e, &|t| with_component(t, [&first.name, heading], &own)));
+    d.first_change();
+    d.start(&[first.spread / second.spread]);
+    let (first, second) = (scene.words(&first.name), scene.words(&second.name));
+    d.done(&format!("{second} acts beside {first} as the other component of the same vector, {{0}}"))
+}
+
+/// Definitions and states in which a term has an input and the sine or cosine of a heading as factors.
+fn turned_places<'s>(scene: &'s Scene, input: &str, heading: &str) -> Vec<(SiteKind, &'s str)> {
+    let own = Expr::Number(0.0);
+    let stands = |e: &Expr| rewritten(e, &|t| with_component(t, [input, heading], &own)) != *e;
+    let model = scene.model;
+    let defined = model.definitions.iter().filter(|d| stands(&d.equals));
+    let moved = model.states.iter().filter(|s| stands(&s.rate));
+    let defined = defined.map(|d| (SiteKind::Definition, d.name.as_str()));
+    defined.chain(moved.map(|s| (SiteKind::State, s.name.as_str()))).collect()
+}
+
+/// A term with an input and the cosine of a heading as factors, less the same with another signal in the input's place
+/// and the sine; one with the sine, and the same with the cosine.
+fn with_component(term: &Expr, [input, heading]: [&str; 2], other: &Expr) -> Option<Expr> {
+    let all = factors(term);
+    if !all.iter().any(|f| f.mentions(input)) {
+        return None;
+    }
+    let is_turn = |f: &&&Expr| match f {
+        Expr::Call(Function::Sin | Function::Cos, a) => a[0] == Expr::name(heading),
+        _ => false,
+    };
+    let turn = *all.iter().find(is_turn)?;
+    let Expr::Call(f, angle) = turn else { return None };
+    let exchanged = if *f == Function::Sin { Function::Cos } else { Function::Sin };
+    let new = with_factor(term, turn, &Expr::Call(exchanged, angle.clone())).substitute(input, other);
+    Some(if *f == Function::Sin { edit::plus(term, &new) } else { edit::minus(term, &new) })
 }
 
 fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Proposal> {
@@ -153,4 +226,21 @@ fn beside(
     d.output(output, &format!("{{}} + {c}*{part}{factor}"));
     d.start(&[scene.signal(output)?.spread / signal.spread]);
     d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(output)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_other_component_stands_a_quarter_turn_ahead() {
+        let own = Expr::parse("c*pitch").unwrap();
+        let of = |text: &str| {
+            let with = |t: &Expr| with_component(t, ["roll", "K"], &own);
+            rewritten(&Expr::parse(text).unwrap(), &with).to_string()
+        };
+        assert_eq!(of("-h*roll*cos(K)"), "-h*roll*cos(K) + h*(c*pitch)*sin(K)");
+        assert_eq!(of("h*roll*sin(K) - b*x"), "h*roll*sin(K) + h*(c*pitch)*cos(K) - b*x");
+        assert_eq!(of("h*roll + b*sin(K)"), "h*roll + b*sin(K)");
+    }
 }

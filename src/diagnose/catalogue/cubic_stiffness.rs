@@ -51,6 +51,6 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let k = d.amplitude("k3", &unit, ANY, "cubic stiffness, positive where it hardens");
     d.force(&m.state, &format!("-{k}*{q}^3"));
     d.start(&[m.size / scene.size(q).powi(3)]);
-    let [_, back] = field::words(m);
+    let back = field::words(m).back;
     d.done(&format!("{back} grows with the third power of {}, {{0}}", scene.words(q)))
 }

@@ -371,6 +371,16 @@ impl<'a> Draft<'a> {
         }
     }
 
+    /// Shows in reports the first expression that is no longer the model's own.
+    pub fn first_change(&mut self) {
+        let (old, new) = (self.scene.model, &self.proposal.model);
+        let defined =
+            old.definitions.iter().map(|d| &d.equals).zip(new.definitions.iter().map(|d| &d.equals));
+        let moved = old.states.iter().map(|s| &s.rate).zip(new.states.iter().map(|s| &s.rate));
+        let changed = defined.chain(moved).find(|(a, b)| a != b).map(|(_, b)| b.to_string());
+        self.term(&changed.unwrap_or_default());
+    }
+
     /// Adds a start of the added parameters, SI.
     pub fn start(&mut self, values: &[f64]) {
         if values.iter().all(|v| v.is_finite()) {

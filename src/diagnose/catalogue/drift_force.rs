@@ -55,6 +55,6 @@ fn at(scene: &Scene, m: &Motion, shifted: bool) -> Option<Proposal> {
         d.force(&m.state, &format!("{rate}*(t - {start})"));
         d.start(&[grown]);
     }
-    let [what, _] = field::words(m);
+    let what = field::words(m).acts;
     d.done(&format!("{what} on {} drifts by {{0}}", scene.words(&m.state)))
 }

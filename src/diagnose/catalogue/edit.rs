@@ -186,6 +186,14 @@ pub fn plus(a: &Expr, b: &Expr) -> Expr {
     }
 }
 
+/// a - b, with a leading minus of b written as an addition.
+pub fn minus(a: &Expr, b: &Expr) -> Expr {
+    match leading_minus(b) {
+        Some(positive) => Expr::Binary(BinaryOp::Add, Box::new(a.clone()), Box::new(positive)),
+        None => Expr::Binary(BinaryOp::Sub, Box::new(a.clone()), Box::new(b.clone())),
+    }
+}
+
 fn leading_minus(e: &Expr) -> Option<Expr> {
     match e {
         Expr::Neg(a) if !is_sum(a) => Some((**a).clone()),

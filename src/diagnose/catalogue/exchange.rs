@@ -9,6 +9,7 @@
 //! ```text
 //!     A x' = … - c (x - y)      B y' = … + c (x - y)
 //!     or with c (x - y)/sqrt(|x - y|/r) in place of c (x - y), where the flow goes with a root;  r is only a scale
+//!     or with c (max(x, e) - max(y, e)), where it flows through an opening at the level e
 //! ```
 //!
 //! # What else looks like this
@@ -45,31 +46,61 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             dimension(n) == dimension(m)
         };
         for n in motions[i + 1..].iter().filter(fits) {
-            all.extend([false, true].into_iter().filter_map(|root| at(scene, [m, n], root)));
+            all.extend(FORMS.into_iter().filter_map(|form| at(scene, [m, n], form)));
         }
     }
     all
 }
 
-fn at(scene: &Scene, [m, n]: [&Motion; 2], root: bool) -> Option<Proposal> {
+/// How a flow goes with the two levels.
+#[derive(Clone, Copy)]
+enum Form {
+    Proportional,
+    Root,
+    Above,
+}
+
+const FORMS: [Form; 3] = [Form::Proportional, Form::Root, Form::Above];
+
+/// Share of the levels' range that an opening lies above the lowest, at least.
+const INSIDE: f64 = 0.15;
+/// Shares of that range at which openings are tried.
+const TRIED: [f64; 3] = [0.3, 0.5, 0.75];
+
+fn at(scene: &Scene, [m, n]: [&Motion; 2], form: Form) -> Option<Proposal> {
     let (x, y) = (&m.state, &n.state);
     let unit = scene.unit(x);
     let mut d = Draft::at(scene, "exchange", m);
     let c = d.amplitude("c", &m.force.over(&unit), POSITIVE, "flow for a unit of the difference");
     let (a, b) = (scene.signal(x)?, scene.signal(y)?);
     let apart = (a.mean - b.mean).hypot(a.spread).hypot(b.spread);
-    let flow = if root {
-        let scale = d.constant(&format!("{x}_{y}_ref"), &unit, apart, "scale of the difference, not fitted");
-        format!("{c}*({x} - {y})/sqrt(abs({x} - {y})/{scale} + {ROUND})")
-    } else {
-        format!("{c}*({x} - {y})")
+    let (low, high) = (a.min.min(b.min), a.max.max(b.max));
+    let flow = match form {
+        Form::Proportional => format!("{c}*({x} - {y})"),
+        Form::Root => {
+            let scale =
+                d.constant(&format!("{x}_{y}_ref"), &unit, apart, "scale of the difference, not fitted");
+            format!("{c}*({x} - {y})/sqrt(abs({x} - {y})/{scale} + {ROUND})")
+        }
+        Form::Above => {
+            let limits = (low + INSIDE * (high - low), high);
+            let edge = d.parameter("e", &a.unit, limits, "level of the opening");
+            format!("{c}*(max({x}, {edge}) - max({y}, {edge}))")
+        }
     };
     d.uses(x);
     d.uses(y);
     d.force(x, &format!("-{flow}"));
     d.force(y, &flow);
-    d.start(&[m.size.max(n.size) / apart]);
-    let how =
-        if root { ", with the root of their difference" } else { ", in proportion to their difference" };
-    d.done(&format!("{} and {} exchange a flow of {{0}}{how}", scene.words(x), scene.words(y)))
+    let size = m.size.max(n.size) / apart;
+    match form {
+        Form::Above => TRIED.iter().for_each(|share| d.start(&[size, low + share * (high - low)])),
+        _ => d.start(&[size]),
+    }
+    let how = match form {
+        Form::Proportional => "in proportion to their difference",
+        Form::Root => "with the root of their difference",
+        Form::Above => "through an opening at {1}",
+    };
+    d.done(&format!("a flow from {} to {} {how}, {{0}}", scene.words(x), scene.words(y)))
 }

@@ -1,6 +1,6 @@
 //! # What it is
-//! A part that follows with a lag of its own: a viscous liquid, creep of a suspension, heat in a
-//! wall.
+//! A part that follows with a lag of its own: a viscous liquid, creep of a suspension; a second store behind a balance:
+//! heat in a wall, a second vessel or compartment, a second RC element.
 //!
 //! # Signature in a recording
 //! A slow tail after each change; stiffness and damping that depend on frequency.
@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     M v' = … - c (q - lag(q, tau))    or    s -> lag(s, tau)  or  s + c lag(s, tau)  where s is used
+//!     y = … + s -> y = … + s + r lag(u, tau)    where u drives s: a second RC element in series with the first
 //! ```
 //!
 //! # What else looks like this
@@ -21,15 +22,17 @@
 //! The damping liquid of a gyrocompass; a gyrosphere's supporting fluid as a second relaxing part.
 
 use super::{
-    Draft, Group, Mechanism, Motion, Proposal, Scene, SignalKind, SiteKind, draft::ANY, draft::POSITIVE,
-    edit::Place,
+    Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY,
+    draft::POSITIVE, edit, edit::Place, field,
 };
+use crate::expression::Expr;
+use crate::model::Output;
 use crate::units::Unit;
 
 /// A relaxing part: creep, a liquid that shifts.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
     "extra-lag",
-    "a relaxing part: creep, a liquid that shifts",
+    "a part that relaxes, or a second store behind it",
     Group::Dynamics,
     include_str!("extra_lag.rs"),
     propose,
@@ -44,6 +47,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
                 .flatten(),
         );
     }
+    all.extend(scene.motions().iter().flat_map(|m| parallel(scene, m)));
     if !scene.trials {
         let moving = scene.moving(&[SignalKind::Definition]);
         all.extend(moving.filter_map(|s| after(scene, &s.name, false)));
@@ -71,17 +75,54 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     all
 }
 
+/// A second element beside a balance that an output holds as one of several parts: what drives the first drives it too.
+fn parallel(scene: &Scene, m: &Motion) -> Vec<Proposal> {
+    let s = &m.state;
+    let is_part = |o: &Output| o.equals.mentions(s) && o.equals != Expr::name(s);
+    let state = scene.model.states.iter().find(|x| x.name == *s);
+    let Some(state) = state.filter(|_| m.speed.is_none() && scene.model.outputs.iter().any(is_part)) else {
+        return Vec::new();
+    };
+    let inputs = scene.moving(&[SignalKind::Input]);
+    let driving = inputs.filter(|u| edit::has_term_in(scene.model, &state.rate, &u.name));
+    let one = |u: &Signal| {
+        let mut d = Draft::at(scene, "extra-lag", m);
+        let u = &u.name;
+        let r = d.amplitude("r", &scene.unit(s).over(&scene.unit(u)), ANY, "what the second element takes");
+        let tau = d.parameter("tau", &Unit::parse("s").ok()?, (0.0, scene.length()), "its time");
+        d.uses(u);
+        d.replace(s, &format!("({s} + {r}*lag({u}, {tau}))"), |p| matches!(p, Place::Output(_)));
+        for time in scene.times() {
+            d.start(&[scene.size(s) / scene.size(u), time]);
+        }
+        let (store, to) = (field::words(m).store, scene.words(s));
+        d.done(&format!(
+            "{store} in series with {to}, which takes {{0}} times {} and follows in {{1}}",
+            scene.words(u)
+        ))
+    };
+    driving.filter_map(one).collect()
+}
+
 fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let q = m.position.as_ref()?;
     let mut d = Draft::at(scene, "extra-lag", m);
-    let c = d.amplitude("c", &m.force.over(&scene.unit(q)), POSITIVE, "stiffness of the relaxing part");
+    let is_balance = m.speed.is_none();
+    let meaning =
+        if is_balance { "flow for a unit of the difference" } else { "stiffness of the relaxing part" };
+    let c = d.amplitude("c", &m.force.over(&scene.unit(q)), POSITIVE, meaning);
     let tau =
         d.parameter("tau", &Unit::parse("s").ok()?, (0.1 * scene.step, scene.length()), "relaxation time");
     d.force(&m.state, &format!("-{c}*({q} - lag({q}, {tau}))"));
     for time in scene.times() {
         d.start(&[m.size / scene.size(q), time]);
     }
-    d.done(&format!("a relaxing part of stiffness {{0}} and time {{1}} is attached to {}", scene.words(q)))
+    let (store, to) = (field::words(m).store, scene.words(q));
+    d.done(&if is_balance {
+        format!("{store} behind {to}, which takes {{0}} times their difference and follows in {{1}}")
+    } else {
+        format!("{store} of stiffness {{0}} and time {{1}} is attached to {to}")
+    })
 }
 
 fn after(scene: &Scene, name: &str, in_parallel: bool) -> Option<Proposal> {

@@ -3,31 +3,48 @@
 use super::scene::Motion;
 use crate::units::Unit;
 
-/// What acts in a sum of that unit where no speed stands, and what leads it back to rest.
-const BALANCES: [(&str, [&str; 2]); 9] = [
-    ("W", ["a flow of heat", "the loss of heat"]),
-    ("m^3/s", ["a flow", "the outflow"]),
-    ("kg/s", ["a flow of mass", "the outflow"]),
-    ("mol/s", ["a flow of substance", "the rate of loss"]),
-    ("mol/(m^3*s)", ["a rate", "the rate of loss"]),
-    ("kg/(m^3*s)", ["a rate", "the rate of loss"]),
-    ("A", ["a current", "the current that leaks"]),
-    ("V", ["a voltage", "the voltage that drops"]),
-    ("K/s", ["a heating", "the cooling"]),
+/// What a field calls the parts of a balance or of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Words {
+    /// What acts.
+    pub acts: &'static str,
+    /// What leads it back to rest.
+    pub back: &'static str,
+    /// What stands behind it and follows with a lag.
+    pub store: &'static str,
+}
+
+/// The words where terms have a unit and no speed stands: unit of the terms, what acts, what leads back to rest, what
+/// stands behind.
+const BALANCES: [(&str, [&str; 3]); 12] = [
+    ("W", ["a flow of heat", "the loss of heat", "a second store of heat"]),
+    ("K/s", ["a heating", "the cooling", "a second store of heat"]),
+    ("m^3/s", ["a flow", "the outflow", "a second vessel"]),
+    ("m/s", ["a flow", "the outflow", "a second vessel"]),
+    ("Pa*m^3/s", ["a flow", "the outflow", "a second chamber"]),
+    ("kg/s", ["a flow of mass", "the outflow", "a second vessel"]),
+    ("mol/s", ["a flow of substance", "the rate of loss", "a second compartment"]),
+    ("mol/(m^3*s)", ["a rate", "the rate of loss", "a second compartment"]),
+    ("kg/(m^3*s)", ["a rate", "the rate of loss", "a second compartment"]),
+    ("A", ["a current", "the current that leaks", "a second store of charge"]),
+    ("V", ["a voltage", "the voltage that drops", "a second circuit"]),
+    ("V/s", ["a charging", "the discharge", "a second store of charge"]),
 ];
 
-/// The words at a motion or a balance: what acts, and what leads it back.
-pub(super) fn words(m: &Motion) -> [&'static str; 2] {
+/// What any other balance has.
+const ANY_BALANCE: [&str; 3] = ["a flow", "the rate of loss", "a second store"];
+
+/// The words at a motion or a balance.
+pub(super) fn words(m: &Motion) -> Words {
     let is = |unit: &str| Unit::parse(unit).is_ok_and(|u| u.dimension() == m.force.dimension());
-    if m.speed.is_some() {
-        return if is("N*m") {
-            ["a moment", "the restoring moment"]
-        } else {
-            ["a force", "the restoring force"]
-        };
-    }
-    let balance = BALANCES.iter().find(|(unit, _)| is(unit));
-    balance.map_or(["a flow", "the rate of loss"], |(_, words)| *words)
+    let [acts, back, store] = if m.speed.is_none() {
+        BALANCES.iter().find(|(unit, _)| is(unit)).map_or(ANY_BALANCE, |(_, words)| *words)
+    } else if is("N*m") {
+        ["a moment", "the restoring moment", "a relaxing part"]
+    } else {
+        ["a force", "the restoring force", "a relaxing part"]
+    };
+    Words { acts, back, store }
 }
 
 #[cfg(test)]
@@ -46,9 +63,13 @@ mod tests {
                 size: 1.0,
             })
         };
-        assert_eq!(at("W", None), ["a flow of heat", "the loss of heat"]);
-        assert_eq!(at("N", Some("v"))[1], "the restoring force");
-        assert_eq!(at("N*m/rad", Some("w"))[0], "a moment");
-        assert_eq!(at("1/s", None)[1], "the rate of loss");
+        let heat = at("W", None);
+        assert_eq!([heat.acts, heat.back], ["a flow of heat", "the loss of heat"]);
+        assert_eq!(at("W", None).store, "a second store of heat");
+        assert_eq!(at("mg/(l*h)", None).store, "a second compartment");
+        assert_eq!(at("V/s", None).store, "a second store of charge");
+        assert_eq!(at("N", Some("v")).back, "the restoring force");
+        assert_eq!(at("N*m/rad", Some("w")).acts, "a moment");
+        assert_eq!(at("1/s", None).back, "the rate of loss");
     }
 }

@@ -30,7 +30,7 @@
 use super::{
     Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, Site, SiteKind, draft::ANY, no_proposals,
 };
-use crate::units::Unit;
+use crate::units::{Unit, figure};
 
 /// A law without a name.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -115,7 +115,7 @@ fn law(scene: &Scene, at: &Place, signal: &Signal, knots: usize) -> Option<Propo
     let heights = heights(&mut d, at, knots);
     let knots = grid(signal, knots).into_iter().zip(heights).map(|(z, f)| format!(", {z}, {f}"));
     let text = format!("curve({scaled}{})", knots.collect::<String>());
-    placed(d, scene, at, (&text, &scene.words(&signal.name)))
+    placed(d, scene, at, (&text, &recorded(scene, signal)))
 }
 
 /// surface(z₁, z₂, […], […], [f₁, …]), with a height for each place along the second at the first place along the first.
@@ -125,8 +125,21 @@ fn surface(scene: &Scene, at: &Place, [first, second]: [&Signal; 2], knots: usiz
     let list = |s| grid(s, knots).iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
     let heights = heights(&mut d, at, knots * knots).join(", ");
     let text = format!("surface({scaled}, [{}], [{}], [{heights}])", list(first), list(second));
-    let words = format!("{} and {}", scene.words(&first.name), scene.words(&second.name));
+    let words = format!("{} and {}", recorded(scene, first), recorded(scene, second));
     placed(d, scene, at, (&text, &words))
+}
+
+/// A signal in words, with where its data end.
+fn recorded(scene: &Scene, signal: &Signal) -> String {
+    let shown = |x: f64| figure(signal.unit.from_si(x));
+    let unit = if signal.unit.text() == "1" { "" } else { signal.unit.text() };
+    let words = format!(
+        "{} (data from {} to {} {unit}",
+        scene.words(&signal.name),
+        shown(signal.min),
+        shown(signal.max)
+    );
+    format!("{})", words.trim_end())
 }
 
 /// A signal by its mean and spread.

@@ -27,7 +27,7 @@ use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 /// Damping in proportion to the speed, or a leak in proportion to a level.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
     "linear-damping",
-    "damping in proportion to the speed",
+    "damping in proportion to the speed, or a loss in proportion to the level",
     Group::Friction,
     include_str!("linear_damping.rs"),
     propose,

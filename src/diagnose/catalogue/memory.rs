@@ -53,6 +53,6 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     for time in scene.times() {
         d.start(&[0.1 * m.size / scene.size(q), 10.0 * time]);
     }
-    let what = field::words(m)[0].trim_start_matches("a ");
+    let what = field::words(m).acts.trim_start_matches("a ");
     d.done(&format!("the {what} on {} remembers its past over {{1}}", scene.words(&m.state)))
 }

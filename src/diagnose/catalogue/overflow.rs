@@ -11,7 +11,8 @@
 //! ```
 //!
 //! # What else looks like this
-//! output-saturation (the sensor clips, the next tank does not notice), input-saturation, end-stop.
+//! linear-damping where the edge lies so low that the level is nearly always above it; output-saturation (the sensor
+//! clips, the next tank does not notice), input-saturation, end-stop.
 //!
 //! # Reference
 //! M. Schoukens, J. P. Noel, Three benchmarks addressing open challenges in nonlinear system
@@ -31,6 +32,9 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     include_str!("overflow.rs"),
     propose,
 );
+
+/// Share of a level's range above its lowest below which no edge is looked for: there it is a loss in proportion.
+const INSIDE: f64 = 0.15;
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
@@ -54,7 +58,8 @@ fn at(scene: &Scene, m: &Motion, into: Option<&Motion>) -> Option<Proposal> {
     d.uses(s);
     let k =
         d.amplitude("ko", &m.force.over(&signal.unit), POSITIVE, "flow over the edge for a unit of level");
-    let edge = d.parameter("so", &signal.unit, (signal.min, 1.5 * signal.max), "level of the edge");
+    let lowest = signal.min + INSIDE * (signal.max - signal.min);
+    let edge = d.parameter("so", &signal.unit, (lowest, signal.max), "level of the edge");
     let flow = format!("max({s} - {edge}, 0*{edge})");
     d.force(s, &format!("-{k}*{flow}"));
     let mut says = format!("{} runs over above {{1}}", scene.words(s));

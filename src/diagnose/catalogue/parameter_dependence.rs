@@ -8,8 +8,9 @@
 //! ```text
 //!     p -> p (1 + a (u - mean u))        with an input, a channel or a state
 //!     p -> p (1 + a x^2)                 with a state that goes through 0
-//!     p -> p/(1 + a |x|)                 with a state, saturating
+//!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
 //!     p -> p exp(a (u - mean u))
+//!     and the same with an output that is no state, as its expression stands
 //! ```
 //!
 //! # What else looks like this
@@ -29,6 +30,7 @@ use super::{
     Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, draft::POSITIVE, edit,
 };
 use crate::expression::Expr;
+use crate::model::Output;
 use crate::units::Unit;
 
 /// A parameter that varies with a signal.
@@ -50,11 +52,38 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         all.extend(pairs.filter_map(|(p, s)| on_state(scene, p, s, Form::Exponential)));
         let states: Vec<&Signal> = scene.moving(&[SignalKind::State]).filter(|s| !s.is_heading()).collect();
         for p in &names {
-            let own = states.iter().filter(|s| !stands_alone(scene, p, &s.name));
-            all.extend(own.flat_map(|s| FORMS.iter().filter_map(|f| on_state(scene, p, s, *f))));
+            for s in &states {
+                let alone = stands_alone(scene, p, &s.name);
+                let forms = FORMS.iter().filter(|f| !alone || f.saturates());
+                all.extend(forms.filter_map(|f| on_state(scene, p, s, *f)));
+            }
+            all.extend(scene.model.outputs.iter().filter_map(|o| on_output(scene, p, o)));
         }
     }
     all
+}
+
+/// A parameter of rates that varies with what an output gives, where that is neither a state nor made of the parameter.
+fn on_output(scene: &Scene, p: &str, o: &Output) -> Option<Proposal> {
+    let signal = scene.signal(&o.name).filter(|s| s.varies() && !s.is_heading())?;
+    let plain = matches!(o.equals, Expr::Name(_)) || o.equals.mentions(p);
+    let defined = scene.model.definitions.iter().any(|d| o.equals.mentions(&d.name));
+    if plain
+        || defined
+        || edit::find(&o.equals, &|e| matches!(e, Expr::Call(f, _) if f.has_memory())).is_some()
+    {
+        return None;
+    }
+    let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
+    let unit = Unit::one().over(&scene.unit(&o.name));
+    let a = d.amplitude("a", &unit, ANY, "relative change of the parameter for a unit of the output");
+    let mean = d.constant(&format!("{}_mean", o.name), &signal.unit, signal.mean, "mean of the recording");
+    let states = scene.model.states.iter().filter(|s| o.equals.mentions(&s.name));
+    states.for_each(|s| d.uses(&s.name));
+    let text = format!("({p}*(1 + {a}*({} - {mean})))", o.equals);
+    d.replace(p, &text, |place| matches!(place, edit::Place::Rate(_)));
+    d.start(&[0.3 / signal.spread]);
+    d.done(&format!("{} varies with {}, relatively by {{0}}", scene.words(p), scene.words(&o.name)))
 }
 
 /// How a parameter may vary with a state.
@@ -63,13 +92,21 @@ enum Form {
     Linear,
     Quadratic,
     Saturating,
+    SaturatingSquare,
     Exponential,
 }
 
-const FORMS: [Form; 4] = [Form::Linear, Form::Quadratic, Form::Saturating, Form::Exponential];
+const FORMS: [Form; 5] =
+    [Form::Linear, Form::Quadratic, Form::Saturating, Form::SaturatingSquare, Form::Exponential];
+
+impl Form {
+    fn saturates(self) -> bool {
+        matches!(self, Self::Saturating | Self::SaturatingSquare)
+    }
+}
 
 /// Whether a parameter times that state alone is a term of the model: its law is a damping or a stiffness, which have
-/// names of their own.
+/// names of their own where they grow.
 fn stands_alone(scene: &Scene, p: &str, state: &str) -> bool {
     let is_plain = |t: &Expr| {
         let names = t.names();
@@ -89,16 +126,16 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
     }
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
     let unit = scene.unit(s);
-    let power = if form == Form::Quadratic { 2.0 } else { 1.0 };
-    let limits = if form == Form::Saturating { POSITIVE } else { ANY };
+    let power = if matches!(form, Form::Quadratic | Form::SaturatingSquare) { 2.0 } else { 1.0 };
+    let limits = if form.saturates() { POSITIVE } else { ANY };
     let a =
         d.amplitude("a", &Unit::one().over(&unit.power(power)), limits, "relative change of the parameter");
-    let part =
-        if form == Form::Quadratic || form == Form::Saturating { s.clone() } else { d.centred(signal) };
+    let part = if form == Form::Quadratic || form.saturates() { s.clone() } else { d.centred(signal) };
     let text = match form {
         Form::Linear => format!("({p}*(1 + {a}*{part}))"),
         Form::Quadratic => format!("({p}*(1 + {a}*{s}^2))"),
         Form::Saturating => format!("({p}/(1 + {a}*abs({s})))"),
+        Form::SaturatingSquare => format!("({p}/(1 + {a}*{s}^2))"),
         Form::Exponential => format!("({p}*exp({a}*{part}))"),
     };
     d.uses(s);
@@ -109,7 +146,7 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
     let how = match form {
         Form::Linear => "",
         Form::Quadratic => " with the square",
-        Form::Saturating => " (it falls as something saturates)",
+        Form::Saturating | Form::SaturatingSquare => " (it falls as something saturates)",
         Form::Exponential => " (exponentially)",
     };
     d.done(&format!("{} varies{how} with {}, relatively by {{0}}", scene.words(p), scene.words(s)))

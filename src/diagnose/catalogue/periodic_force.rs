@@ -53,7 +53,7 @@ fn with_time(scene: &Scene, m: &Motion, peak: f64) -> Option<Proposal> {
     );
     d.force(&m.state, &format!("{a}*sin({w}*t) + {b}*cos({w}*t)"));
     d.start(&[m.size, m.size, peak]);
-    let [what, _] = field::words(m);
+    let what = field::words(m).acts;
     d.done(&format!("{what} of {{0}} and {{1}} (sine and cosine) acts on {} at {{2}}", scene.words(&m.state)))
 }
 
@@ -81,6 +81,6 @@ fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
             d.start(&[m.size, m.size, teeth]);
         }
     }
-    let [what, _] = field::words(m);
+    let what = field::words(m).acts;
     d.done(&format!("{what} repeats with {}, {{0}} and {{1}} (sine and cosine) at {{2}}", scene.words(q)))
 }

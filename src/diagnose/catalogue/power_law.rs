@@ -7,7 +7,8 @@
 //!
 //! # Equation
 //! ```text
-//!     c x -> c x |x/r|^p      where c x stands in a rate; p = 0 is the law in proportion, r only a scale
+//!     c x -> c x |x/r|^p      where c x stands in a rate, or c x |x|, c x², c sqrt(x); at p = 0 it is that law, r is a scale
+//!     s' = … - c x |x/r|^p    where no law of the speed or the level x stands
 //! ```
 //!
 //! # What else looks like this
@@ -22,8 +23,8 @@
 //! A wall whose free convection grows with the 5/4th power of the difference of temperatures.
 
 use super::terms::{factors, rewritten, with_factor};
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::Limits, edit};
-use crate::expression::{BinaryOp, Expr};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::Limits, draft::POSITIVE, edit};
+use crate::expression::{BinaryOp, Expr, Function};
 use crate::units::Unit;
 
 /// A law with a power of its own.
@@ -35,8 +36,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     propose,
 );
 
-/// Powers beside the first: below them it is dry friction.
-const POWERS: Limits = (-0.7, 3.0);
+/// Powers: below them it is dry friction.
+const POWERS: Limits = (0.3, 4.0);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
@@ -48,44 +49,98 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             let driver = driver(scene, &m, term);
             all.extend(driver.and_then(|x| at(scene, &m, term, &x)));
         }
+        let own = m.speed.as_ref().unwrap_or(&m.state);
+        if !terms.iter().any(|t| t.mentions(own)) {
+            all.extend(alone(scene, &m, own));
+        }
     }
     all.dedup_by(|a, b| a.term == b.term);
     all
 }
 
-/// What drives a term c·x in proportion: the state's own speed or level, or a difference with it; all other factors are
-/// parameters.
-fn driver(scene: &Scene, m: &Motion, term: &Expr) -> Option<Expr> {
+/// A law of a power: its argument, the factor in which that stands, and the power that it has.
+struct Driver {
+    x: Expr,
+    factor: Expr,
+    power: f64,
+}
+
+/// x, and the power with which it stands in a factor.
+fn powered(factor: &Expr) -> (&Expr, f64) {
+    match factor {
+        Expr::Binary(BinaryOp::Pow, a, b) => match &**b {
+            Expr::Number(p) => (a, *p),
+            _ => (factor, 1.0),
+        },
+        Expr::Call(Function::Sqrt, a) => (&a[0], 0.5),
+        Expr::Call(Function::Abs, a) => (&a[0], 1.0),
+        _ => (factor, 1.0),
+    }
+}
+
+/// What drives a term c·x, c·x·|x| or the like: the state's own speed or level, or a difference with it; all other factors
+/// are parameters.
+fn driver(scene: &Scene, m: &Motion, term: &Expr) -> Option<Driver> {
     let own = m.speed.as_ref().unwrap_or(&m.state);
     let is_parameter = |e: &Expr| {
         matches!(e, Expr::Number(_))
             || matches!(e, Expr::Name(n) if scene.model.parameters.iter().any(|p| p.name == *n))
     };
     let (known, others): (Vec<&Expr>, Vec<&Expr>) = factors(term).into_iter().partition(|f| is_parameter(f));
-    let [x] = others[..] else { return None };
+    let x = powered(others.first()?).0;
+    if others.iter().any(|f| powered(f).0 != x) {
+        return None;
+    }
+    let power = others.iter().map(|f| powered(f).1).sum();
     let is_difference = |x: &Expr| {
         let Expr::Binary(BinaryOp::Sub, a, b) = x else { return false };
         [a, b].into_iter().all(|e| matches!(**e, Expr::Name(_)))
     };
     let fits = *x == Expr::name(own) || is_difference(x) && x.mentions(own);
-    (fits && !known.is_empty()).then(|| x.clone())
+    (fits && !known.is_empty()).then(|| Driver { x: x.clone(), factor: others[0].clone(), power })
 }
 
-fn at(scene: &Scene, m: &Motion, term: &Expr, x: &Expr) -> Option<Proposal> {
+fn at(scene: &Scene, m: &Motion, term: &Expr, driver: &Driver) -> Option<Proposal> {
+    let Driver { x, factor, power } = driver;
     let size = x.value(&|n| scene.signal(n).map(|s| s.mean).or_else(|| parameter(scene, n)))?;
     let spread = scene.signal(m.speed.as_ref().unwrap_or(&m.state))?.spread;
     let mut d = Draft::at(scene, "power-law", m);
     let unit = scene.unit_of(x);
     let scale = d.constant("r_ref", &unit, size.hypot(spread), "scale of the power law, not fitted");
-    let p = d.amplitude("p", &Unit::one(), POWERS, "power beside the first");
-    let new = Expr::parse(&format!("({x})*(abs(({x})/{scale}) + 1e-6)^{p}")).ok()?;
-    d.each_rate(&|e| rewritten(e, &|t| (t == term).then(|| with_factor(t, x, &new))));
-    d.term(&with_factor(term, x, &new).to_string());
+    let limits = (POWERS.0 - power, POWERS.1 - power);
+    let p = d.amplitude("p", &Unit::one(), limits, "power beside that of the model");
+    let new = Expr::parse(&format!("({factor})*(abs(({x})/{scale}) + 1e-6)^{p}")).ok()?;
+    d.each_rate(&|e| rewritten(e, &|t| (t == term).then(|| with_factor(t, factor, &new))));
+    d.term(&with_factor(term, factor, &new).to_string());
     for start in [0.5, -0.4] {
         d.start(&[start]);
     }
     let words = if let Expr::Name(n) = x { scene.words(n) } else { x.to_string() };
-    d.done(&format!("{term} goes with a power of {words}, {{0}} beside the first"))
+    let beside = match *power {
+        1.0 => "the first".to_owned(),
+        2.0 => "the second".to_owned(),
+        power => power.to_string(),
+    };
+    d.done(&format!("{term} goes with a power of {words}, {{0}} beside {beside}"))
+}
+
+/// A law of its own where the model has none.
+fn alone(scene: &Scene, m: &Motion, x: &str) -> Option<Proposal> {
+    let size = scene.size(x);
+    let mut d = Draft::at(scene, "power-law", m);
+    let c = d.amplitude("c", &m.force.over(&scene.unit(x)), POSITIVE, "size of the law at its scale");
+    let p = d.parameter("p", &Unit::one(), (POWERS.0 - 1.0, POWERS.1 - 1.0), "power beside the first");
+    let scale = d.constant("r_ref", &scene.unit(x), size, "scale of the power law, not fitted");
+    d.uses(x);
+    d.force(&m.state, &format!("-{c}*{x}*(abs({x}/{scale}) + 1e-6)^{p}"));
+    for start in [-0.5, 0.0, 1.0] {
+        d.start(&[m.size / size, start]);
+    }
+    d.done(&format!(
+        "a loss or drag of {{0}} at {x} = {} goes with a power of {}, {{1}} beside the first",
+        crate::units::figure(size),
+        scene.words(x)
+    ))
 }
 
 fn parameter(scene: &Scene, name: &str) -> Option<f64> {

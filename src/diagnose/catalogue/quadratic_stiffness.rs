@@ -40,6 +40,6 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let k = d.amplitude("k2", &unit, ANY, "quadratic stiffness");
     d.force(&m.state, &format!("-{k}*{q}^2"));
     d.start(&[m.size / scene.size(q).powi(2)]);
-    let [_, back] = field::words(m);
+    let back = field::words(m).back;
     d.done(&format!("{back} has a part with the square of {}, {{0}}", scene.words(q)))
 }

@@ -6,10 +6,11 @@
 //!
 //! # Method
 //! Curves through few knots are screened as the catalogue is, at every place and for every signal; the best are fitted
-//! with everything else. The likeliest of those that lower the error of left-out blocks most is then tried through more
-//! knots, which it keeps only where those blocks fall again; and a surface over its signal and another takes its place where
-//! that predicts them clearly better, or stands where no curve does. A second law may follow on the same terms. What is offered
-//! must also lower the error of what was held out.
+//! with everything else; where none stands, so are curves through many knots, for laws that turn often. The likeliest of
+//! those that lower the error of left-out blocks most is then tried through more knots, which it keeps only where those
+//! blocks fall again; and a surface over its signal and another takes its place where that predicts them clearly better, or
+//! stands where no curve does. A second law may follow on the same terms. What is offered must also lower the error of what
+//! was held out.
 //!
 //! # References
 //! Leave-block-out as in `measure`; S. N. Wood, Generalized Additive Models, 2nd ed. (2017), ch. 4, on curves by knots.
@@ -48,6 +49,9 @@ const FITTED: usize = 6;
 const OF_SIGNAL: usize = 3;
 /// Share of the free-run residual's square that a law must explain at first sight.
 const LEAST: f64 = 0.03;
+/// Steps that were spent before, for each that the laws may spend, where no name stands and where one does: one of
+/// theirs costs several of a plain model's.
+const STEPS: [u64; 2] = [2, 5];
 /// Times that a law must lower the error of left-out blocks further than a name that stands.
 const TWICE: f64 = 2.0;
 /// Laws that are added at most.
@@ -84,12 +88,17 @@ pub fn instead(
     let mut now = Measure::of(&current, &scale);
     let start = now;
     let mut taken: Vec<Taken> = Vec::new();
-    // three times as many steps as were spent before, and no more
-    let most = 4 * bench.budget.spent();
-    while taken.len() < MOST && !is_over(bench) && bench.budget.spent() < most {
+    let bench = &Bench {
+        budget: bench.budget.at_most(bench.budget.spent() / STEPS[usize::from(stands)]),
+        ..bench.clone()
+    };
+    // names that only resemble it may do better together; one that stands gives way to a law twice as good
+    let resembling = Measure::of(&found.last, &scale);
+    let named = stands.then_some(&resembling);
+    while taken.len() < MOST && !is_over(bench) {
         // a second law must halve what the first left: curves bend to much
         let least = if taken.is_empty() { floor(0.0) } else { TWICE.ln() };
-        let ground = Ground { bench, separate, scale: &scale, given, taken: &taken, most, progress };
+        let ground = Ground { bench, separate, scale: &scale, given, taken: &taken, named, progress };
         let Some(law) = one(&ground, &current, &now, least)? else { break };
         taken.push(Taken {
             proposal: law.proposal,
@@ -101,8 +110,6 @@ pub fn instead(
         });
         (current, now) = (law.fit, law.measure);
     }
-    // names that only resemble it may do better together; one that stands gives way to a law twice as good
-    let resembling = Measure::of(&found.last, &scale);
     if taken.is_empty() || gain(&resembling, &now) < if stands { TWICE.ln() } else { 0.0 } {
         return Ok(None);
     }
@@ -126,8 +133,8 @@ struct Ground<'a> {
     scale: &'a Scale,
     given: &'a [f64],
     taken: &'a [Taken],
-    /// Steps that may have been spent.
-    most: u64,
+    /// How good the model is with the names that stand, if some do.
+    named: Option<&'a Measure>,
     progress: &'a dyn Progress,
 }
 
@@ -139,17 +146,30 @@ fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<
     let is_new = |p: &Proposal| {
         !ground.taken.iter().any(|t| t.proposal.site == p.site || t.proposal.depends == p.depends)
     };
-    let proposals: Vec<Proposal> = laws(&scene, KNOTS[0]).into_iter().filter(is_new).collect();
-    let screened = explaining(bench, &view, proposals);
+    let of =
+        |knots: usize| explaining(bench, &view, laws(&scene, knots).into_iter().filter(is_new).collect());
+    let screened = of(KNOTS[0]);
     let over = (current, now);
     let runs = |l: &Lawful| prove::runs(bench, &l.fit, ground.separate);
-    let Some(mut best) = best_of(ground, &view, &screened, over, least) else {
+    let coarse = || Some((best_of(ground, &view, &screened, over, least)?, 0));
+    // a law that turns often is not seen through few knots
+    let fine = || Some((best_of(ground, &view, &of(KNOTS[2]), over, least)?, 2));
+    let is_named = ground.named.is_some();
+    let curve = coarse().or_else(|| if is_named { None } else { fine() });
+    let Some((mut best, through)) = curve else {
+        if is_named {
+            return Ok(None);
+        }
         let sites = likeliest_sites(&screened);
         let both = surfaces(&scene, &sites, None, ALONG).into_iter().filter(is_new).collect();
         return Ok(best_of(ground, &view, &explaining(bench, &view, both), over, least));
     };
-    for knots in &KNOTS[1..] {
-        if bench.budget.spent() > ground.most {
+    // a curve through few knots that is worse than what has a name does not become twice as good by more
+    if ground.named.is_some_and(|named| gain(named, &best.measure) <= 0.0) {
+        return Ok(None);
+    }
+    for knots in &KNOTS[through + 1..] {
+        if is_over(bench) {
             break;
         }
         let same = |p: &Proposal| p.site == best.proposal.site && p.depends == best.proposal.depends;
@@ -160,7 +180,7 @@ fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<
             None => break,
         }
     }
-    if bench.budget.spent() < ground.most {
+    if !is_over(bench) {
         let of = best.proposal.depends.first().map(String::as_str);
         let both = surfaces(&scene, std::slice::from_ref(&best.proposal.site), of, ALONG);
         let screened = explaining(bench, &view, both.into_iter().filter(is_new).collect());
@@ -253,16 +273,24 @@ fn arguments(term: &Expr) -> Option<&[Expr]> {
     }
 }
 
-/// The answer with the law in the model, if it lowers what was held out; else the one without.
-pub fn beside(without: Diagnosis, with: Diagnosis) -> Diagnosis {
+/// Whether a law lowers what was held out.
+fn is_proven(with: &Diagnosis) -> bool {
     let proof = &with.answer.proof;
     let rises: f64 =
         proof.iter().map(|p| (p.holdout_after / p.holdout_before).ln()).filter(|r| !r.is_nan()).sum();
-    let falls = proof.iter().any(|p| p.improvement_low > 0.0);
-    if !falls || rises >= 0.0 {
+    proof.iter().any(|p| p.improvement_low > 0.0) && rises < 0.0
+}
+
+/// The answer with the law in the model, if one stands and lowers what was held out; else the one without, which says so
+/// where something is missing and all laws were tried.
+pub fn beside(bench: &Bench, without: Diagnosis, with: Option<Diagnosis>) -> Diagnosis {
+    let Some(mut with) = with.filter(is_proven) else {
+        let mut without = without;
+        if without.answer.verdict == Verdict::Unknown && !bench.is_trials() && !is_over(bench) {
+            without.answer.says += " No law of one or two signals, put into the model, predicts better.";
+        }
         return without;
-    }
-    let mut with = with;
+    };
     if without.answer.verdict == Verdict::Unknown {
         // where it is missing was told before a law was tried; the law's own place stands in its finding
         with.answer.located = without.answer.located;

@@ -5,7 +5,7 @@ use crate::diagnose::catalogue::{self, Proposal, edit};
 use crate::estimate::Fit;
 use crate::estimate::fit::{Effort, setup};
 use crate::estimate::smooth::Smoother;
-use crate::expression::Expr;
+use crate::expression::{BinaryOp, Expr};
 use crate::model::{Definition, Model, Output, Parameter};
 use crate::record::Channel;
 use crate::units::Unit;
@@ -156,6 +156,10 @@ fn accused(model: &Model, p: &Proposal) -> (String, Expr, Unit) {
             || model.outputs.iter().any(|o| o.name == n)
     };
     let term = Expr::parse(&p.term).ok();
+    if let Some(apart) = term.as_ref().and_then(|e| difference(p, e)) {
+        let unit = edit::unit_of(&apart, &|n| edit::unit_of_name(model, n));
+        return (apart.to_string(), apart, unit);
+    }
     let named = term.iter().flat_map(|e| e.names().into_iter().map(str::to_string).collect::<Vec<_>>());
     let candidates = p.depends.iter().cloned().chain(named);
     let with_site = candidates.chain(std::iter::once(p.site.name.clone()));
@@ -165,6 +169,14 @@ fn accused(model: &Model, p: &Proposal) -> (String, Expr, Unit) {
         return ("t".into(), Expr::name("t"), edit::unit_of_name(model, "t").unwrap_or_else(Unit::one));
     };
     signal(model, &name)
+}
+
+/// The difference of two signals that a finding brings in, where its term goes with it: a flow between two levels.
+fn difference(p: &Proposal, term: &Expr) -> Option<Expr> {
+    let is_own = |e: &Expr| matches!(e, Expr::Name(n) if p.depends.contains(n));
+    let is_apart =
+        |e: &Expr| matches!(e, Expr::Binary(BinaryOp::Sub, a, b) if is_own(a) && is_own(b) && a != b);
+    edit::find(term, &is_apart).cloned()
 }
 
 /// A signal by its name.

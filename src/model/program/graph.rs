@@ -282,7 +282,7 @@ impl Graph {
         self.switch(Switch { argument, half_width: None, guard: argument, at_zero, is_smooth: false })
     }
 
-    /// On which side of 0 a node is, where value and slope of what it decides are the same on both.
+    /// On which side of 0 a node is, where the value of what it decides is the same on both: no event is needed.
     pub fn side(&mut self, argument: Id) -> Id {
         if let Some(x) = self.value(argument) {
             return self.constant(if x > 0.0 { 1.0 } else { 0.0 });

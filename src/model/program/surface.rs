@@ -37,8 +37,8 @@ impl Builder {
                 None => next,
                 Some(now) => {
                     let ahead = g.difference(x, at[k]);
-                    let sign = g.sign(ahead, 0);
-                    std::array::from_fn(|i| g.select(sign, next[i], now[i]))
+                    let side = g.side(ahead);
+                    std::array::from_fn(|i| g.select(side, next[i], now[i]))
                 }
             });
         }
