@@ -38,7 +38,10 @@ pub(super) fn turn(start: &[u8]) -> Result<Option<Turn>> {
     } else {
         return Ok(None);
     };
-    Err(Error::bad_input(format!("this is {what}, no table of text")).with_hint(hint))
+    Err(Error::bad_input(format!("this is {what}, no table of text"))
+        .with_line(1)
+        .with_column(1)
+        .with_hint(hint))
 }
 
 #[cfg(feature = "parquet")]
