@@ -1,6 +1,7 @@
 //! # What it is
 //! A rate that cannot grow for ever with what feeds it: enzymes, microbes and catalysts are all taken, a market is
-//! served; at still higher levels the feed itself may inhibit.
+//! served; at still higher levels the feed itself may inhibit. A brake by eddy currents likewise: above a speed its own
+//! field weakens it.
 //!
 //! # Signature in a recording
 //! Where the level is high everything that goes with it is slower than a rate in proportion says; with inhibition there
@@ -10,20 +11,24 @@
 //! ```text
 //!     x -> x/(1 + x/K)              wherever a parameter p multiplies x   (Michaelis and Menten, Monod);  a = 1/K
 //!     x -> x/(1 + x/K + x²/KK)      with inhibition (Andrews, Haldane);  b = 1/KK
+//!     M v' = … - c v/(1 + (v/vk)²)  a drag that is largest at the speed vk
 //! ```
 //!
 //! # What else looks like this
-//! parameter-dependence of the same parameter on the level; power-law with a power below one.
+//! parameter-dependence of the same parameter on the level; power-law with a power below one; stribeck-friction where the
+//! speed passes quickly through 0.
 //!
 //! # Reference
 //! J. E. Bailey, D. F. Ollis, Biochemical Engineering Fundamentals, 2nd ed. (1986), ch. 3 and 7; J. F. Andrews,
-//! Biotechnol. Bioeng. 10 (1968) 707.
+//! Biotechnol. Bioeng. 10 (1968) 707; J. H. Wouterse, IEE Proc. B 138 (1991) 153 on brakes by eddy currents.
 //!
 //! # Example
 //! A drug whose elimination is modelled in proportion to its concentration.
 
 use super::terms::{has_factor, rewritten, with_factor};
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::POSITIVE, edit};
+use super::{
+    Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::POSITIVE, edit,
+};
 use crate::expression::Expr;
 use crate::units::Unit;
 
@@ -48,7 +53,23 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             all.extend([false, true].into_iter().filter_map(|inhibits| at(scene, &p.name, x, inhibits)));
         }
     }
+    all.extend(scene.motions().iter().filter_map(|m| braked(scene, m)));
     all
+}
+
+/// A drag that has a largest value at some speed.
+fn braked(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let v = m.speed.as_ref()?;
+    let (size, unit) = (scene.size(v), scene.unit(v));
+    let mut d = Draft::at(scene, "saturable-rate", m);
+    let c = d.amplitude("c", &m.force.over(&unit), POSITIVE, "damping at rest");
+    let speed = d.parameter("vk", &unit, (0.02 * size, 10.0 * size), "speed of the largest drag");
+    d.uses(v);
+    d.force(&m.state, &format!("-{c}*{v}/(1 + ({v}/{speed})^2)"));
+    for share in [0.1, 0.2, 0.4, 0.8, 1.6] {
+        d.start(&[m.size / size, share * size]);
+    }
+    d.done(&format!("a drag of {{0}} in slow motion, largest at {{1}}, acts against {}", scene.words(v)))
 }
 
 /// The law in every term that a parameter and a level multiply.
