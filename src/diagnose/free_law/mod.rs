@@ -5,12 +5,11 @@
 //! signal at the place where it explains most.
 //!
 //! # Method
-//! Curves through few knots are screened as the catalogue is, at every place and for every signal; the best are fitted
-//! with everything else; where none stands, so are curves through many knots, for laws that turn often. The likeliest of
-//! those that lower the error of left-out blocks most is then tried through more knots, which it keeps only where those
-//! blocks fall again; and a surface over its signal and another takes its place where that predicts them clearly better, or
-//! stands where no curve does. A second law may follow on the same terms. What is offered must also lower the error of what
-//! was held out.
+//! Curves through few and through many knots are screened as the catalogue is, at every place and for every signal; the
+//! best of the number of knots that scores surest are fitted with everything else. The likeliest of those that lower the
+//! error of left-out blocks most is then tried through more knots, which it keeps only where those blocks fall again; and a
+//! surface over its signal and another takes its place where that predicts them clearly better, or stands where no curve
+//! does. A second law may follow on the same terms. What is offered must also lower the error of what was held out.
 //!
 //! # References
 //! Leave-block-out as in `measure`; S. N. Wood, Generalized Additive Models, 2nd ed. (2017), ch. 4, on curves by knots.
@@ -142,14 +141,17 @@ fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<
     };
     let of =
         |knots: usize| explaining(bench, &view, laws(&scene, knots).into_iter().filter(is_new).collect());
-    let screened = of(KNOTS[0]);
+    let levels = KNOTS.map(of);
+    // a law that turns often is not seen through few knots
+    let surest = |k: &usize| levels[*k].iter().map(|s| s.score.statistic).fold(0.0, f64::max);
+    let likely = (0..KNOTS.len()).rev().max_by(|a, b| surest(a).total_cmp(&surest(b))).unwrap_or(0);
     let over = (current, now);
     let runs = |l: &Lawful| prove::runs(bench, &l.fit, ground.separate);
-    let coarse = || Some((best_of(ground, &view, &screened, over, least)?, 0));
-    // a law that turns often is not seen through few knots
-    let fine = || Some((best_of(ground, &view, &of(KNOTS[2]), over, least)?, 2));
-    let Some((mut best, through)) = coarse().or_else(fine) else {
-        let sites = likeliest_sites(&screened);
+    let through = |k: usize| Some((best_of(ground, &view, &levels[k], over, least)?, k));
+    let coarse = || if likely > 0 { through(0) } else { None };
+    let Some((mut best, through)) = through(likely).or_else(coarse) else {
+        let screened = &levels[likely];
+        let sites = likeliest_sites(screened);
         let both = surfaces(&scene, &sites, None, ALONG).into_iter().filter(is_new).collect();
         return Ok(best_of(ground, &view, &explaining(bench, &view, both), over, least));
     };
