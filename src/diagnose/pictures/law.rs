@@ -19,7 +19,7 @@
 use super::bins::{self, Sample};
 use super::probe::{Accused, Probe};
 use super::{Assembly, Law, Point};
-use crate::diagnose::catalogue::{Proposal, edit};
+use crate::diagnose::catalogue::{Proposal, SiteKind, edit};
 use crate::estimate::Fit;
 use crate::estimate::fit::seen::{Seen, seen_states};
 use crate::estimate::fit::{Effort, setup};
@@ -38,10 +38,56 @@ const MEANS: usize = 24;
 /// Points of the curve.
 const CURVE: usize = 160;
 
-/// One picture a finding, where it can be drawn.
+/// A picture a finding, where it can be drawn; before that of what a parameter's law brings, that law itself.
 pub fn laws(assembly: &Assembly<'_>) -> Vec<Law> {
-    let taken = assembly.found.taken.iter();
-    taken.filter_map(|t| direct(assembly, &t.proposal).or_else(|| moved(assembly, &t.proposal))).collect()
+    let of = |p: &Proposal| {
+        let effect = direct(assembly, p).or_else(|| moved(assembly, p));
+        varying(assembly, p).into_iter().chain(effect)
+    };
+    assembly.found.taken.iter().flat_map(|t| of(&t.proposal)).collect()
+}
+
+/// A parameter against the signal that it varies with, along the run of the fitted model.
+fn varying(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
+    let (bench, fit) = (&assembly.bench, &assembly.found.last);
+    let model = &fit.model;
+    let own =
+        model.parameters.iter().find(|q| p.site.kind == SiteKind::Parameter && q.name == p.site.name)?;
+    let term = Expr::parse(&p.term).ok()?;
+    let unit = edit::unit_of(&term, &|n| edit::unit_of_name(model, n));
+    // where the term is more than the parameter itself it is drawn by what it brings alone
+    if unit.dimension() != own.unit.dimension() || !term.mentions(&own.name) {
+        return None;
+    }
+    let accused = Accused::of(model, p);
+    let mut probe = Probe::of(model);
+    probe.watch(accused.along.clone());
+    probe.watch(term.clone());
+    let spread = spread(fit, p);
+    for (a, deviation) in p.added.iter().zip(&spread.deviations) {
+        let value = model.parameters.iter().find(|q| q.name == a.name)?.value;
+        let moved = probe.constant(value + deviation, &a.unit);
+        let whole = probe.variant(&term, &[(&a.name, moved)]);
+        probe.watch(whole);
+    }
+    let channel = bench.recordings.first()?.find(&model.outputs.first()?.name)?;
+    let times: Vec<f64> = measured(channel, &bench.spans(model, 0), 0)?.iter().map(|m| m[0]).collect();
+    let rows = probe.run(bench, fit, &times)?;
+    let along = accused.values(&rows);
+    let sample = |(row, (_, v)): (usize, &(f64, Vec<f64>))| {
+        let pulls: Vec<f64> = v[2..].iter().map(|b| b - v[1]).collect();
+        let deviation = own.unit.difference_from_si(spread.of(&pulls)).abs();
+        Sample { x: along[row], y: own.unit.from_si(v[1]), deviation, row }
+    };
+    let curve: Vec<Sample> = rows.iter().enumerate().map(sample).collect();
+    let words = Words {
+        signal: accused.words,
+        signal_unit: accused.unit,
+        effect: own.name.clone(),
+        effect_unit: own.unit.clone(),
+        formula: term.to_string(),
+    };
+    Some(law(p, words, &[], &curve))
 }
 
 /// What the finding acts on.

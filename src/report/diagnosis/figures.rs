@@ -103,8 +103,11 @@ pub fn spectra(p: &Pictures, a: &Answer) -> String {
 /// The residual against the accused signal, with the fitted law and its band.
 pub fn laws(p: &Pictures, a: &Answer) -> String {
     let mut out = String::new();
-    for l in &p.laws {
+    for (k, l) in p.laws.iter().enumerate() {
         out += &law(l);
+        if p.laws.get(k + 1).is_some_and(|next| (&next.code, &next.term) == (&l.code, &l.term)) {
+            continue;
+        }
         let says = a.findings.iter().find(|f| f.code == l.code && f.term == l.term).map(|f| f.says.as_str());
         if let Some(says) = says {
             out += &format!("<p class=\"note\">{}.</p>", escaped(says.trim_end_matches('.')));
