@@ -2,8 +2,8 @@
 
     python benches/fields/run.py [--program gyrospec] [--folder DIR] [--only TEXT] [--seed N] [--jobs 2]
 
-A case counts as right where the first finding is of an accepted code, or a tie of at most three holds one; where
-nothing is concealed, where nothing is found; where only a law without a name is accepted, where one stands or the
+A case counts as right where the first finding is of an accepted code, or a tie of at most three holds one (wide where the
+tie is of more); where nothing is concealed, where nothing is found; where only a law without a name is accepted, where one stands or the
 program says that something is missing without a name.
 """
 
@@ -32,6 +32,8 @@ def judged(answer: dict, accepted: frozenset) -> tuple[str, str]:
         return ("right" if verdict == "nothing-missing" else "honest" if verdict == "not-identifiable" else "WRONG"), told
     if named & accepted and len(named) <= 3:
         return ("right" if all(f["code"] in accepted for f in own) else "spurious"), told
+    if named & accepted:
+        return "wide", told
     if verdict == "unknown":
         return ("right" if "free-law" in accepted or first in accepted else "unnamed"), told
     if verdict in ("nothing-missing", "not-identifiable", "data-fault"):

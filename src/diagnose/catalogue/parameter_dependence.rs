@@ -144,12 +144,12 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
         if form == Form::Linear || form == Form::Exponential { signal.spread } else { size.powf(power) };
     d.start(&[0.3 / start]);
     let how = match form {
-        Form::Linear => "",
-        Form::Quadratic => " with the square",
-        Form::Saturating | Form::SaturatingSquare => " (it falls as something saturates)",
-        Form::Exponential => " (exponentially)",
+        Form::Linear => "varies with",
+        Form::Quadratic => "varies with the square of",
+        Form::Saturating | Form::SaturatingSquare => "saturates with",
+        Form::Exponential => "varies exponentially with",
     };
-    d.done(&format!("{} varies{how} with {}, relatively by {{0}}", scene.words(p), scene.words(s)))
+    d.done(&format!("{} {how} {}, relatively by {{0}}", scene.words(p), scene.words(s)))
 }
 
 fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
