@@ -328,6 +328,43 @@ fn a_second_compartment_stands_behind_the_blood() {
     assert!(told.findings[0].parameters.iter().any(|p| p.unit == "1/s"), "{:?}", told.findings[0].parameters);
 }
 
+#[test]
+fn a_second_element_of_a_cell_is_in_series_with_the_first() {
+    let plant = Plant {
+        step: 2.0,
+        start: &[3.3, 0.0, 0.0],
+        inputs: &[("i", "A")],
+        states: &[("u", "V"), ("v1", "V"), ("v2", "V")],
+        sizes: &[(0.0, 3.0)],
+        noise: 0.01,
+        measured: 1,
+    };
+    // u is what the cell shows: its rate is that of 3.3 V − R i − v1 − v2, R = 0
+    let told = plant.diagnosed(CELL_MODEL, |x, u| {
+        let fast = u[0] / 800.0 - x[1] / (0.03 * 800.0);
+        let slow = u[0] / 9000.0 - x[2] / (0.03 * 9000.0);
+        vec![-fast - slow, fast, slow]
+    });
+    assert_eq!((told.verdict, first(&told)), (Verdict::Named, "extra-lag"), "{}", told.says);
+    assert!(told.says.contains("second store of charge in series with v1"), "{}", told.says);
+    let [low, _, high] = value(&told, "tau");
+    assert!(low < 270.0 && 270.0 < high, "{low} to {high}");
+}
+
+const CELL_MODEL: &str = r#"
+    name = "cell"
+    [inputs]
+    i = { unit = "A" }
+    [parameters]
+    E = { value = 3.2, unit = "V", fit = true }
+    R1 = { value = 0.04, unit = "ohm", fit = true, min = 1e-4 }
+    C1 = { value = 600, unit = "F", fit = true, min = 1 }
+    [states]
+    v1 = { rate = "i/C1 - v1/(R1*C1)", unit = "V", initial = 0 }
+    [outputs]
+    u_meas = { equals = "E - v1", unit = "V" }
+"#;
+
 const TANKS: Plant<'_> = Plant {
     step: 10.0,
     start: &[0.8, 0.6],

@@ -26,7 +26,7 @@ use super::{
     draft::POSITIVE, edit, edit::Place, field,
 };
 use crate::expression::Expr;
-use crate::model::Output;
+use crate::model::{Initial, Output};
 use crate::units::Unit;
 
 /// A relaxing part: creep, a liquid that shifts.
@@ -89,9 +89,19 @@ fn parallel(scene: &Scene, m: &Motion) -> Vec<Proposal> {
         let mut d = Draft::at(scene, "extra-lag", m);
         let u = &u.name;
         let r = d.amplitude("r", &scene.unit(s).over(&scene.unit(u)), ANY, "what the second element takes");
-        let tau = d.parameter("tau", &Unit::parse("s").ok()?, (0.0, scene.length()), "its time");
+        let second = Unit::parse("s").ok()?;
+        let tau = d.parameter("tau", &second, (0.5 * scene.step, scene.length()), "its time");
         d.uses(u);
-        d.replace(s, &format!("({s} + {r}*lag({u}, {tau}))"), |p| matches!(p, Place::Output(_)));
+        // what begins at rest does so beside one that does
+        let follows = if state.initial == Initial::Number(0.0) {
+            let z =
+                d.state("follows", &scene.unit(u), Initial::Number(0.0), "what the second element has taken");
+            d.rate(&z, &format!("({u} - {z})/{tau}"));
+            z
+        } else {
+            format!("lag({u}, {tau})")
+        };
+        d.replace(s, &format!("({s} + {r}*{follows})"), |p| matches!(p, Place::Output(_)));
         for time in scene.times() {
             d.start(&[scene.size(s) / scene.size(u), time]);
         }
