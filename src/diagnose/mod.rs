@@ -233,9 +233,10 @@ impl Case<'_> {
         let stands = verdict != Verdict::Unknown;
         self.bench.budget.begin("law without a name");
         let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
-        let lawful = free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)?;
+        let (lawful, tried) =
+            free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)?;
         let lawful = lawful.map(&assembled).transpose()?;
-        Ok(free_law::beside(&self.bench, named, lawful))
+        Ok(free_law::beside(named, lawful, tried))
     }
 
     /// The fit of the model as given once samples are left out that stand apart from all that it leaves over.

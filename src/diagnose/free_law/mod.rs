@@ -9,8 +9,9 @@
 //! best of the number of knots that scores surest are fitted with everything else. The likeliest of those that lower the
 //! error of left-out blocks most is then tried through more knots, which it keeps only where those blocks fall again; and a
 //! surface over its signal and another takes its place where that predicts them clearly better, or stands where no curve
-//! does. A second law may follow on the same terms. What is offered must also lower the error of what was held out. All of
-//! it together may spend a share of the steps that the search for names has spent.
+//! does. A second law may follow on the same terms. What is offered must also lower the error of what was held out. The
+//! fit of a law may spend a tenth of a share of the steps that the search for names has spent, and no further law is begun
+//! once that share is gone.
 //!
 //! # References
 //! Leave-block-out as in `measure`; S. N. Wood, Generalized Additive Models, 2nd ed. (2017), ch. 4, on curves by knots.
@@ -34,6 +35,7 @@ use crate::estimate::Fit;
 use crate::estimate::fit::Progress;
 use crate::expression::{Expr, Function};
 use crate::record::Recording;
+use std::cell::Cell;
 
 /// Knots of a curve: first, and where it is looked at again.
 const KNOTS: [usize; 3] = [5, 9, 15];
@@ -49,8 +51,8 @@ const FITTED: usize = 6;
 const OF_SIGNAL: usize = 3;
 /// Share of the free-run residual's square that a law must explain at first sight.
 const LEAST: f64 = 0.03;
-/// Steps that were spent before, for each that the laws may spend, where no name stands and where one does: one of
-/// theirs costs several of a plain model's.
+/// Steps that were spent before, for each of the laws' share, where no name stands and where one does: one of theirs
+/// costs several of a plain model's.
 const STEPS: [u64; 2] = [2, 5];
 /// Times that a law must lower the error of left-out blocks further than a name that stands.
 const TWICE: f64 = 2.0;
@@ -66,9 +68,19 @@ struct Lawful {
     tried: f64,
 }
 
+/// How many of the laws were tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Tried {
+    /// None was looked for.
+    None,
+    /// The steps or the time ended the search, or the fit of one.
+    Some,
+    /// All of them.
+    All,
+}
+
 /// Where the search ended without a name that stands, or with one that leaves much, with a law in place of what is
-/// missing; none where no law of one
-/// signal lowers the error of left-out blocks.
+/// missing; none where no law lowers the error of left-out blocks.
 ///
 /// # Errors
 /// Where a fitted model cannot be run.
@@ -78,9 +90,9 @@ pub fn instead(
     (found, stands): (&Found, bool),
     given: &[f64],
     progress: &dyn Progress,
-) -> Result<Option<Found>> {
+) -> Result<(Option<Found>, Tried)> {
     if bench.is_trials() || is_over(bench) {
-        return Ok(None);
+        return Ok((None, Tried::None));
     }
     progress.report("no name explains all: looking for the law itself", None);
     let scale = Scale::of(&found.base, false);
@@ -95,10 +107,12 @@ pub fn instead(
     // names that only resemble it may do better together; one that stands gives way to a law twice as good
     let resembling = Measure::of(&found.last, &scale);
     let named = stands.then_some(&resembling);
+    let cut = Cell::new(false);
     while taken.len() < MOST && !is_over(bench) {
         // a second law must halve what the first left: curves bend to much
         let least = if taken.is_empty() { floor(0.0) } else { TWICE.ln() };
-        let ground = Ground { bench, separate, scale: &scale, given, taken: &taken, named, progress };
+        let ground =
+            Ground { bench, separate, scale: &scale, given, taken: &taken, named, cut: &cut, progress };
         let Some(law) = one(&ground, &current, &now, least)? else { break };
         taken.push(Taken {
             proposal: law.proposal,
@@ -110,8 +124,9 @@ pub fn instead(
         });
         (current, now) = (law.fit, law.measure);
     }
+    let tried = if cut.get() || is_over(bench) { Tried::Some } else { Tried::All };
     if taken.is_empty() || gain(&resembling, &now) < if stands { TWICE.ln() } else { 0.0 } {
-        return Ok(None);
+        return Ok((None, tried));
     }
     bench.ascertain(&mut current)?;
     for t in &mut taken {
@@ -123,7 +138,7 @@ pub fn instead(
     let mut new = found.clone();
     (new.last, new.taken, new.without, new.measures) = (current, taken, without, (start, now));
     (new.fallen, new.is_trace) = (None, false);
-    Ok(Some(new))
+    Ok((Some(new), tried))
 }
 
 /// What a law is looked for in.
@@ -135,6 +150,8 @@ struct Ground<'a> {
     taken: &'a [Taken],
     /// How good the model is with the names that stand, if some do.
     named: Option<&'a Measure>,
+    /// Whether the fit of a law was ended before it was through.
+    cut: &'a Cell<bool>,
     progress: &'a dyn Progress,
 }
 
@@ -199,6 +216,7 @@ fn best_of(
     let chosen = likeliest(screened);
     let squares = ground.scale.squares(current);
     let fitted = race::run(bench, view, ground.given, &chosen, (squares, ground.scale), ground.progress);
+    ground.cut.set(ground.cut.get() || fitted.iter().any(|f| f.is_cut));
     let measured = fitted.into_iter().filter(|f| same_samples(current, &f.fit)).map(|f| {
         let measure = Measure::of(&f.fit, ground.scale);
         let p_value = (tried * measure.chance_over(now.likelihood, f.proposal.added.len())).min(1.0);
@@ -277,13 +295,18 @@ fn is_proven(with: &Diagnosis) -> bool {
     proof.iter().any(|p| p.improvement_low > 0.0) && rises < 0.0
 }
 
-/// The answer with the law in the model, if one stands and lowers what was held out; else the one without, which says so
-/// where something is missing and all laws were tried.
-pub fn beside(bench: &Bench, without: Diagnosis, with: Option<Diagnosis>) -> Diagnosis {
+/// The answer with the law in the model, if one stands and lowers what was held out; else the one without, which says
+/// where something is missing whether all laws were tried.
+pub fn beside(mut without: Diagnosis, with: Option<Diagnosis>, tried: Tried) -> Diagnosis {
     let Some(mut with) = with.filter(is_proven) else {
-        let mut without = without;
-        if without.answer.verdict == Verdict::Unknown && !bench.is_trials() && !is_over(bench) {
-            without.answer.says += " No law of one or two signals, put into the model, predicts better.";
+        if without.answer.verdict == Verdict::Unknown {
+            without.answer.says += match tried {
+                Tried::None => "",
+                Tried::Some => {
+                    " The search for a law of one or two signals ended before all were tried: its share of the steps, or the time, was spent."
+                }
+                Tried::All => " No law of one or two signals, put into the model, predicts better.",
+            };
         }
         return without;
     };
@@ -312,4 +335,51 @@ pub fn may_be_better(a: &Answer) -> bool {
 /// Whether a law without a name stands in a model.
 pub fn is_in(taken: &[Taken]) -> bool {
     taken.first().is_some_and(|t| t.proposal.code == CODE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::estimate::fit::Silent;
+    use crate::model::Model;
+    use crate::record::Channel;
+    use crate::simulate::Budget;
+    use crate::units::Unit;
+
+    /// A lag whose rate has a bump that the model lacks, stepped by Euler's rule.
+    fn bench() -> (Bench, Model) {
+        let text = "name = \"lag\"\n[inputs]\nu = { unit = \"1\" }\n[parameters]\n\
+                    k = { value = 2.5, unit = \"1/s\", fit = true, min = 0.1, max = 10 }\n[states]\n\
+                    x = { rate = \"k*(u - x)\", unit = \"1\", initial = 0 }\n[outputs]\n\
+                    y = { equals = \"x\", unit = \"1\" }\n";
+        let model = Model::parse(text).unwrap();
+        let time: Vec<f64> = (0..200).map(|i| 0.05 * f64::from(i)).collect();
+        let u: Vec<f64> = time.iter().map(|t| (1.1 * t).sin() + 0.7 * (4.3 * t).cos()).collect();
+        let mut x = 0.0;
+        let step = |u: &f64| {
+            let before = x;
+            x += 0.05 * ((u - x) / 0.5 + (-((x - 0.3) / 0.2f64).powi(2)).exp());
+            before
+        };
+        let y: Vec<f64> = u.iter().map(step).collect();
+        let one = |name: &str, values: Vec<f64>| Channel::new(name, Unit::one(), time.clone(), values);
+        let recording = Recording::from_channels("lag", vec![one("u", u), one("y", y)]).unwrap();
+        (Bench::new(&model, vec![recording], false, 1), model)
+    }
+
+    #[test]
+    fn a_search_that_its_steps_end_has_not_tried_all_laws() {
+        let (mut bench, model) = bench();
+        let found = Found::nothing(bench.full_fit(&model).unwrap(), false);
+        let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+        let look = |bench: &Bench| instead(bench, &[], (&found, false), &given, &Silent).unwrap();
+        // one fit was all that was spent, and half of its steps end the fits of laws
+        assert_eq!(look(&bench).1, Tried::Some);
+        for _ in 0..500 {
+            bench.full_fit(&model).unwrap();
+        }
+        assert_eq!(look(&bench).1, Tried::All);
+        bench.budget = Budget::new(0, None);
+        assert_eq!(look(&bench).1, Tried::None);
+    }
 }

@@ -192,12 +192,11 @@ fn plain(name: &str, unit: Option<Unit>) -> Wanted {
 }
 
 /// First bytes of what is no table of text, what it is, and what to do.
-const NO_TEXT: [(&[u8], &str, &str); 9] = [
+const NO_TEXT: [(&[u8], &str, &str); 8] = [
     (&[0xFF, 0xFE, 0, 0], "the file begins with a byte-order mark of UTF-32", FROM_UTF_32),
     (&[0, 0, 0xFE, 0xFF], "the file begins with a byte-order mark of UTF-32", FROM_UTF_32),
     (&[0xFF, 0xFE], "the file begins with a byte-order mark of UTF-16", UTF_8),
     (&[0xFE, 0xFF], "the file begins with a byte-order mark of UTF-16", UTF_8),
-    (b"PK\x03\x04", "this is a zip archive, or a table of a spreadsheet program", "save the table as CSV"),
     (&[0x1F, 0x8B], "the file is packed by gzip twice", "unpack it once, with `gzip -d`"),
     (b"BZh", "the file is packed by bzip2", "unpack it, or pack it by gzip"),
     (&[0xFD, b'7', b'z', b'X', b'Z'], "the file is packed by xz", "unpack it, or pack it by gzip"),

@@ -170,10 +170,8 @@ fn clock(first: &str, more: &[&str]) -> Option<(String, String)> {
             "AM" | "A.M." if half.is_none() => half = Some(0),
             "PM" | "P.M." if half.is_none() => half = Some(12),
             "UTC" | "GMT" | "Z" if zone.is_empty() => zone = "Z".into(),
-            word if zone.is_empty() && named_zone(word).is_some() => {
-                named_zone(word).unwrap_or_default().clone_into(&mut zone);
-            }
             other if zone.is_empty() && other.starts_with(['+', '-']) => other.clone_into(&mut zone),
+            word if zone.is_empty() => named_zone(word)?.clone_into(&mut zone),
             _ => return None,
         }
     }
