@@ -124,7 +124,8 @@ impl Outputs {
     ) -> Result<()> {
         let mut results = Vec::new();
         if let Some(place) = self.model {
-            results.push(place.quoted(&model.to_toml()));
+            let text = place.folder().map_or_else(|| model.to_toml(), |f| model.to_toml_in(f));
+            results.push(place.quoted(&text));
         }
         if let Some(place) = self.html {
             results.push(place.data(html()));

@@ -11,8 +11,9 @@
 //!
 //! # Numerical aspects
 //! The runner is the classical method of Runge and Kutta. A sign whose both sides push towards its zero takes the value
-//! that ends the step at that zero, so that dry friction sticks; one that crosses takes its mean over the step. So the
-//! method is of order 4 between events and of order 2 where there are some.
+//! that ends the step at that zero, so that dry friction sticks; one that crosses takes its mean over the step. The
+//! method is of order 4 where nothing switches. Where signs, plays or rate limits act, its error falls as the step does,
+//! to the first order: ten times the substeps leave about a tenth of it.
 //!
 //! ```
 //! use gyrospec::{Language, Model, export};

@@ -31,7 +31,7 @@ fn runner(own: &Lowered<'_>) -> Vec<&'static str> {
     }
     if own.counts.signs > 0 && own.steps() {
         lines.push("A sign is constant over a step: its mean where it changes, and between -1 and 1 where it holds its");
-        lines.push("argument at zero, so that dry friction sticks. Errors at such changes fall with the square of the step.");
+        lines.push("argument at zero, so that dry friction sticks. Errors at such changes fall in proportion to the step.");
     }
     if own.counts.pasts > 0 {
         lines.push(

@@ -203,6 +203,12 @@ fn power(base: Inferred, exponent: &Expr) -> Result<Inferred, Fault> {
     within(1, Err(Fault { path: Vec::new(), message, hint }))
 }
 
+/// What to do where a knot has another unit.
+fn by_parameters(fault: Fault) -> Fault {
+    let hint = "make the knots parameters with their units, as v1 = { value = -1, unit = \"m/s\" }";
+    Fault { hint: Some(hint.into()), ..fault }
+}
+
 /// Places along x and y agree with their signals, all values with the first.
 fn of_surface(n: usize, m: usize, d: &[Inferred]) -> Result<Inferred, Fault> {
     let places = 2 + n + m;
@@ -211,9 +217,9 @@ fn of_surface(n: usize, m: usize, d: &[Inferred]) -> Result<Inferred, Fault> {
     for (i, other) in d.iter().enumerate().skip(2) {
         if i < places {
             let signal = &mut signals[usize::from(i >= 2 + n)];
-            *signal = agree(i, *signal, *other, "its signal")?;
+            *signal = agree(i, *signal, *other, "its signal").map_err(by_parameters)?;
         } else {
-            value = agree(i, value, *other, "the values before it")?;
+            value = agree(i, value, *other, "the values before it").map_err(by_parameters)?;
         }
     }
     Ok(value)
@@ -238,7 +244,7 @@ fn of_call(function: Function, d: &[Inferred]) -> Result<Inferred, Fault> {
             let mut all = [d[0], None, d[2]];
             for (i, other) in d.iter().enumerate().skip(1) {
                 let what = if i % 2 == 1 { "its signal" } else { "the value at its first knot" };
-                all[place(i)] = agree(i, all[place(i)], *other, what)?;
+                all[place(i)] = agree(i, all[place(i)], *other, what).map_err(by_parameters)?;
             }
             Ok(all[2])
         }

@@ -94,7 +94,7 @@ impl Description {
             .sum();
         let interface = |name: &str| child(&root, name).and_then(|n| interface(&n, version));
         let resets = states.iter().any(|s| variables[s.0].is_reinit);
-        let description = Self {
+        let mut description = Self {
             version,
             name: root.attribute("modelName").unwrap_or("an FMU").to_owned(),
             token: ["guid", "instantiationToken"]
@@ -110,6 +110,7 @@ impl Description {
             resets,
             notes,
         };
+        description.judge_states()?;
         if description.exchange.is_none() && description.simulation.is_none() {
             let only = if child(&root, "ScheduledExecution").is_some() {
                 "Scheduled Execution only"
@@ -122,6 +123,30 @@ impl Description {
             return Err(e.with_hint("export it for Model Exchange or Co-Simulation"));
         }
         Ok(description)
+    }
+
+    /// A unit that names a derivative, but lists none as a state's, would stand still under another's solver.
+    fn judge_states(&mut self) -> Result<()> {
+        let Some(rate) = self.variables.iter().find(|v| v.derivative.is_some() && self.states.is_empty())
+        else {
+            return Ok(());
+        };
+        let says = format!(
+            "{} is a derivative, but the FMU's ModelStructure lists no derivative of a state",
+            rate.name
+        );
+        match (&self.exchange, &self.simulation) {
+            (None, _) => {}
+            (Some(_), Some(_)) => {
+                self.exchange = None;
+                self.notes.push(format!("{says}: it steps itself, by Co-Simulation"));
+            }
+            (Some(_), None) => {
+                return Err(Error::bad_input(format!("{says}: it would stand still"))
+                    .with_hint("export it once more with its derivatives listed, or for Co-Simulation"));
+            }
+        }
+        Ok(())
     }
 }
 

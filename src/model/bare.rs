@@ -17,7 +17,7 @@ pub(super) struct Wanted {
 /// `absent` makes the error of a column that is not there, from the names of those that are.
 ///
 /// # Errors
-/// As [`Recording::read`]; a column that is not there; times of day without a clock beside them.
+/// As [`Recording::read`]; a column that is not there.
 pub(super) fn read(
     file: &Path,
     wanted: &[Wanted],
@@ -29,15 +29,14 @@ pub(super) fn read(
     }
     let Ok(raw) = columns(file) else { return whole };
     let Some(time) = raw.first() else { return whole };
-    if let Some(since) = raw.iter().find_map(|c| c.since.as_ref()) {
-        let e = Error::bad_input(format!("the table has times that count from {since}"));
-        return Err(e.with_file(file).with_hint("write its times in seconds from the first sample"));
-    }
+    // dates and clocks have no unit
+    let clock = raw.iter().find(|c| c.since.is_some()).unwrap_or(time);
+    let unit = if clock.since.is_some() { None } else { Some(time.unit.as_deref().unwrap_or("s")) };
+    let unit = unit.map(|u| format!(", unit = {}", toml_string(u))).unwrap_or_default();
     let mut text = format!(
-        "name = \"table\"\n[[tables]]\nfile = {}\ntime = {{ column = {}, unit = {} }}\n[tables.channels]\n",
+        "name = \"table\"\n[[tables]]\nfile = {}\ntime = {{ column = {}{unit} }}\n[tables.channels]\n",
         toml_string(&file.to_string_lossy()),
-        toml_string(&time.name),
-        toml_string(time.unit.as_deref().unwrap_or("s")),
+        toml_string(&clock.name),
     );
     for w in wanted {
         let Some(own) = raw.iter().find(|c| c.name == w.name) else {

@@ -1,6 +1,6 @@
 //! What a model may begin with in the place of equations: the table of a simulation, or a Functional Mock-up Unit.
 
-use crate::record::{Channel, Source};
+use crate::record::{Channel, Source, Zero};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -13,6 +13,8 @@ pub struct Simulated {
     pub channels: Arc<[Channel]>,
     /// The table with its hash.
     pub source: Source,
+    /// The moment that its times count from, where it tells.
+    pub(crate) zero: Option<Zero>,
 }
 
 impl Simulated {

@@ -22,6 +22,7 @@ mod bare;
 mod begun;
 mod builtin;
 mod check;
+mod clocks;
 mod form;
 mod free;
 mod knots;

@@ -6,7 +6,7 @@ use super::Model;
 use super::form::Form;
 use crate::record::{Recording, Source};
 use crate::{Error, Result};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 fn refused() -> Error {
     Error::bad_input("this build reads no Functional Mock-up Units")
@@ -85,6 +85,10 @@ impl Model {
 
     pub(super) fn unit_notes(&self) -> Vec<String> {
         Vec::new()
+    }
+
+    pub(super) fn unit_file_mut(&mut self) -> Option<&mut PathBuf> {
+        None
     }
 
     pub(super) fn unit_line(&self) -> String {

@@ -4,6 +4,7 @@
 //! `equals` is the column of its own name.
 
 use super::begun::Simulated;
+use super::clocks;
 use super::form::Form;
 use super::{Input, Model, Output, bare};
 use crate::error::nearest;
@@ -61,7 +62,8 @@ impl Model {
         }
         let mut joined = recording.clone();
         let table = joined.channels.iter().map(|c| c.table + 1).max().unwrap_or(0);
-        joined.channels.extend(simulated.channels.iter().map(|c| Channel { table, ..c.clone() }));
+        let later = clocks::seconds_later(simulated, recording)?;
+        joined.channels.extend(simulated.channels.iter().map(|c| clocks::moved(c, table, later)));
         joined.sources.push(simulated.source.clone());
         Ok(Cow::Owned(joined))
     }
@@ -86,9 +88,44 @@ impl Model {
         self.simulated.as_ref().map(|s| &s.source).or_else(|| self.unit_source())
     }
 
+    /// Where samples lie that cannot be compared.
+    pub(crate) fn uncompared(&self) -> &'static str {
+        let all_simulated = self.inputs.iter().all(|i| self.is_simulated(&i.name));
+        if self.simulated.is_some() && all_simulated {
+            "outside what was simulated, in a gap of it, or too soon after one"
+        } else {
+            "outside the inputs, in a gap of theirs, or too soon after one"
+        }
+    }
+
     /// What a user should know of what the model begins with.
     pub(crate) fn cautions(&self) -> Vec<String> {
         self.unit_notes().into_iter().chain(self.free_note()).collect()
+    }
+
+    /// What a user should know of a recording beside what the model begins with.
+    pub(crate) fn caution_of(&self, recording: &Recording) -> Option<String> {
+        self.simulated.as_ref().and_then(|s| clocks::caution(s, recording))
+    }
+
+    /// The text of the model's file as [`Model::to_toml`] gives it, for a file in a folder: what the model begins with is
+    /// named from there where it lies in it, so that both can be moved together.
+    pub fn to_toml_in(&self, folder: &Path) -> String {
+        let mut model = self.clone();
+        if let Some(file) = model.begun_mut()
+            && let Ok(whole) = file.canonicalize()
+            && let Ok(short) = whole.strip_prefix(folder)
+        {
+            short.clone_into(file);
+        }
+        model.to_toml()
+    }
+
+    fn begun_mut(&mut self) -> Option<&mut PathBuf> {
+        if self.simulated.is_none() {
+            return self.unit_file_mut();
+        }
+        self.simulated.as_mut().map(|s| &mut s.file)
     }
 
     /// The line of a model file that names the table, or the FMU.
@@ -153,7 +190,7 @@ pub(super) fn attach(model: &mut Model, root: &Form<'_>, file: PathBuf) -> Resul
         channels.push(Channel { name: name.clone(), ..channel });
     }
     let source = read.sources.last().cloned().unwrap_or_else(|| Source::of(&file, &[]));
-    model.simulated = Some(Simulated { file, channels: channels.into(), source });
+    model.simulated = Some(Simulated { file, channels: channels.into(), source, zero: read.zero });
     Ok(())
 }
 

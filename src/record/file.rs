@@ -3,8 +3,9 @@
 use super::form::{ChannelForm, FormatForm, HoldForm, KindForm, QuantityForm, RecordingForm};
 use super::form::{SpansForm, StartForm, TableForm, TimeForm};
 use super::input::Input;
-use super::request::{Clock, Request, Table, Wanted, Zero};
+use super::request::{Clock, Request, Table, Wanted};
 use super::stream::{is_stream, read_once};
+use super::zero::Zero;
 use super::{Channel, Constant, Hold, Kind, Note, Recording, Source, Span, Spans, csv, nmea};
 use crate::text::one_line;
 use crate::units::{Dimension, Unit};
@@ -60,6 +61,7 @@ impl File<'_> {
         if let (None, Some(zero), Some(at)) = (&logs, &zero, of_numbers) {
             return Err(self.no_common_zero(zero, at));
         }
+        recording.zero = zero;
         recording.constants = self.constants(&form.constants)?;
         if let Some(spans) = &form.spans {
             recording.spans = self.spans(spans)?;

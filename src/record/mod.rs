@@ -24,6 +24,7 @@ mod stream;
 mod summary;
 mod turned;
 mod wrap;
+mod zero;
 
 pub use apart::keep_apart;
 pub use csv::{Raw, columns};
@@ -36,6 +37,7 @@ pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 pub(crate) use stream::{is_stream, read_once};
 pub use summary::{Peak, Summary, summaries, summary};
 pub use wrap::{principal, unwrap};
+pub(crate) use zero::Zero;
 
 use crate::text::in_line;
 use crate::{Error, Result};
@@ -81,8 +83,17 @@ impl Recording {
             csv::read(input, &request::Request { clock, wanted, rows: None, table: 0, zero: None })?
         };
         let (sources, origins) = (vec![table.origin.source.clone()], vec![table.origin]);
-        let (notes, left_out) = (table.notes, table.left_out);
-        Ok(Self { name, channels: table.channels, sources, origins, notes, left_out, ..Self::default() })
+        let (notes, left_out, zero) = (table.notes, table.left_out, table.zero);
+        Ok(Self {
+            name,
+            channels: table.channels,
+            sources,
+            origins,
+            notes,
+            left_out,
+            zero,
+            ..Self::default()
+        })
     }
 
     /// Reads the recording that the text of a TOML recording describes; `path` is where the text is to

@@ -1,6 +1,7 @@
 //! What a recording is: channels, spans, constants, sources, notes.
 
 use super::spans::{Span, Spans};
+use super::zero::Zero;
 use crate::error::nearest;
 use crate::units::Unit;
 use crate::{Error, Result};
@@ -250,6 +251,8 @@ pub struct Recording {
     pub notes: Vec<Note>,
     /// Columns that are no channels, and why.
     pub left_out: Vec<LeftOut>,
+    /// The moment of its zero of time, where the files tell.
+    pub(crate) zero: Option<Zero>,
 }
 
 impl Recording {

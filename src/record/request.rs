@@ -1,5 +1,6 @@
 //! What a recording asks of one of its files.
 
+use super::zero::Zero;
 use super::{Channel, Hold, LeftOut, Note, Origin};
 use crate::units::Unit;
 use std::sync::Arc;
@@ -25,21 +26,6 @@ pub(super) struct Wanted {
     pub unit: Option<Unit>,
     pub wraps: bool,
     pub hold: Hold,
-}
-
-/// The zero of a table's time.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Zero {
-    /// Nanoseconds since 1970, leap seconds included, or since midnight.
-    pub nano: i128,
-    /// Whether it has a date.
-    pub is_dated: bool,
-    /// Whether it has a zone, where that matters.
-    pub zoned: Option<bool>,
-    /// Whether day and month of it are not known.
-    pub is_open: bool,
-    /// The row's own words.
-    pub text: String,
 }
 
 /// What a table gives.

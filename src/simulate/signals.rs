@@ -53,6 +53,7 @@ fn channel<'a>(
 /// What a user should know of the model's beginnings and of the recording's channels.
 pub(super) fn cautions(model: &Model, recording: &Recording) -> Vec<String> {
     let mut all = model.cautions();
+    all.extend(model.caution_of(recording));
     all.extend(taken_as_radians(model, recording));
     all
 }

@@ -39,7 +39,7 @@ pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
         let lost = o.covered.iter().zip(o.measured.iter()).filter(|(c, y)| !**c && y.is_finite()).count();
         if lost > 0 {
             let n = o.measured.len();
-            out.push(format!("{lost} of {n} samples of {} lie outside the inputs, in a gap of theirs, or too soon after one", o.name));
+            out.push(format!("{lost} of {n} samples of {} lie {}", o.name, s.model().uncompared()));
         }
     }
     out

@@ -4,12 +4,14 @@ use crate::diagnose::diagnosed;
 use gyrospec::diagnose::answer::Verdict;
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};
+use gyrospec::simulate;
 use gyrospec::units::Unit;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 use std::fmt::Write;
 use std::path::Path;
+use std::process::Command;
 
 const MODEL: &str = "name = \"rig\"\nsimulated = \"sim.csv\"\n[outputs]\nposition = { unit = \"m\" }\n";
 
@@ -107,16 +109,81 @@ fn what_cannot_be_compared_is_refused_with_what_to_do() {
     assert!(refused(MODEL).contains("kg"), "{}", refused(MODEL));
     std::fs::write(folder.path().join("sim.csv"), "time,pos\n0,1\n1,2\n").unwrap();
     assert!(refused(MODEL).contains("position"), "{}", refused(MODEL));
-    std::fs::write(
-        folder.path().join("sim.csv"),
-        "time,position\n2024-01-01T00:00:00Z,1\n2024-01-01T00:00:01Z,2\n",
-    )
-    .unwrap();
-    assert!(refused(MODEL).contains("seconds"), "{}", refused(MODEL));
     std::fs::write(folder.path().join("sim.csv"), "").unwrap();
     assert!(refused(MODEL).contains("sim.csv"), "{}", refused(MODEL));
     simulated(folder.path(), (0..100).map(|i| 900.0 + f64::from(i)));
     let model = model(folder.path());
     let e = gyrospec::simulate(&model, &recorded(motion)).run().unwrap_err().to_string();
     assert!(e.contains("share no time"), "{e}");
+}
+
+/// A table whose rows are stamped from some seconds after noon on, every 0.1 s, of one motion.
+fn stamped(file: &Path, begins: f64, zone: &str) {
+    let mut text = String::from("time,position [m]\n");
+    for i in 0..600 {
+        let t = begins + 0.1 * f64::from(i);
+        let (minute, second) = ((t / 60.0).floor(), t % 60.0);
+        writeln!(text, "2025-04-13T12:{minute:02}:{second:04.1}{zone},{:.9}", motion(t)).unwrap();
+    }
+    std::fs::write(file, text).unwrap();
+}
+
+#[test]
+fn dates_of_the_simulation_and_of_the_recording_lie_on_one_clock() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    let worst = |recording: &Recording| {
+        let run = simulate(&model(folder.path()), recording).run()?;
+        let output = run.outputs().next().unwrap();
+        let pairs = output.measured().zip(output.predicted()).filter(|(m, p)| (m - p).is_finite());
+        let count = |(n, w): (usize, f64), (m, p): (f64, f64)| (n + 1, w.max((m - p).abs()));
+        Ok::<_, gyrospec::Error>(pairs.fold((0, 0.0), count))
+    };
+    stamped(&path("rec.csv"), 60.0, "Z");
+    let recording = Recording::read(path("rec.csv")).unwrap();
+    for begins in [55.0, 60.0, 64.2] {
+        stamped(&path("sim.csv"), begins, "Z");
+        let (samples, error) = worst(&recording).unwrap();
+        let common = 600 - (10.0 * f64::abs(begins - 60.0)).round() as usize;
+        assert!((common - 1..=common).contains(&samples) && error < 1e-7, "{begins}: {samples} {error}");
+    }
+    // without a zone, or beside numbers, no clock is common
+    stamped(&path("sim.csv"), 55.0, "");
+    let refused = worst(&recording).unwrap_err();
+    assert!(refused.to_string().contains("no zero in common"), "{refused}");
+    stamped(&path("sim.csv"), 55.0, "Z");
+    let refused = worst(&recorded(motion)).unwrap_err();
+    assert!(refused.to_string().contains("are numbers"), "{refused}");
+}
+
+#[test]
+fn what_is_written_beside_the_simulation_can_be_moved_with_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let (here, there) = (folder.path().join("here"), folder.path().join("there"));
+    std::fs::create_dir(&here).unwrap();
+    simulated(&here, hundred_hertz());
+    let recording = recorded(|t| motion(t) + 0.01);
+    let mut rows = String::from("t [s],position [m]\n");
+    recording.channels[0].samples().for_each(|(t, y)| writeln!(rows, "{t},{y}").unwrap());
+    std::fs::write(here.join("log.csv"), rows).unwrap();
+    std::fs::write(
+        here.join("rig.toml"),
+        format!("{MODEL}[parameters]\nz = {{ value = 0, unit = \"m\", fit = true }}\n")
+            .replace("{ unit", "{ equals = \"position_simulated + z\", unit"),
+    )
+    .unwrap();
+    let run = |folder: &Path, arguments: &[&str]| {
+        let ran = Command::new(env!("CARGO_BIN_EXE_gyrospec"))
+            .args(arguments)
+            .current_dir(folder)
+            .output()
+            .unwrap();
+        assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+    };
+    run(&here, &["fit", "rig.toml", "log.csv", "--model-out", "found.toml"]);
+    run(&here, &["fit", "rig.toml", "log.csv", "--model-out", "../outside.toml"]);
+    assert!(std::fs::read_to_string(here.join("found.toml")).unwrap().contains("simulated = \"sim.csv\""));
+    run(folder.path(), &["simulate", "outside.toml", "here/log.csv"]);
+    std::fs::rename(&here, &there).unwrap();
+    run(&there, &["simulate", "found.toml", "log.csv"]);
 }

@@ -135,6 +135,11 @@ impl Place {
         matches!(self.way, Way::StandardOutput)
     }
 
+    /// The folder, without links, of a result that is a file.
+    pub fn folder(&self) -> Option<&Path> {
+        if let Way::File(real) = &self.way { real.parent() } else { None }
+    }
+
     /// The path as it was given, for messages.
     pub(super) fn given(&self) -> &Path {
         &self.given

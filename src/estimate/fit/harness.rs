@@ -112,6 +112,8 @@ pub struct Record {
     pub initials: Vec<f64>,
     /// Samples that are there but lie outside the inputs or in their gaps.
     pub lost: usize,
+    /// Where those lie, in words.
+    pub lie: &'static str,
     /// What a user should know of its channels.
     pub cautions: Vec<String>,
     /// States whose start is fitted.

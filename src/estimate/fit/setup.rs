@@ -65,7 +65,7 @@ pub fn record_if_any(
     let (Some(first), Some(last)) = (spans.first(), spans.last()) else { return Ok(None) };
     let window = Span::new(first.from, last.to);
     let used = |t: f64| spans.iter().any(|s| s.contains(t));
-    let Ready { harness, tracks, start, constants, lost, cautions } =
+    let Ready { harness, tracks, start, constants, lost, lie, cautions } =
         ready(model, (recording, number), window, &used, options)?;
     if tracks.iter().all(|t| t.time.is_empty()) {
         return Ok(None);
@@ -89,6 +89,7 @@ pub fn record_if_any(
         constants,
         initials: values,
         lost,
+        lie,
         cautions,
         free_initials: free,
         reach,

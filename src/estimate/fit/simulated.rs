@@ -25,6 +25,8 @@ pub struct Ready {
     pub constants: Vec<(usize, f64)>,
     /// Samples that are there but lie outside the inputs or in their gaps.
     pub lost: usize,
+    /// Where those lie, in words.
+    pub lie: &'static str,
     /// What a user should know of its channels.
     pub cautions: Vec<String>,
 }
@@ -58,6 +60,7 @@ pub fn ready(
         lost: simulator.outputs().iter().map(missed).sum(),
         start: simulator.span().0,
         constants: simulator.constants().to_vec(),
+        lie: simulator.model().uncompared(),
         cautions: simulator.cautions.clone(),
         harness: Box::new(Simulated { simulator, rows }),
         tracks,

@@ -24,10 +24,7 @@ impl Assembly<'_> {
         let cautions = self.problem.records.iter().flat_map(|r| &r.cautions);
         found.extend(cautions.map(|text| Warning { message: text.clone() }));
         found.extend(self.problem.records.iter().filter(|r| worth_telling(r)).map(|r| Warning {
-            message: format!(
-                "{} samples of '{}' are not compared: they lie outside the inputs, in a gap of theirs, or too soon after one",
-                r.lost, r.name
-            ),
+            message: format!("{} samples of '{}' are not compared: they lie {}", r.lost, r.name, r.lie),
         }));
         if let Some(early) = self.ended_early {
             found.push(Warning {

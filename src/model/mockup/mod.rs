@@ -18,7 +18,7 @@ use crate::record::Source;
 use crate::{Error, Result};
 use parts::{Entry, Parts, is_function, plain};
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// Rate of a state, as a share of its size or of 1, by which it stands still.
@@ -267,6 +267,10 @@ impl Model {
         let Some(m) = &self.fmu else { return Vec::new() };
         let says = format!("'{}' brings foreign code, which runs with your rights", m.file.display());
         std::iter::once(says).chain(m.notes.iter().cloned()).collect()
+    }
+
+    pub(super) fn unit_file_mut(&mut self) -> Option<&mut PathBuf> {
+        self.fmu.as_mut().map(|m| &mut m.file)
     }
 
     /// The line of a model file that names the FMU.

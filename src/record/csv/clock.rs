@@ -3,7 +3,7 @@
 use super::field::Field;
 use super::stamp::{Day, Order, Stamp, nanoseconds, stamp};
 use crate::record::nmea;
-use crate::record::request::Zero;
+use crate::record::zero::Zero;
 use crate::{Error, Result};
 
 const NANO: i128 = 1_000_000_000;
@@ -84,7 +84,7 @@ impl Reading {
         let text = || format!("{}{unit}", whole());
         let zero =
             self.zero.get_or_insert_with(|| Zero { nano, is_dated, zoned, text: text(), is_open: false });
-        let unlike = zero.is_dated != is_dated || zero.zoned.zip(zoned).is_some_and(|(a, b)| a != b);
+        let unlike = zero.is_unlike(is_dated, zoned);
         if unlike || self.is_shared && zero.is_open {
             let what = "the times here and those that count from";
             return Err(at(Error::bad_input(format!("{what} `{}` have no zero in common", zero.text))

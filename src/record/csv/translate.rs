@@ -7,7 +7,7 @@ use super::figures::{self, Form, ONE_WAY, two_ways};
 use super::header::Cell;
 use super::sample::is_comment;
 use crate::record::label::label;
-use crate::record::request::Zero;
+use crate::record::zero::Zero;
 use crate::{Error, Result};
 
 /// Turns line after line.

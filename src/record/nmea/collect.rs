@@ -97,6 +97,11 @@ impl Collector {
         }
     }
 
+    /// Nanoseconds since 1970 of the zero, once a sentence was read.
+    pub(super) fn zero(&self) -> Option<i128> {
+        self.zero
+    }
+
     fn take_line(&mut self, line: &str) -> Result<()> {
         let sentence = match sentence::parse(line) {
             Ok(sentence) => sentence,

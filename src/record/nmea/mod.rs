@@ -17,6 +17,7 @@ mod stamp;
 
 use super::input::{self, Input};
 use super::request::{Table, finished};
+use super::zero::Zero;
 use super::{Note, Origin};
 use crate::{Error, Result};
 use collect::{Collector, Group};
@@ -34,6 +35,13 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     let mut collector = Collector::new(request);
     let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };
     let (source, note) = input::read_lines(input, &mut collector).map_err(place)?;
+    let zero = collector.zero().map(|nano| Zero {
+        nano,
+        is_dated: true,
+        zoned: None,
+        is_open: false,
+        text: "its first stamp".into(),
+    });
     let (groups, mut notes) = collector.finish().map_err(place)?;
     notes.extend(note.map(|text| (None, text)));
     let mut channels: Vec<_> = groups.into_iter().flat_map(|g| finish_group(g, request.table)).collect();
@@ -43,7 +51,7 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     let notes =
         notes.into_iter().map(|(line, message)| Note { file: path.to_owned(), line, message }).collect();
     let origin = Origin { source, first_row: 0, is_table: false };
-    Ok(Table { channels, origin, notes, left_out: Vec::new(), zero: None })
+    Ok(Table { channels, origin, notes, left_out: Vec::new(), zero })
 }
 
 fn finish_group(group: Group, table: usize) -> Vec<super::Channel> {

@@ -106,4 +106,35 @@ fn damaged_archives_are_refused() {
     let other = description.replace("fmiVersion=\"2.0\"", "fmiVersion=\"1.0\"");
     archive(&path, &[("modelDescription.xml", other.as_bytes()), whole[1]]);
     expect("1.0");
+    // rates that the structure does not list: the states would never move
+    let still = description.replace(RATES, "");
+    archive(&path, &[("modelDescription.xml", still.as_bytes()), whole[1]]);
+    expect("stand still");
+}
+
+const RATES: &str = r#"<Derivatives><Unknown index="7"/><Unknown index="8"/></Derivatives>"#;
+
+#[test]
+fn a_unit_that_lists_no_rates_but_steps_itself_does_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let Some(library) = library(folder, "(void)0") else { return };
+    let mut runs = Vec::new();
+    for rates in [RATES, ""] {
+        let text = DESCRIPTION.replace("KINDS", &format!("{EXCHANGE}{SIMULATION}")).replace(RATES, rates);
+        let entries: [(&str, &[u8]); 2] = [("modelDescription.xml", text.as_bytes()), (&place(), &library)];
+        archive(&folder.join("mass.fmu"), &entries);
+        let ran = program(folder, "20");
+        assert!(ran.status.success(), "{}", String::from_utf8_lossy(&ran.stderr));
+        let said = String::from_utf8_lossy(&ran.stderr).contains("lists no derivative of a state");
+        assert_eq!(said, rates.is_empty());
+        runs.push(std::fs::read_to_string(folder.join("out.csv")).unwrap());
+        std::fs::remove_file(folder.join("out.csv")).unwrap();
+    }
+    let last = |text: &String| -> f64 {
+        let row = text.lines().last().unwrap().split(',').collect::<Vec<_>>();
+        row.iter().rev().find_map(|c| c.parse().ok()).unwrap()
+    };
+    // one by our steps, the other by its own: the spring under 1 N
+    assert!((last(&runs[0]) - last(&runs[1])).abs() < 0.02 && last(&runs[0]).abs() > 0.01, "{runs:?}");
 }
