@@ -54,7 +54,7 @@ const LEAST: f64 = 0.03;
 /// Steps that were spent before, for each of the laws' share, where no name stands and where one does: one of theirs
 /// costs several of a plain model's.
 const STEPS: [u64; 2] = [2, 5];
-/// Times that a law must lower the error of left-out blocks further than a name that stands.
+/// Times that a law must lower the error of left-out blocks, and of what was held out, further than names that stand.
 const TWICE: f64 = 2.0;
 /// Laws that are added at most.
 const MOST: usize = 2;
@@ -128,7 +128,7 @@ pub fn instead(
     if taken.is_empty() || gain(&resembling, &now) < if stands { TWICE.ln() } else { 0.0 } {
         return Ok((None, tried));
     }
-    bench.ascertain(&mut current)?;
+    say_as_one(&mut current, &taken);
     for t in &mut taken {
         if let Some(like) = looks::likeness(&t.proposal, &current) {
             t.proposal.says += &format!("; it looks like {like}");
@@ -139,6 +139,20 @@ pub fn instead(
     (new.last, new.taken, new.without, new.measures) = (current, taken, without, (start, now));
     (new.fallen, new.is_trace) = (None, false);
     Ok((Some(new), tried))
+}
+
+/// The heights of a law trade with each other, and its band says how sure they are: where the model's own parameters
+/// trade with them, they count as one.
+fn say_as_one(fit: &mut Fit, taken: &[Taken]) {
+    let is_own = |name: &String| !taken.iter().any(|t| t.proposal.added.iter().any(|a| a.name == *name));
+    for direction in &mut fit.unseen {
+        let all = direction.weights.len();
+        direction.weights.retain(|w| is_own(&w.0));
+        if !direction.weights.is_empty() && direction.weights.len() < all {
+            direction.weights.push(("the law".into(), 1.0));
+        }
+    }
+    fit.unseen.retain(|d| !d.weights.is_empty());
 }
 
 /// What a law is looked for in.
@@ -287,19 +301,32 @@ fn arguments(term: &Expr) -> Option<&[Expr]> {
     }
 }
 
-/// Whether a law lowers what was held out.
-fn is_proven(with: &Diagnosis) -> bool {
-    let proof = &with.answer.proof;
-    let rises: f64 =
-        proof.iter().map(|p| (p.holdout_after / p.holdout_before).ln()).filter(|r| !r.is_nan()).sum();
-    proof.iter().any(|p| p.improvement_low > 0.0) && rises < 0.0
+/// Whether a law lowers what was held out: below the model as given, and to half the squares of names that stand.
+fn is_proven(with: &Answer, without: &Answer) -> bool {
+    let rises: Vec<f64> = with
+        .proof
+        .iter()
+        .map(|p| {
+            let named = without.proof.iter().find(|n| n.output == p.output && stands(without));
+            (p.holdout_after / named.map_or(p.holdout_before, |n| n.holdout_after)).ln()
+        })
+        .filter(|r| !r.is_nan())
+        .collect();
+    let mean = rises.iter().sum::<f64>() / rises.len() as f64;
+    let most = if stands(without) { -0.5 * TWICE.ln() } else { 0.0 };
+    with.proof.iter().any(|p| p.improvement_low > 0.0) && mean < most
+}
+
+/// Whether names explain the recording.
+fn stands(a: &Answer) -> bool {
+    a.verdict != Verdict::Unknown
 }
 
 /// The answer with the law in the model, if one stands and lowers what was held out; else the one without, which says
 /// where something is missing whether all laws were tried.
 pub fn beside(mut without: Diagnosis, with: Option<Diagnosis>, tried: Tried) -> Diagnosis {
-    let Some(mut with) = with.filter(is_proven) else {
-        if without.answer.verdict == Verdict::Unknown {
+    let Some(mut with) = with.filter(|w| is_proven(&w.answer, &without.answer)) else {
+        if !stands(&without.answer) {
             without.answer.says += match tried {
                 Tried::None => "",
                 Tried::Some => {
@@ -310,7 +337,7 @@ pub fn beside(mut without: Diagnosis, with: Option<Diagnosis>, tried: Tried) -> 
         }
         return without;
     };
-    if without.answer.verdict == Verdict::Unknown {
+    if !stands(&without.answer) {
         // where it is missing was told before a law was tried; the law's own place stands in its finding
         with.answer.located = without.answer.located;
     }
