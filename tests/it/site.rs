@@ -91,6 +91,11 @@ fn broken(page: &Path, target: &str) -> Option<String> {
     if !path.exists() {
         return Some(format!("{target}: there is no such file"));
     }
+    let book = root().join("docs").canonicalize().unwrap();
+    let inside = |p: &Path| p.canonicalize().unwrap().starts_with(&book);
+    if inside(page) && !inside(&path) {
+        return Some(format!("{target}: the book does not hold that file"));
+    }
     let missing = |a: &str| !anchors(&path).iter().any(|n| n == a);
     wanted.filter(|a| missing(a)).map(|a| format!("{target}: no heading gives the anchor {a}"))
 }
@@ -121,6 +126,8 @@ fn a_link_that_leads_nowhere_is_seen() {
     assert_eq!(broken(&page, "#errata"), None);
     assert!(broken(&page, "symbols.md#erratum").is_some());
     assert!(broken(&page, "nowhere.md").is_some());
+    assert!(broken(&page, "../README.md").is_some());
+    assert_eq!(broken(&root().join("README.md"), "docs/symbols.md"), None);
     assert_eq!(links("[a](b.md) and `[c](d.md)` and ![e](f.png)"), ["b.md", "f.png"]);
     assert_eq!(anchor("## What it is: `x`, y"), "what-it-is-x-y");
 }
