@@ -260,6 +260,14 @@ fn the_page_of_schemas_names_each() {
     assert!(count > 10);
 }
 
+/// The house runs the first test command of the README.
+#[test]
+fn the_readme_names_the_command_of_all_tests_first() {
+    let readme = fs::read_to_string(root().join("README.md")).unwrap();
+    let (_, rest) = readme.split_once("`cargo test ").unwrap();
+    assert_eq!(rest.split_once('`').unwrap().0, "--release --workspace");
+}
+
 #[test]
 fn a_release_note_is_the_part_of_the_changelog() {
     let script = root().join(".ci/release-note");
