@@ -173,23 +173,3 @@ pub fn play(document: &str) {
 fn the_readme_is_as_it_says() {
     play("README.md");
 }
-
-#[test]
-fn a_ships_log_leads_to_a_cause() {
-    play("docs/ship-log-to-cause.md");
-}
-
-#[test]
-fn a_mechanism_is_added_as_the_page_says() {
-    play("docs/add-a-mechanism.md");
-}
-
-#[test]
-fn instruments_and_parts_are_as_their_page_says() {
-    play("docs/instruments.md");
-}
-
-#[test]
-fn the_errata_are_as_many_as_the_page_says() {
-    play("docs/symbols.md");
-}
