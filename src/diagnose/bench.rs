@@ -12,6 +12,7 @@ use crate::record::{Channel, Kind, Recording, Span};
 use crate::simulate::{Budget, Planned};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Longest stretch, in samples over all recordings, that the screening runs over.
 const SCREENED: usize = 40_000;
@@ -312,12 +313,21 @@ impl Bench {
         })
     }
 
+    /// Names of the channels of each clock: of a table, and of each instrument of a log, whose sentences were stamped
+    /// as they came.
     fn tables(&self) -> Vec<Vec<String>> {
-        let mut tables: BTreeMap<usize, Vec<String>> = BTreeMap::new();
-        for c in self.recordings.iter().take(1).flat_map(|r| &r.channels) {
-            tables.entry(c.table).or_default().push(c.name.clone());
+        let Some(recording) = self.recordings.first() else { return Vec::new() };
+        let is_log = |c: &Channel| recording.origins.get(c.table).is_some_and(|o| !o.is_table);
+        let mut clocks: Vec<(&Channel, Vec<String>)> = Vec::new();
+        for c in &recording.channels {
+            let shared =
+                |first: &Channel| first.table == c.table && (!is_log(c) || Arc::ptr_eq(&first.time, &c.time));
+            match clocks.iter_mut().find(|(first, _)| shared(first)) {
+                Some((_, names)) => names.push(c.name.clone()),
+                None => clocks.push((c, vec![c.name.clone()])),
+            }
         }
-        tables.into_values().collect()
+        clocks.into_iter().map(|(_, names)| names).collect()
     }
 
     fn measured(&self, model: &Model) -> BTreeMap<String, (f64, f64)> {

@@ -62,9 +62,19 @@ impl<'a, T: Scalar> Machine<'a, T> {
         for (c, column) in self.program.columns.iter().enumerate() {
             self.r[at(column.slope)] = T::constant(self.mesh.slope[interval * self.mesh.columns + c]);
         }
-        if self.mesh.jumps[interval].is_some() || self.tangents_bend() {
+        if self.jumps(interval) || self.tangents_bend() {
             self.loaded = f64::NAN;
         }
+    }
+
+    /// Whether a held input jumps at the start of an interval.
+    pub fn jumps(&self, interval: usize) -> bool {
+        self.mesh.jumps.get(interval).is_some_and(Option::is_some)
+    }
+
+    /// Whether a held input jumps at a time, where that is the end of the interval.
+    pub fn jumps_after(&self, t: f64) -> bool {
+        t == self.mesh.time[self.interval + 1] && self.jumps(self.interval + 1)
     }
 
     /// Whether the tangents of an input jump where it bends, because its delay has some.

@@ -37,14 +37,15 @@ impl<'a, T: Scalar> Probe<'a, T> {
         Self { clocks, values: clocks.iter().map(empty).collect(), next: clocks.iter().map(first).collect() }
     }
 
-    /// Writes down what falls on the end of the stretch, which is loaded, then what falls inside.
-    pub fn record(&mut self, m: &mut Machine<'_, T>, s: &Stretch<'_, T>, room: &mut [T]) {
+    /// Writes down what falls on the end of the stretch, which is loaded, then what falls inside. Where an input jumps
+    /// there, the end is left to the stretch that follows.
+    pub fn record(&mut self, m: &mut Machine<'_, T>, s: &Stretch<'_, T>, jumps: bool, room: &mut [T]) {
         let mut loaded = true;
         for c in 0..self.clocks.len() {
             let clock = &self.clocks[c];
             let first = self.next[c];
             let mut end = first;
-            while clock.time.get(end).is_some_and(|t| *t <= s.to) {
+            while clock.time.get(end).is_some_and(|t| *t < s.to || *t == s.to && !jumps) {
                 end += 1;
             }
             self.next[c] = end;

@@ -151,8 +151,13 @@ impl<T: Scalar> Runner<'_, T> {
     fn begin(&mut self, t: f64) {
         self.m.rates(t, &self.x, &mut self.k);
         self.m.commit(t);
+        self.record_here(t);
+    }
+
+    /// Writes down what falls on a time that is loaded.
+    fn record_here(&mut self, t: f64) {
         let here = Stretch { from: t, to: t, x0: &self.x, k0: &self.k, x1: &self.x, k1: &self.k };
-        self.probe.record(&mut self.m, &here, &mut self.room);
+        self.probe.record(&mut self.m, &here, false, &mut self.room);
     }
 
     fn walk(&mut self, course: &Course<'_>) -> Result<Ended> {
@@ -208,12 +213,17 @@ impl<T: Scalar> Runner<'_, T> {
     fn enter(&mut self, interval: usize, from: f64, to: f64) {
         self.m.enter(interval);
         let followed = self.m.follow_inputs(from, to);
-        if interval > 0 && self.m.mesh.jumps[interval].is_some() {
+        if interval > 0 && self.m.jumps(interval) {
             self.carry_delay_tangents(from);
         }
         let bends = self.m.tangents_bend() || !self.m.sliding.is_empty();
-        if followed || bends || self.m.mesh.jumps[interval].is_some() {
+        let jumps = interval > 0 && self.m.jumps(interval);
+        if followed || bends || jumps {
             self.m.rates(from, &self.x, &mut self.k);
+        }
+        if jumps {
+            // a held input has its new value from the moment of its sample on
+            self.record_here(from);
         }
     }
 
@@ -300,8 +310,9 @@ impl<T: Scalar> Runner<'_, T> {
     /// Ends a stretch: memory moves on, records are written, the new state becomes the present.
     fn accept(&mut self, from: f64, to: f64) {
         self.m.commit(to);
+        let jumps = self.m.jumps_after(to);
         let s = Stretch { from, to, x0: &self.x, k0: &self.k, x1: &self.x1, k1: &self.k1 };
-        self.probe.record(&mut self.m, &s, &mut self.room);
+        self.probe.record(&mut self.m, &s, jumps, &mut self.room);
         std::mem::swap(&mut self.x, &mut self.x1);
         std::mem::swap(&mut self.k, &mut self.k1);
     }

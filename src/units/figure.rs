@@ -70,12 +70,14 @@ pub fn digits_within(value: f64, width: f64) -> usize {
 /// use gyrospec::units::without_needless_zeros;
 /// assert_eq!(without_needless_zeros("from 25.000000 s to 249.250000 s."), "from 25 s to 249.25 s.");
 /// assert_eq!(without_needless_zeros("version 1.10.0, 4.00 kg"), "version 1.10.0, 4.00 kg");
+/// assert_eq!(without_needless_zeros("radiation, 1.985e-10 W"), "radiation, 1.985e-10 W");
 /// ```
 pub fn without_needless_zeros(sentence: &str) -> String {
     let shorter = |word: &str| -> Option<String> {
         let number = word.trim_end_matches([',', '.', ';', ')']);
         let (_, decimals) = number.split_once('.')?;
-        number.parse::<f64>().ok().filter(|_| decimals.len() > 4 && decimals.ends_with('0'))?;
+        let is_plain = decimals.len() > 4 && decimals.bytes().all(|b| b.is_ascii_digit());
+        number.parse::<f64>().ok().filter(|_| is_plain && decimals.ends_with('0'))?;
         Some(format!("{}{}", without_zeros(number), &word[number.len()..]))
     };
     let words = sentence.split(' ').map(|w| shorter(w).unwrap_or_else(|| w.to_string()));

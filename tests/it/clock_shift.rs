@@ -62,3 +62,38 @@ fn a_shift_in_time_is_drawn_against_the_rate_of_turn() {
     assert!(rate < 1.1 * fastest.to_degrees() && rate > 0.6 * fastest.to_degrees(), "{rate}");
     assert!(d.answer.next_experiment.iter().all(|n| !n.contains("switched off")));
 }
+
+/// A line of a log, from a second after midnight and a heading in degrees.
+fn sentence(second: f64, talker: &str, heading: f64) -> String {
+    let body = format!("{talker}HDT,{:.2},T", heading.rem_euclid(360.0));
+    let sum = body.bytes().fold(0, |x, b| x ^ b);
+    let (minute, second) = ((second / 60.0).floor(), second.rem_euclid(60.0));
+    format!("2025-03-04T00:{minute:02}:{second:06.3}Z ${body}*{sum:02X}\n")
+}
+
+#[test]
+fn an_instrument_that_is_logged_late_beside_another_in_one_log_is_found() {
+    let (late, noise) = (0.43, noise(1200));
+    let mut lines: Vec<(f64, String)> = (0..1200)
+        .flat_map(|i| {
+            let (t, e) = (f64::from(i), noise[i as usize]);
+            let gyro = sentence(t, "HE", (heading(t) + 0.01 + 0.1 * e).to_degrees());
+            // the satellite compass says where the ship headed before its line was written
+            let satellite = sentence(t + 0.2, "GP", heading(t + 0.2 - late).to_degrees());
+            [(t, gyro), (t + 0.2, satellite)]
+        })
+        .collect();
+    lines.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let folder = tempfile::tempdir().unwrap();
+    let log: String = lines.into_iter().map(|(_, line)| line).collect();
+    std::fs::write(folder.path().join("ship.nmea"), log).unwrap();
+    let text = "[[tables]]\nfile = \"ship.nmea\"\nformat = \"nmea0183\"\ntime = { start = \"2025-03-04T00:00:00Z\" }\n\
+        [tables.channels]\ngyro = { sentence = \"HEHDT\", field = 1, unit = \"deg\", wraps = true }\n\
+        satellite = { sentence = \"GPHDT\", field = 1, unit = \"deg\", wraps = true }\n";
+    std::fs::write(folder.path().join("ship.toml"), text).unwrap();
+    let recording = Recording::read(folder.path().join("ship.toml")).unwrap();
+    let found = &diagnosed(&Model::parse(MODEL).unwrap(), recording).answer;
+    assert_eq!(found.findings.first().map(|f| f.code.as_str()), Some("clock-offset"), "{}", found.says);
+    let offset = &found.findings[0].parameters[0];
+    assert!(offset.low < late && late < offset.high && offset.high - offset.low < 0.1, "{offset:?}");
+}

@@ -143,3 +143,31 @@ fn a_hold_behind_something_larger_is_no_delay_beside_it() {
     assert_eq!(told.faults[0].finding.code, "input-hold", "{}", told.says);
     assert!(told.faults[0].finding.evidence.as_ref().is_some_and(|e| e.log_likelihood_ratio > 3.0));
 }
+
+/// A cell with an ohmic part and a store, under a held current: each sample has the current of its own row.
+#[test]
+fn a_held_input_acts_at_once_on_an_output_that_it_feeds() {
+    let text = "name = \"cell\"\n[inputs]\ni = { unit = \"A\" }\n[parameters]\nR = { value = 0.5, unit = \"ohm\" }\n\
+        T = { value = 3, unit = \"s\" }\nQ = { value = 0.2, unit = \"ohm\" }\n[states]\n\
+        v = { rate = \"(Q*i - v)/T\", unit = \"V\", initial = 0 }\n[outputs]\n\
+        u = { equals = \"R*i + v\", unit = \"V\" }\n";
+    let times: Vec<f64> = (0..200).map(|k| 0.5 * f64::from(k)).collect();
+    let currents: Vec<f64> = (0..200).map(|k| f64::from((k / 7) * 37 % 11) - 4.0).collect();
+    let mut v = 0.0;
+    let exact: Vec<f64> = currents
+        .iter()
+        .map(|i| {
+            let now = 0.5 * i + v;
+            v = 0.2 * i + (v - 0.2 * i) * (-0.5 / 3.0f64).exp();
+            now
+        })
+        .collect();
+    let unit = |text: &str| gyrospec::units::Unit::parse(text).unwrap();
+    let mut current = Channel::new("i", unit("A"), times.clone(), currents);
+    current.hold = gyrospec::record::Hold::Previous;
+    let recording =
+        Recording::from_channels("cell", vec![current, Channel::new("u", unit("V"), times, exact)]).unwrap();
+    let ran = gyrospec::simulate(&Model::parse(text).unwrap(), &recording).run().unwrap();
+    // the solver's tolerance is 1e-5 of the spread; a current of the row before would be off by volts
+    assert!(ran.output("u").unwrap().errors().1 < 1e-5, "{:?}", ran.output("u").unwrap().errors());
+}

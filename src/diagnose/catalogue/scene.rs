@@ -109,7 +109,7 @@ pub struct Scene<'a> {
     pub from: f64,
     /// Last fitted time, s.
     pub to: f64,
-    /// Names of the channels of each table.
+    /// Names of the channels of each clock: a table, or an instrument of a log.
     pub tables: Vec<Vec<String>>,
     /// Least and largest measured value of each output, SI.
     pub measured: BTreeMap<String, (f64, f64)>,
