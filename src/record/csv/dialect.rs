@@ -261,8 +261,11 @@ impl Layout {
         let clocks = |c: &usize| usual[*c] == Kind::Time && stamps(*c).iter().any(|s| s.clock.is_some());
         let asked = |c: &usize| named.is_none_or(|(n, _)| self.is_named(*c, n));
         let orders = |c: usize| -> Vec<Order> {
-            let days: Vec<_> = stamps(c).into_iter().filter_map(|s| s.day).collect();
-            ORDERS.into_iter().filter(|o| days.iter().all(|d| d.may_be(*o))).collect()
+            // a row that contradicts those above it is refused where it is read
+            stamps(c).iter().filter_map(|s| s.day.as_ref()).fold(ORDERS.to_vec(), |orders, day| {
+                let left: Vec<Order> = orders.iter().copied().filter(|o| day.may_be(*o)).collect();
+                if left.is_empty() { orders } else { left }
+            })
         };
         let of = |column: usize, day: Option<usize>| Clock {
             column,

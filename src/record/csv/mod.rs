@@ -154,6 +154,7 @@ impl<'a> Reader<'a> {
         notes.extend(self.notes);
         let zero = self.translator.as_ref().and_then(Translator::zero);
         notes.extend(zero.map(|z| (None, format!("time counts from {}", z.text))));
+        notes.extend(self.translator.as_ref().and_then(Translator::order).map(|says| (None, says)));
         if self.translator.as_ref().is_some_and(Translator::found_commas) {
             notes.push((None, "commas are decimal".into()));
         }

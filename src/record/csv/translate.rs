@@ -99,6 +99,11 @@ impl Translator {
         self.reading.as_ref()?.zero()
     }
 
+    /// What is to be said of the order of day and month.
+    pub(super) fn order(&self) -> Option<String> {
+        self.reading.as_ref()?.order()
+    }
+
     /// A line of the body in the plain dialect; none for a comment and for what stands above the rows.
     ///
     /// # Errors
