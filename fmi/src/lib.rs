@@ -119,13 +119,24 @@ impl Library {
     /// What the system says where it cannot be loaded; the name of the function that it lacks.
     pub fn load(file: &Path, version: Version, kind: Kind) -> Result<Arc<Self>, String> {
         // SAFETY: what the library does on loading is its own; the caller was told.
-        let library = unsafe { libloading::Library::new(file) }.map_err(|e| e.to_string())?;
+        let library = unsafe { libloading::Library::new(file) }.map_err(|e| whole(&e))?;
         let calls = match version {
             Version::Two => Calls::Two(two::Calls::of(&library, kind)?),
             Version::Three => Calls::Three(three::Calls::of(&library, kind)?),
         };
         Ok(Arc::new(Self { calls, _library: library }))
     }
+}
+
+/// An error with what lies behind it: the words of the system's loader.
+fn whole(error: &dyn std::error::Error) -> String {
+    let mut text = error.to_string();
+    let mut inner = error.source();
+    while let Some(e) = inner {
+        text += &format!(": {e}");
+        inner = e.source();
+    }
+    text
 }
 
 /// A function of the library.
@@ -168,7 +179,15 @@ impl Instance {
             }
         };
         if component.is_null() {
-            return Err("it refuses to be instantiated".into());
+            let key = match &library.calls {
+                Calls::Two(_) => "guid",
+                Calls::Three(_) => "instantiationToken",
+            };
+            return Err(format!(
+                "its library refuses to be instantiated, as a rule because the {key} {} of modelDescription.xml is not its \
+                 own: export the FMU once more, description and library together",
+                token.to_string_lossy()
+            ));
         }
         Ok(Self {
             library: library.clone(),

@@ -22,6 +22,7 @@ A TOML recording joins tables of different rates and gives units where headers d
   file = "gyro.csv"                            # beside this file; .csv.gz as well
   time = { column = "t_s", unit = "s" }        # or { start = 0.0, step = 0.001, unit = "s" }
   rows = [100, 5000]                           # optional: first and last row, from 0
+  decimal = ","                                # optional: the decimal sign, where 1.050 could be 1050
   [tables.channels]
   heading_gyro = { column = "heading_deg", unit = "deg", wraps = true }
   [[tables]]

@@ -1,10 +1,10 @@
 //! A model run on a recording.
 
-use crate::Result;
 use crate::model::Model;
 use crate::record::{Kind, Recording};
 use crate::report::simulated;
 use crate::simulate::{Options, OutputSignal, Simulator, Trajectory, warnings};
+use crate::{Error, Result};
 
 /// Asks for a run of a model on the inputs of a recording, at the values of the model file.
 ///
@@ -50,8 +50,9 @@ impl Simulating<'_> {
     /// needs more steps than can be taken.
     pub fn run(self) -> Result<Simulated> {
         let options = Options::default().with_tolerance(self.tolerance)?;
-        let simulator = Simulator::new(self.model, self.recording, &options)?;
-        let ran = simulator.run(&simulator.parameters(), &simulator.initials())?;
+        let refused = |e: Error| self.model.refusal().unwrap_or(e);
+        let simulator = Simulator::new(self.model, self.recording, &options).map_err(refused)?;
+        let ran = simulator.run(&simulator.parameters(), &simulator.initials()).map_err(refused)?;
         let is_lost = ran.outputs.iter().flatten().any(|v| v.is_nan());
         if let Some(e) = self.model.refusal().filter(|_| is_lost) {
             return Err(e);

@@ -1,5 +1,6 @@
 //! modelDescription.xml of FMI 2.0 and 3.0, as far as a simulation from outside needs it.
 
+use super::xml::{child, is, number};
 use crate::units::Unit;
 use crate::{Error, Result};
 use gyrospec_fmi::{Number, Version};
@@ -159,18 +160,6 @@ fn version(root: &Node<'_, '_>) -> Result<Version> {
     }
 }
 
-fn child<'a, 'i>(of: &Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
-    of.children().find(|n| n.has_tag_name(name))
-}
-
-fn number(of: &Node<'_, '_>, key: &str) -> Option<f64> {
-    of.attribute(key)?.trim().parse().ok().filter(|x: &f64| x.is_finite())
-}
-
-fn is(of: &Node<'_, '_>, key: &str) -> bool {
-    matches!(of.attribute(key), Some("true" | "1"))
-}
-
 fn interface(n: &Node<'_, '_>, version: Version) -> Option<Interface> {
     let slopes = if version == Version::Two {
         "providesDirectionalDerivative"
@@ -309,13 +298,25 @@ impl Reader<'_> {
                 None => {}
             }
         }
+        if self.version == Version::Three {
+            refuse_twins(&all)?;
+        }
         Ok((all, places))
     }
 
     fn variable(&mut self, n: &Node<'_, '_>, own: &Node<'_, '_>, number_of: Number) -> Result<Variable> {
-        let lacks = |key: &str| Error::bad_input(format!("a variable of modelDescription.xml has no {key}"));
-        let name = n.attribute("name").ok_or_else(|| lacks("name"))?.to_owned();
-        let reference = n.attribute("valueReference").and_then(|r| r.parse().ok());
+        let wrong = |what: &str| Error::bad_input(format!("modelDescription.xml: {what}"));
+        let name = n.attribute("name").ok_or_else(|| wrong("a variable has no name"))?.to_owned();
+        let reference = n.attribute("valueReference").map(|r| (r, r.parse().ok()));
+        let reference = match reference {
+            Some((_, Some(reference))) => reference,
+            Some((text, None)) => {
+                return Err(wrong(&format!(
+                    "{name} has the valueReference {text:?}, which is no whole number"
+                )));
+            }
+            None => return Err(wrong(&format!("{name} has no valueReference"))),
+        };
         let of_type =
             own.attribute("declaredType").and_then(|t| self.types.get(t)).cloned().unwrap_or_default();
         let given = own.attribute("unit").map(str::to_owned).or(of_type.0);
@@ -345,7 +346,7 @@ impl Reader<'_> {
             .collect();
         Ok(Variable {
             name,
-            reference: reference.ok_or_else(|| lacks("valueReference"))?,
+            reference,
             role: match n.attribute("causality") {
                 Some("parameter") => Role::Parameter,
                 Some("input") => Role::Input,
@@ -370,6 +371,20 @@ impl Reader<'_> {
         let by = || self.sizes.get(&dimension.attribute("valueReference")?.parse().ok()?).copied();
         fixed.or_else(by).unwrap_or(1)
     }
+}
+
+/// Refuses two variables of one reference: in FMI 3.0 each has its own.
+fn refuse_twins(variables: &[Variable]) -> Result<()> {
+    let mut known = BTreeMap::new();
+    for v in variables {
+        if let Some(other) = known.insert(v.reference, &v.name) {
+            let (name, reference) = (&v.name, v.reference);
+            return Err(Error::bad_input(format!(
+                "modelDescription.xml: {other} and {name} have the same valueReference {reference}"
+            )));
+        }
+    }
+    Ok(())
 }
 
 /// Each state with its rate.
@@ -398,6 +413,12 @@ fn states(
         let rate = at(n.attribute(key)?.parse().ok()?)?;
         Some((at(variables[rate].derivative?)?, rate))
     };
-    let lost = || Error::bad_input("modelDescription.xml lists a rate of a state that it does not have");
-    rates.iter().map(|n| pair(n).ok_or_else(lost)).collect()
+    let lost = |n: &Node<'_, '_>| {
+        let number = n.attribute(key).unwrap_or_default();
+        Error::bad_input(format!(
+            "modelDescription.xml lists the variable of {key} {number:?} as the rate of a state, and no variable there \
+             says so of itself by `derivative`"
+        ))
+    };
+    rates.iter().map(|n| pair(n).ok_or_else(|| lost(n))).collect()
 }

@@ -15,6 +15,7 @@ mod course;
 mod description;
 mod exchange;
 mod seat;
+mod xml;
 
 pub(crate) use course::{Course, Drive};
 pub(crate) use description::{Role, Variable};
@@ -75,7 +76,9 @@ impl Fmu {
         let text = std::fs::read_to_string(&file).map_err(|_| {
             Error::bad_input("the archive has no modelDescription.xml in UTF-8").with_hint("is it an FMU?")
         })?;
-        let description = Description::read(&text)?;
+        let again = "export the FMU once more: this is for the tool that made it to mend";
+        let description =
+            Description::read(&text).map_err(|e| if e.hint().is_none() { e.with_hint(again) } else { e })?;
         let is_exchange =
             description.exchange.is_some() && !(description.resets && description.simulation.is_some());
         let kind = if is_exchange { Kind::ModelExchange } else { Kind::CoSimulation };
@@ -84,7 +87,12 @@ impl Fmu {
         let identifier = interface.map(|i| i.identifier.clone()).unwrap_or_default();
         let library = binary(folder.path(), description.version, &identifier)?;
         let library = Library::load(&library, description.version, kind)
-            .map_err(|e| Error::bad_input(format!("the library of this FMU does not load: {e}")))?;
+            .map_err(|e| {
+                let there = listed(&folder.path().join("binaries"));
+                Error::bad_input(format!("the library of this FMU does not load: {e}")).with_hint(format!(
+                    "its libraries are for {there}; export it once more for this machine, with all that its library needs"
+                ))
+            })?;
         Ok(Self { description, source, kind, library, folder, refusal: Mutex::new(None) })
     }
 
@@ -126,14 +134,23 @@ fn binary(folder: &Path, version: Version, identifier: &str) -> Result<PathBuf> 
     if file.is_file() {
         return Ok(file);
     }
-    let there = std::fs::read_dir(&binaries).into_iter().flatten().flatten();
-    let mut names: Vec<String> = there.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
-    names.sort();
-    let has = if names.is_empty() {
-        "no library at all".into()
-    } else {
-        format!("libraries for {}", names.join(", "))
-    };
+    let own = listed(&binaries.join(&wanted));
+    if !own.is_empty() {
+        return Err(Error::bad_input(format!(
+            "modelDescription.xml names the library {identifier}.{ending}, and binaries/{wanted} has {own}"
+        ))
+        .with_hint("export the FMU once more, description and library together"));
+    }
+    let there = listed(&binaries);
+    let has = if there.is_empty() { "no library at all".into() } else { format!("libraries for {there}") };
     Err(Error::bad_input(format!("this FMU has {has}, none for this machine ({wanted})"))
         .with_hint("export it on a machine of this kind, or with its sources compiled"))
+}
+
+/// What a folder holds, in words.
+fn listed(folder: &Path) -> String {
+    let there = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut names: Vec<String> = there.map(|e| e.file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names.join(", ")
 }

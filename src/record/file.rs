@@ -113,8 +113,22 @@ impl File<'_> {
                     rows: self.rows(form.rows.as_ref())?,
                     table: number,
                     zero,
+                    comma: self.comma(form.decimal.as_ref())?,
                 };
                 csv::read(open(path)?, &request)
+            }
+        }
+    }
+
+    /// Whether commas are decimal, or points.
+    fn comma(&self, decimal: Option<&Spanned<String>>) -> Result<Option<bool>> {
+        let Some(sign) = decimal else { return Ok(None) };
+        match sign.get_ref().as_str() {
+            "," => Ok(Some(true)),
+            "." => Ok(Some(false)),
+            other => {
+                let error = Error::bad_input(format!("`{other}` is no decimal sign"));
+                Err(self.at(error, sign.span().start).with_hint("write decimal = \".\" or decimal = \",\""))
             }
         }
     }
@@ -139,6 +153,9 @@ impl File<'_> {
         if let Some(rows) = &form.rows {
             let error = Error::bad_input("rows cannot be picked in a log; use [spans]");
             return Err(self.at(error, rows.span().start));
+        }
+        if let Some(sign) = &form.decimal {
+            return Err(self.at(Error::bad_input("a log has decimal points"), sign.span().start));
         }
         let zero = self.zero(table)?.nano;
         let mut wanted = Vec::new();

@@ -31,6 +31,8 @@ pub(super) struct TableForm {
     pub format: Option<FormatForm>,
     pub time: Option<Spanned<TimeForm>>,
     pub rows: Option<Spanned<[i64; 2]>>,
+    /// The decimal sign, `.` or `,`.
+    pub decimal: Option<Spanned<String>>,
     #[serde(default)]
     pub channels: HashMap<String, Spanned<ChannelForm>>,
 }

@@ -80,7 +80,8 @@ impl Recording {
         } else {
             let clock = request::Clock::FirstColumn;
             let wanted = Vec::new();
-            csv::read(input, &request::Request { clock, wanted, rows: None, table: 0, zero: None })?
+            let request = request::Request { clock, wanted, rows: None, table: 0, zero: None, comma: None };
+            csv::read(input, &request)?
         };
         let (sources, origins) = (vec![table.origin.source.clone()], vec![table.origin]);
         let (notes, left_out, zero) = (table.notes, table.left_out, table.zero);

@@ -51,6 +51,8 @@ pub(super) struct Request {
     pub table: usize,
     /// Where dates and clocks count from, if another table says so.
     pub zero: Option<Zero>,
+    /// Whether commas are decimal, or points, if the recording says so.
+    pub comma: Option<bool>,
 }
 
 /// Turns numbers as read into a channel in SI, unwrapped where its angle wraps.

@@ -17,7 +17,7 @@ type Signal<'a> = (&'static str, &'a str, &'a Unit);
 /// `BadInput` that says which columns it would take for those that are absent, and how to write that down.
 pub fn present(model: &Model, recording: &Recording) -> Result<()> {
     let outputs = model.outputs.iter().map(|o| ("output", o.name.as_str(), &o.unit));
-    all_of(recording, &inputs(model).chain(outputs).collect::<Vec<_>>())
+    all_of(recording, &inputs(model).chain(outputs).collect::<Vec<_>>(), &[])
 }
 
 /// The same of inputs alone.
@@ -25,30 +25,33 @@ pub fn present(model: &Model, recording: &Recording) -> Result<()> {
 /// # Errors
 /// As [`present`].
 pub(super) fn inputs_present(model: &Model, recording: &Recording) -> Result<()> {
-    all_of(recording, &inputs(model).collect::<Vec<_>>())
+    // a column of an output's name holds that output, whatever else is missing
+    let outputs: Vec<&str> = model.outputs.iter().map(|o| o.name.as_str()).collect();
+    all_of(recording, &inputs(model).collect::<Vec<_>>(), &outputs)
 }
 
 fn inputs(model: &Model) -> impl Iterator<Item = Signal<'_>> {
     model.inputs.iter().map(|i| ("input", i.name.as_str(), &i.unit))
 }
 
-fn all_of(recording: &Recording, signals: &[Signal<'_>]) -> Result<()> {
+fn all_of(recording: &Recording, signals: &[Signal<'_>], others: &[&str]) -> Result<()> {
     let Some((what, name, _)) = signals.iter().find(|s| recording.find(s.1).is_none()) else { return Ok(()) };
     let Err(error) = recording.channel(name) else { return Ok(()) };
     let error = error.about(&format!("{what} {name}"));
     if recording.left_out.iter().any(|l| l.is_named(name) && !l.has_no_unit()) {
         return Err(error);
     }
-    Err(match advice(recording, signals) {
+    Err(match advice(recording, signals, others) {
         Some(advice) => error.with_hint(advice),
         None => error,
     })
 }
 
-/// The lines of a recording file that give each signal its column; none where no column is likely.
-fn advice(recording: &Recording, signals: &[Signal<'_>]) -> Option<String> {
-    let mut taken: Vec<&str> =
-        signals.iter().filter_map(|s| Some(recording.find(s.1)?.name.as_str())).collect();
+/// The lines of a recording file that give each signal its column; none where no column is likely. Columns with the
+/// names of others are not theirs.
+fn advice(recording: &Recording, signals: &[Signal<'_>], others: &[&str]) -> Option<String> {
+    let named = signals.iter().map(|s| s.1).chain(others.iter().copied());
+    let mut taken: Vec<&str> = named.filter_map(|name| Some(recording.find(name)?.name.as_str())).collect();
     let (mut lines, mut is_any) = (String::new(), false);
     for (_, name, unit) in signals {
         let line = if let Some(channel) = recording.find(name) {

@@ -107,6 +107,10 @@ impl<'a> Reader<'a> {
         let known: Vec<String> = names::all().map(|n| n.name).collect();
         let message = format!("unknown unit {name:?}");
         let e = self.error_at(start, name.chars().count(), message);
+        if ["degf", "fahrenheit"].contains(&name.to_lowercase().as_str()) {
+            // its differences are no K, as those of degC are
+            return e.with_hint("convert the numbers to degC: (x - 32)/1.8");
+        }
         match spelled_out(name).or_else(|| nearest(name, known.iter().map(String::as_str))) {
             Some(near) => e.with_hint(format!("the nearest known unit is {near}")),
             None => e.with_hint("known are m ft nmi l g s min h d A K degC N dyn Nm J Wh W Pa bar psi mmHg V ohm H F T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
@@ -152,7 +156,7 @@ fn spelled_out(name: &str) -> Option<&'static str> {
         "newton" | "newtons" => "N",
         "volt" | "volts" => "V",
         "knot" | "kt" | "kts" => "kn",
-        "celsius" | "degc" | "degf" | "c" => "degC",
+        "celsius" | "degc" | "c" => "degC",
         "ohms" => "ohm",
         "day" | "days" => "d",
         "revs" | "revolution" | "revolutions" | "turn" | "turns" => "rev",

@@ -55,3 +55,23 @@ fn the_columns_that_are_meant_are_written_down() {
     let (says, meant) = said("Zeit [s];A [N];B [N];position [m]");
     assert!(meant.is_none() && says.contains("no channel `force`"), "{says}");
 }
+
+/// A column that carries the name of an output is not offered as an input, however near the name.
+#[test]
+fn an_output_is_not_taken_for_an_input() {
+    let model = Model::parse(
+        "name = \"through\"\n[inputs]\nvalue_input = { unit = \"1\" }\n[outputs]\nvalue_output = { equals = \"value_input\", unit = \"1\" }\n",
+    )
+    .unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let says = |header: &str| {
+        let file = folder.path().join("a.csv");
+        std::fs::write(&file, format!("t [s],{header}\n0,1,2\n1,2,3\n")).unwrap();
+        let recording = Recording::read(&file).unwrap();
+        gyrospec::simulate(&model, &recording).run().map(|_| ()).expect_err(header).to_string()
+    };
+    let none = says("value_output [1],other [m]");
+    assert!(none.contains("no channel `value_input`") && !none.contains("GUESS"), "{none}");
+    let one = says("value_output [1],value_inputs [1]");
+    assert!(one.contains("column = \"value_inputs\"") && !one.contains("\"value_output\""), "{one}");
+}

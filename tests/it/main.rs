@@ -82,4 +82,5 @@ mod transcript;
 mod tuned_rotor;
 mod turning;
 mod two_gyros;
+mod two_ways;
 mod without_alarm;

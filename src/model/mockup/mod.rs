@@ -254,7 +254,11 @@ impl Model {
     pub(crate) fn refusal(&self) -> Option<Error> {
         let mockup = self.fmu.as_ref()?;
         let why = mockup.code.and_then(|c| Foreign::of(c, 0).compute())?.refusal()?;
-        Some(Error::not_computed(format!("the FMU refuses to go on: {why}")).with_file(&mockup.file))
+        let error = Error::not_computed(format!("the FMU refuses to go on: {why}")).with_file(&mockup.file);
+        Some(error.with_hint(
+            "a parameter or an input may be out of its range, or modelDescription.xml and the library come from two exports: \
+             try it in the tool that made it",
+        ))
     }
 
     /// The archive of the FMU.

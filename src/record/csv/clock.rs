@@ -32,8 +32,10 @@ pub(super) struct Reading {
     zero: Option<Zero>,
     /// Whether the zero is another table's.
     is_shared: bool,
-    /// The first day, while it is not known in which order its numbers stand.
+    /// The first day whose numbers may stand in several orders, and the order in which they are read.
     open: Option<(Day, Order)>,
+    /// Whether its day was taken to stand first though the rows allow the month there.
+    is_taken: bool,
     last: Option<i128>,
     step: Option<i128>,
     midnights: i128,
@@ -42,13 +44,27 @@ pub(super) struct Reading {
 impl Reading {
     pub(super) fn new(clock: Clock, zero: Option<Zero>) -> Self {
         let is_shared = zero.is_some();
-        Self { clock, zero, is_shared, open: None, last: None, step: None, midnights: 0 }
+        Self { clock, zero, is_shared, open: None, is_taken: false, last: None, step: None, midnights: 0 }
     }
 
     /// The zero, once a row was read.
     pub(super) fn zero(&self) -> Option<Zero> {
-        let is_open = self.open.is_some() && self.clock.orders.len() > 1;
+        let is_open = self.open.as_ref().is_some_and(|o| !o.0.has_points()) && self.clock.orders.len() > 1;
         self.zero.clone().map(|zero| Zero { is_open, ..zero })
+    }
+
+    /// What is to be said of days with points: that the day was taken to stand first, or that the month does.
+    pub(super) fn order(&self) -> Option<String> {
+        let (day, order) = self.open.as_ref().filter(|o| o.0.has_points())?;
+        let undecided = self.is_taken || self.clock.orders.len() > 1;
+        let such = format!("such as {}", day.iso(*order));
+        match order {
+            Order::DayMonthYear if undecided => {
+                Some(format!("days are read as day.month.year, {such}; no row tells day from month"))
+            }
+            Order::DayMonthYear => None,
+            _ => Some(format!("days are read as month.day.year, {such}, as the rows tell")),
+        }
     }
 
     /// Seconds since the zero as a decimal; none where the field is empty.
@@ -149,12 +165,13 @@ impl Reading {
             return at(day, Order::DayMonthYear);
         }
         self.clock.orders.retain(|o| day.may_be(*o));
+        self.is_taken &= day.may_be(Order::MonthDayYear);
         let Some(first) = self.clock.orders.first().copied() else {
-            return Err("its numbers have another order than those above it".into());
+            return Err("day and month stand in another order than above it".into());
         };
         let Some((open, used)) = self.open.clone() else {
             if self.is_shared && self.clock.orders.len() > 1 {
-                return Err(ORDER.into());
+                self.take_day_first(day)?;
             }
             self.open = Some((day.clone(), first));
             return at(day, first);
@@ -176,7 +193,10 @@ impl Reading {
         if orders.len() > 1 {
             orders.retain(goes_on);
         }
-        let [order] = orders[..] else { return Err(ORDER.into()) };
+        let order = match orders[..] {
+            [order] => order,
+            _ => self.take_day_first(day)?,
+        };
         let moved = shift(order)?;
         self.clock.orders = vec![order];
         self.open = Some((day.clone(), order));
@@ -185,6 +205,16 @@ impl Reading {
             zero.nano += moved;
         }
         at(day, order)
+    }
+
+    /// Settles that the day stands first, where the rows do not tell; nobody means anything else by points, mostly.
+    fn take_day_first(&mut self, day: &Day) -> Result<Order, String> {
+        if !day.has_points() {
+            return Err(ORDER.into());
+        }
+        self.is_taken = true;
+        self.clock.orders = vec![Order::DayMonthYear];
+        Ok(Order::DayMonthYear)
     }
 }
 
@@ -279,6 +309,31 @@ mod tests {
         let error = read(&daily, of(None, None)).unwrap_err().to_string();
         assert!(error.contains("which of its numbers is the month"), "{error}");
         assert_eq!(read(&daily, of(Some(Order::DayMonthYear), None)).unwrap(), ["0", "86400"]);
+    }
+
+    #[test]
+    fn days_with_points_begin_with_the_day_unless_the_rows_say_otherwise() {
+        let of_rows = |rows: &[&str]| {
+            let mut reading = Reading::new(of(None, None), None);
+            let field = |text: &str| vec![Field { at: 0, text: text.as_bytes().to_vec() }];
+            let read: Result<Vec<String>> =
+                rows.iter().map(|r| reading.seconds(&field(r)).map(Option::unwrap_or_default)).collect();
+            (read, reading.order().unwrap_or_default())
+        };
+        let night = |last| ["03.12.2025 23:59:58", "03.12.2025 23:59:59", last];
+        for (last, wanted, says) in [
+            ("03.12.2025 23:59:59.5", "1.500000000", "day.month.year, such as 2025-12-03; no row"),
+            ("04.12.2025 00:00:00", "2", ""),
+            ("03.13.2025 00:00:00", "2", "month.day.year, such as 2025-03-13"),
+            // neither goes on in steps: months and more between
+            ("05.01.2027 00:00:00", "34300802", "day.month.year, such as 2027-01-05; no row"),
+        ] {
+            let (read, order) = of_rows(&night(last));
+            assert_eq!(read.unwrap()[2], wanted, "{last}");
+            assert!(order.contains(says) && order.is_empty() == says.is_empty(), "{last}: {order}");
+        }
+        let (read, _) = of_rows(&["22.04.2025 12:00:00", "04.22.2025 12:00:01"]);
+        assert!(read.unwrap_err().to_string().contains("another order"));
     }
 
     #[test]

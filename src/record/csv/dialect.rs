@@ -5,7 +5,7 @@
 //! equally many fields, is taken. Commas before semicolons where they tie.
 
 use super::clock::Clock;
-use super::figures::{self, Form, ONE_WAY, two_ways};
+use super::figures::{self, Form, ONE_WAY};
 use super::header::{Seen, is_no_text};
 use super::sample::{Kind, Line, Names, in_comment, is_comment, kinds, names, short, width};
 use super::stamp::{ORDERS, Order, Stamp, stamp};
@@ -26,10 +26,10 @@ pub(super) struct Dialect {
     pub separator: u8,
     /// Whether commas are decimal; none where no number that was looked at tells.
     pub comma: Option<bool>,
-    /// Whether a number has signs between thousands for sure.
+    /// Whether a number has signs between thousands for sure, or the recording says which sign is decimal.
     pub is_grouped: bool,
-    /// Whether that is told only by signs with three digits behind them, which could stand between thousands.
-    pub is_weak: bool,
+    /// What else is to be said of how it is read.
+    remarks: Vec<&'static str>,
     /// Line of the header, from 1.
     pub header: usize,
     /// Its labels.
@@ -42,6 +42,8 @@ pub(super) struct Dialect {
     pub clock: Option<Clock>,
     /// Columns that hold words, with one of them.
     pub words: Vec<(usize, String)>,
+    /// The first field of each column.
+    firsts: Vec<String>,
     /// Whether its lines are read as they stand.
     pub is_plain: bool,
 }
@@ -50,7 +52,7 @@ impl Dialect {
     /// What the header should know of the rows.
     pub(super) fn seen(&self) -> Seen {
         let (time, day) = self.clock.as_ref().map_or((None, None), |c| (Some(c.column), c.day));
-        Seen { time, day, words: self.words.clone() }
+        Seen { time, day, words: self.words.clone(), firsts: self.firsts.clone() }
     }
 
     /// What is to be said of how the table is read.
@@ -66,6 +68,7 @@ impl Dialect {
         says.extend((self.comma == Some(true)).then(|| "commas for decimals".to_owned()));
         says.extend((self.header > 1).then(|| format!("the header in line {}", self.header)));
         says.extend((!self.units.is_empty()).then(|| "units in a row of their own".to_owned()));
+        says.extend(self.remarks.iter().map(|r| (*r).to_owned()));
         let note = (Some(self.header), format!("read with {}", says.join(", ")));
         if says.is_empty() { Vec::new() } else { vec![note] }
     }
@@ -75,11 +78,16 @@ impl Dialect {
 pub(super) type Named<'a> = (&'a str, Option<&'a Unit>);
 
 /// How a table is written; none where nothing in it looks like rows below a header, which is read as it stands and
-/// refused with its reason. `time` is the column of time, if the recording names it.
+/// refused with its reason. `time` is the column of time, if the recording names it, and `comma` whether it says that
+/// commas are decimal, or points.
 ///
 /// # Errors
 /// Numbers that can be read in two ways.
-pub(super) fn of(start: &[u8], is_whole: bool, time: Option<Named<'_>>) -> Result<Option<Dialect>> {
+pub(super) fn of(
+    (start, is_whole): (&[u8], bool),
+    time: Option<Named<'_>>,
+    comma: Option<bool>,
+) -> Result<Option<Dialect>> {
     if is_no_text(start) {
         return Ok(None);
     }
@@ -102,7 +110,7 @@ pub(super) fn of(start: &[u8], is_whole: bool, time: Option<Named<'_>>) -> Resul
             best = Some((score, layout));
         }
     }
-    best.map(|(_, layout)| layout.dialect(&lines, time)).transpose()
+    best.map(|(_, layout)| layout.dialect(&lines, time, comma)).transpose()
 }
 
 /// The lines as one separator cuts them.
@@ -116,6 +124,8 @@ struct Layout {
     rows: Vec<Line>,
     /// Whether a line was made shorter by an empty field at its end, or stood between header and rows.
     is_mended: bool,
+    /// Whether the rows were, and the header not.
+    is_trailed: bool,
 }
 
 impl Layout {
@@ -127,6 +137,7 @@ impl Layout {
         for line in &mut all {
             while line.fields.len() > width && line.fields.last().is_some_and(|f| f.1.is_empty()) {
                 line.fields.pop();
+                line.is_cut = true;
             }
         }
         let kinds = kinds(&all, width);
@@ -143,18 +154,26 @@ impl Layout {
         let rows = all.split_off(first);
         let (header, units, above) = if let Some(Names { at, units, last }) = names(&all, width) {
             (all.swap_remove(at), units, last)
-        } else if let Some(header) = short(&mut all, width) {
+        } else if let Some(header) = short(&mut all, &rows, lines, width) {
             let number = header.number;
             (header, Vec::new(), number)
         } else {
-            let header = in_comment(lines, rows[0].number, separator, width)?;
-            let number = header.number;
-            (header, Vec::new(), number)
+            in_comment(lines, rows[0].number, separator, width)?
         };
         let body = above + 1;
         // one column whose label holds what separates columns elsewhere is no table
         let is_torn = width == 1 && header.fields.iter().any(|f| f.1.contains([',', ';', '\t', '|']));
-        (!is_torn).then_some(Self { separator, width, header, units, body, rows, is_mended: longer })
+        let is_trailed = !header.is_cut && rows.iter().any(|l| l.is_cut);
+        (!is_torn).then_some(Self {
+            separator,
+            width,
+            header,
+            units,
+            body,
+            rows,
+            is_mended: longer,
+            is_trailed,
+        })
     }
 
     /// Numbers and times less twice the words.
@@ -169,9 +188,15 @@ impl Layout {
             - 2 * wrong
     }
 
-    fn dialect(self, lines: &[(usize, &str)], time: Option<Named<'_>>) -> Result<Dialect> {
-        let comma = self.decimal()?;
-        let is_weak = comma.is_some() && self.separator != b',' && self.sure().iter().all(Option::is_none);
+    fn dialect(
+        self,
+        lines: &[(usize, &str)],
+        time: Option<Named<'_>>,
+        stated: Option<bool>,
+    ) -> Result<Dialect> {
+        let comma = stated.map_or_else(|| self.decimal(), |comma| Ok(Some(comma)))?;
+        let is_settled = self.shows_thousands();
+        let is_grouped = is_settled || self.find(&[Form::GroupedByPoints, Form::GroupedByCommas]).is_some();
         let clock = self.clock(time);
         let words = self.words(clock.as_ref());
         let body = self.body;
@@ -181,13 +206,15 @@ impl Layout {
             && clock.is_none()
             && self.units.is_empty()
             && !self.is_mended
+            && !is_settled
             && !has_comments
             && (self.header.number, body) == (1, 2);
         Ok(Dialect {
             separator: self.separator,
             comma,
-            is_weak,
-            is_grouped: self.find(&[Form::GroupedByPoints, Form::GroupedByCommas]).is_some(),
+            is_grouped: is_grouped || stated.is_some(),
+            remarks: self.remarks(comma, is_grouped),
+            firsts: self.rows.iter().take(1).flat_map(|l| &l.fields).map(|f| f.1.clone()).collect(),
             header: self.header.number,
             labels: self.header.fields,
             units: self.units,
@@ -196,6 +223,13 @@ impl Layout {
             words,
             is_plain,
         })
+    }
+
+    fn remarks(&self, comma: Option<bool>, is_grouped: bool) -> Vec<&'static str> {
+        let between =
+            if comma == Some(true) { "points between thousands" } else { "commas between thousands" };
+        let trailed = self.is_trailed.then_some("nothing behind the last separator of its rows");
+        is_grouped.then_some(between).into_iter().chain(trailed).collect()
     }
 
     /// The first number of one of these forms, with its line.
@@ -224,32 +258,23 @@ impl Layout {
             let error = Error::bad_input(format!("`{text}` {what}")).with_line(line).with_column(at + 1);
             return Err(error.with_hint(ONE_WAY));
         }
-        if commas.is_some() || points.is_some() {
-            return Ok(Some(commas.is_some()));
-        }
-        let (comma, point) = (self.find(&[Form::EitherComma]), self.find(&[Form::EitherPoint]));
-        let doubtful = match (comma, point) {
-            (Some(comma), Some(_)) => Some(comma),
-            (Some(_), None) => self.mixed(Form::EitherComma),
-            (None, Some(_)) => self.mixed(Form::EitherPoint),
-            (None, None) => None,
-        };
-        match doubtful {
-            Some((line, (at, text))) => Err(two_ways(text, *at).with_line(line)),
-            None => Ok(comma.or(point).map(|_| comma.is_some())),
-        }
+        // one sign with three digits behind it may stand between thousands: the rows ask
+        Ok((commas.is_some() || points.is_some()).then_some(commas.is_some()))
     }
 
-    /// A number with one sign and three digits behind it in a column where others have no sign: decimals would end in
-    /// zeros there.
-    fn mixed(&self, form: Form) -> Option<(usize, &(usize, String))> {
-        let column = |c: usize| self.rows.iter().filter_map(move |l| Some((l.number, l.fields.get(c)?)));
-        let is = |text: &str, wanted: Form| figures::form(text) == wanted;
-        let large = |text: &str| is(text, Form::Whole) && text.trim_start_matches('-').len() > 1;
-        let is_mixed =
-            |c: &usize| column(*c).any(|(_, f)| large(&f.1)) && column(*c).any(|(_, f)| is(&f.1, form));
-        let c = (0..self.width).find(is_mixed)?;
-        column(c).find(|(_, f)| is(&f.1, form))
+    /// Whether a sign with three digits behind it stands between thousands for sure: another sign is decimal, and in one
+    /// column `1.050` stands beside `950`. As decimals both would end in zeros there, or neither.
+    fn shows_thousands(&self) -> bool {
+        let between = match self.sure() {
+            [Some(_), None] => Form::EitherPoint,
+            [None, Some(_)] => Form::EitherComma,
+            _ => return false,
+        };
+        let texts =
+            |c: usize| self.rows.iter().filter_map(move |l| Some(l.fields.get(c)?.1.trim_start_matches('-')));
+        let small = |t: &str| figures::form(t) == Form::Whole && (2..=3).contains(&t.len());
+        let large = |t: &str| figures::form(t) == between && t.ends_with('0');
+        (0..self.width).any(|c| texts(c).any(small) && texts(c).any(large))
     }
 
     /// The time, where it is no number in a unit of time: the column that is named, or the first with times.
@@ -261,8 +286,11 @@ impl Layout {
         let clocks = |c: &usize| usual[*c] == Kind::Time && stamps(*c).iter().any(|s| s.clock.is_some());
         let asked = |c: &usize| named.is_none_or(|(n, _)| self.is_named(*c, n));
         let orders = |c: usize| -> Vec<Order> {
-            let days: Vec<_> = stamps(c).into_iter().filter_map(|s| s.day).collect();
-            ORDERS.into_iter().filter(|o| days.iter().all(|d| d.may_be(*o))).collect()
+            // a row that contradicts those above it is refused where it is read
+            stamps(c).iter().filter_map(|s| s.day.as_ref()).fold(ORDERS.to_vec(), |orders, day| {
+                let left: Vec<Order> = orders.iter().copied().filter(|o| day.may_be(*o)).collect();
+                if left.is_empty() { orders } else { left }
+            })
         };
         let of = |column: usize, day: Option<usize>| Clock {
             column,

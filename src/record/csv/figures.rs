@@ -41,7 +41,10 @@ pub(super) enum Form {
 pub(super) fn two_ways(text: &str, at: usize) -> Error {
     Error::bad_input(format!("`{text}` can be read in two ways: is this sign decimal, or between thousands?"))
         .with_column(at + 1)
-        .with_hint(ONE_WAY)
+        .with_hint(
+            "say it in a TOML recording, by decimal = \".\" or decimal = \",\" below its `file`; or save the table with one \
+             sign for decimals, and none between thousands",
+        )
 }
 
 /// What to do about decimal signs.

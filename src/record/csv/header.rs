@@ -38,6 +38,8 @@ pub(super) struct Seen {
     pub day: Option<usize>,
     /// Columns of words, with one of them.
     pub words: Vec<(usize, String)>,
+    /// The first field of each column.
+    pub firsts: Vec<String>,
 }
 
 /// The label of one column.
@@ -87,6 +89,9 @@ impl Header {
             }
         };
         let cell = &cells[index];
+        if unit.is_none() && seen.time != Some(index) {
+            refuse_days(cell, seen.firsts.get(index).map_or("", String::as_str))?;
+        }
         let wanted = plain(&cell.name, unit);
         let unitless = |e: Error| {
             let hint = format!(
@@ -180,10 +185,43 @@ impl Header {
     }
 }
 
+/// Days since the end of 1899, in a column that is named as a date and has no unit of days: from 1954 to 2119.
+fn refuse_days(cell: &Cell, first: &str) -> Result<()> {
+    let name = cell.name.to_lowercase();
+    let days = first.replace(',', ".").parse().ok().filter(|d: &f64| (20_000.0..80_000.0).contains(d));
+    let in_days = cell.unit.as_ref().is_some_and(|u| Unit::parse(u).is_ok_and(|u| u.to_si(1.0) == 86_400.0));
+    let words: &[&str] =
+        if cell.unit.is_some() { &["date", "datum"] } else { &["date", "datum", "time", "zeit", "stamp"] };
+    if days.is_none() || in_days || !words.iter().any(|d| name.contains(d)) {
+        return Ok(());
+    }
+    let what = format!(
+        "`{}` begins with {first}: these look like the days of a spreadsheet, not like seconds",
+        cell.name
+    );
+    let hint = format!(
+        "name it `{} [d]` if they are days, or save the dates as text, such as 2025-04-03T12:00:00; where they are \
+         seconds, say so in a TOML recording, time = {{ column = {:?}, unit = \"s\" }}",
+        cell.name, cell.name
+    );
+    Err(Error::bad_input(what).with_column(cell.at + 1).with_hint(hint))
+}
+
+/// Whether words are several numbers.
+fn is_list(words: &str) -> bool {
+    let bare = words.trim_matches(['[', ']', '(', ')', '{', '}']);
+    let mut all = bare.split([' ', ',', ';']).filter(|w| !w.is_empty()).peekable();
+    all.peek().is_some() && all.all(|w| w.parse::<f64>().is_ok())
+}
+
 fn of_words(index: usize, cell: &Cell, word: &str) -> Error {
     Error::bad_input(format!("column {} `{}` holds words, such as `{word}`", index + 1, cell.name))
         .with_column(cell.at + 1)
-        .with_hint("channels need numbers below their names")
+        .with_hint(if is_list(word) {
+            "give each of these numbers a column of its own"
+        } else {
+            "channels need numbers below their names"
+        })
 }
 
 fn plain(name: &str, unit: Option<Unit>) -> Wanted {

@@ -42,7 +42,7 @@ pub struct Raw {
 pub fn columns(path: &Path) -> Result<Vec<Raw>> {
     let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };
     let input = Input::open(path)?.into_table()?;
-    let dialect = dialect::of(input.start(), input.is_whole(), None).map_err(place)?;
+    let dialect = dialect::of((input.start(), input.is_whole()), None, None).map_err(place)?;
     let translator = dialect.filter(|d| !d.is_plain).map(|d| Translator::new(d, None));
     let mut look = Look { line: 0, columns: Vec::new(), translator };
     input::read_lines(input, &mut look).map_err(place)?;

@@ -34,7 +34,8 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
         Clock::Column { name, unit } => Some((name.as_str(), unit.as_ref())),
         _ => None,
     };
-    let dialect = dialect::of(input.start(), input.is_whole(), named).map_err(|e| place(e, path))?;
+    let dialect =
+        dialect::of((input.start(), input.is_whole()), named, request.comma).map_err(|e| place(e, path))?;
     let mut reader = Reader::new(request, dialect);
     let coded = input.coded();
     let (source, note) = input::read_lines(input, &mut reader).map_err(|e| place(e, path))?;
@@ -154,12 +155,9 @@ impl<'a> Reader<'a> {
         notes.extend(self.notes);
         let zero = self.translator.as_ref().and_then(Translator::zero);
         notes.extend(zero.map(|z| (None, format!("time counts from {}", z.text))));
+        notes.extend(self.translator.as_ref().and_then(Translator::order).map(|says| (None, says)));
         if self.translator.as_ref().is_some_and(Translator::found_commas) {
             notes.push((None, "commas are decimal".into()));
-        }
-        if self.translator.as_ref().is_some_and(Translator::is_doubtful) {
-            let says = "the sign in its numbers, with three digits behind it, is taken for decimal, not for thousands";
-            notes.push((None, says.into()));
         }
         let line = |l: &LeftOut| (l.line, format!("`{}` is left out: {}", l.label, l.why));
         notes.extend(header.left_out.iter().map(line));

@@ -22,6 +22,8 @@ pub(super) fn is_comment(line: &[u8]) -> bool {
 pub(super) struct Line {
     pub(super) number: usize,
     pub(super) fields: Vec<(usize, String)>,
+    /// Whether empty fields at its end were taken off.
+    pub(super) is_cut: bool,
 }
 
 impl Line {
@@ -30,7 +32,7 @@ impl Line {
         let fields = field::split(line.as_bytes(), separator).unwrap_or_default();
         let text = |f: &Field| String::from_utf8_lossy(f.text.trim_ascii()).into_owned();
         let fields = fields.iter().map(|f| (f.at, text(f))).collect();
-        Self { number, fields: if separator == b' ' { rejoined(fields) } else { fields } }
+        Self { number, fields: if separator == b' ' { rejoined(fields) } else { fields }, is_cut: false }
     }
 
     pub(super) fn forms(&self) -> impl Iterator<Item = Kind> + '_ {
@@ -119,12 +121,11 @@ pub(super) fn names(above: &[Line], width: usize) -> Option<Names> {
         seen.windows(2).all(|w| w[0] != w[1])
     };
     let of_units = |at: usize| {
-        let bare = |t: &str| t.trim_matches(['[', ']', '(', ')']).trim().to_owned();
         // time stamp and record number, as loggers of the form TOA5 write them
-        let known = |t: &str| ["TS", "RN"].contains(&t) || label::unit(&bare(t)).is_some();
+        let known = |t: &str| ["TS", "RN"].contains(&t) || label::unit(bare(t)).is_some();
         let some = labels(at).filter(|t| !t.is_empty()).count();
         let units = labels(at).filter(|t| !t.is_empty() && known(t)).count();
-        (units > 0 && 2 * units >= some).then(|| labels(at).map(bare).collect::<Vec<_>>())
+        (units > 0 && 2 * units >= some).then(|| labels(at).map(|t| bare(t).to_owned()).collect::<Vec<_>>())
     };
     let mut units = Vec::new();
     let block: Vec<usize> = block.collect();
@@ -156,27 +157,66 @@ fn rejoined(fields: Vec<(usize, String)>) -> Vec<(usize, String)> {
 }
 
 /// Names right above the rows, one fewer than columns: the first column holds the names of the rows, as R writes them.
-pub(super) fn short(above: &mut Vec<Line>, width: usize) -> Option<Line> {
+/// Where it could be a signal like the others, a name is missing instead, and nobody knows which.
+pub(super) fn short(
+    above: &mut Vec<Line>,
+    rows: &[Line],
+    lines: &[(usize, &str)],
+    width: usize,
+) -> Option<Line> {
     let names = above.last().filter(|l| l.fields.len() + 1 == width && l.forms().all(|k| k == Kind::Words));
     // a label that holds what separates columns elsewhere is several
     let is_torn = |l: &&Line| l.fields.iter().any(|f| f.1.contains([',', ';', '\t', '|']));
     names.filter(|l| !l.fields.is_empty() && !is_torn(l))?;
+    let as_it_stands = |l: &Line| lines.get(l.number - 1).map_or("", |line| line.1.trim_start());
+    let is_quoted = |l: &Line| {
+        let text = as_it_stands(l);
+        text.starts_with('"') && text.matches('"').count() == 2
+    };
+    let is_word = |l: &Line| l.forms().next() == Some(Kind::Words);
+    if !rows.iter().filter(|l| l.fields.len() == width).all(|l| is_quoted(l) || is_word(l)) {
+        return None;
+    }
     let mut line = above.pop()?;
     line.fields.insert(0, (0, String::new()));
     Some(line)
 }
 
-/// Names in the last comment above the rows.
+/// Names in the last comment above the rows, or in the last but one where the last holds units only; the units, and the
+/// number of the last.
 pub(super) fn in_comment(
     lines: &[(usize, &str)],
     before: usize,
     separator: u8,
     width: usize,
-) -> Option<Line> {
-    let (number, line) = lines.iter().rev().find(|l| l.0 < before && is_comment(l.1.as_bytes()))?;
+) -> Option<(Line, Vec<String>, usize)> {
+    let mut above = lines.iter().rev().filter(|l| l.0 < before && is_comment(l.1.as_bytes()));
+    let mut next = || above.next().map(|(number, line)| uncommented(*number, line, separator));
+    let fits =
+        |l: &Line, other: Kind| l.fields.len() == width && l.forms().all(|k| k == Kind::Words || k == other);
+    let last = next()?;
+    let number = last.number;
+    let units: Option<Vec<String>> = last.fields.iter().map(|f| label::unit(bare(&f.1))).collect();
+    let differ = |l: &Line| (1..width).all(|i| l.fields[..i].iter().all(|f| f.1 != l.fields[i].1));
+    let is_named = |l: &Line| l.number + 1 == number && fits(l, Kind::Words) && differ(l);
+    if let Some(units) = units.filter(|_| fits(&last, Kind::Missing))
+        && let Some(names) = next().filter(is_named)
+    {
+        return Some((names, units, number));
+    }
+    fits(&last, Kind::Words).then_some((last, Vec::new(), number))
+}
+
+/// The fields of a comment.
+fn uncommented(number: usize, line: &str, separator: u8) -> Line {
     let bare = line.trim_start().trim_start_matches(['#', '%', '/']);
     let skipped = line.len() - bare.len();
-    let mut line = Line::of(*number, bare, separator);
+    let mut line = Line::of(number, bare, separator);
     line.fields.iter_mut().for_each(|(at, _)| *at += skipped);
-    (line.fields.len() == width && line.forms().all(|k| k == Kind::Words)).then_some(line)
+    line
+}
+
+/// A unit without brackets around it.
+fn bare(text: &str) -> &str {
+    text.trim_matches(['[', ']', '(', ')']).trim()
 }

@@ -20,8 +20,19 @@ pub(super) struct Stamp {
 pub(super) enum Day {
     /// Year, month and day.
     Sure(u32, u32, u32),
-    /// Three numbers in an order that is not known; the last is the year where it has four digits.
-    Open([u32; 3], bool),
+    /// Three numbers in an order that is not known.
+    Open([u32; 3], Style),
+}
+
+/// How the numbers of a day are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Style {
+    /// The last is a year of four digits.
+    Long,
+    /// The same with points between: `03.04.2025` has the day first wherever no row says otherwise.
+    Points,
+    /// The year has two digits.
+    Short,
 }
 
 /// The order of the numbers of a day.
@@ -53,13 +64,20 @@ impl Day {
 
     /// Whether the numbers may stand in an order.
     pub(super) fn may_be(&self, order: Order) -> bool {
-        let Self::Open([a, b, c], short) = self else { return true };
+        let Self::Open([a, b, c], style) = self else { return true };
         let (month, day) = match order {
             Order::DayMonthYear => (b, a),
             Order::MonthDayYear => (a, b),
             Order::YearMonthDay => (b, c),
         };
-        (order != Order::YearMonthDay || *short) && (1..=12).contains(month) && (1..=31).contains(day)
+        (order != Order::YearMonthDay || *style == Style::Short)
+            && (1..=12).contains(month)
+            && (1..=31).contains(day)
+    }
+
+    /// Whether it is written as `03.04.2025`.
+    pub(super) fn has_points(&self) -> bool {
+        matches!(self, Self::Open(_, Style::Points))
     }
 }
 
@@ -132,10 +150,12 @@ fn day(text: &str) -> Option<Day> {
         return Some(Day::Sure(full, month, number(b)?));
     }
     let (a, b) = (number(a)?, number(b)?);
-    if sign == '.' && !short {
-        return Some(Day::Sure(full, b, a)).filter(|_| (1..=12).contains(&b) && (1..=31).contains(&a));
-    }
-    let day = Day::Open([a, b, year], short);
+    let style = match (short, sign) {
+        (true, _) => Style::Short,
+        (false, '.') => Style::Points,
+        (false, _) => Style::Long,
+    };
+    let day = Day::Open([a, b, year], style);
     ORDERS.iter().any(|o| day.may_be(*o)).then_some(day)
 }
 
@@ -312,6 +332,8 @@ mod tests {
         assert_eq!(orders("4/13/2025"), [Order::MonthDayYear]);
         assert_eq!(orders("4/5/2025"), [Order::DayMonthYear, Order::MonthDayYear]);
         assert_eq!(orders("21/03/04"), [Order::DayMonthYear, Order::YearMonthDay]);
-        assert_eq!(orders("04.05.2025"), ORDERS);
+        assert_eq!(orders("04.05.2025"), [Order::DayMonthYear, Order::MonthDayYear]);
+        assert_eq!(orders("04.22.2025"), [Order::MonthDayYear]);
+        assert_eq!(orders("04.05.25"), ORDERS);
     }
 }

@@ -18,9 +18,6 @@ pub(super) struct Translator {
     is_begun: bool,
     /// Whether the decimal sign was not known at the beginning.
     is_open: bool,
-    /// Columns with a sign that could stand between thousands, and with numbers of several digits without one, while no
-    /// other number tells.
-    doubtful: Vec<(bool, bool)>,
     /// Columns that are read.
     used: Vec<bool>,
     plain: Vec<u8>,
@@ -35,7 +32,6 @@ impl Translator {
             is_open: dialect.comma.is_none(),
             dialect,
             reading,
-            doubtful: Vec::new(),
             used: Vec::new(),
             plain: Vec::new(),
         }
@@ -84,11 +80,6 @@ impl Translator {
         self.dialect.labels.iter().enumerate().map(of).collect()
     }
 
-    /// Whether the decimal sign is only the likelier of two readings.
-    pub(super) fn is_doubtful(&self) -> bool {
-        self.dialect.is_weak
-    }
-
     /// Whether commas were found to be decimal only beyond the lines that were looked at.
     pub(super) fn found_commas(&self) -> bool {
         self.is_open && self.dialect.comma == Some(true)
@@ -97,6 +88,11 @@ impl Translator {
     /// The zero of time, once a row was read.
     pub(super) fn zero(&self) -> Option<Zero> {
         self.reading.as_ref()?.zero()
+    }
+
+    /// What is to be said of the order of day and month.
+    pub(super) fn order(&self) -> Option<String> {
+        self.reading.as_ref()?.order()
     }
 
     /// A line of the body in the plain dialect; none for a comment and for what stands above the rows.
@@ -132,34 +128,10 @@ impl Translator {
                 let seconds = seconds.as_ref().and_then(Option::as_deref);
                 self.plain.extend_from_slice(seconds.unwrap_or_default().as_bytes());
             } else if self.used.get(index).is_none_or(|used| *used) {
-                self.doubt(field, index)?;
                 put(field, &mut self.dialect, &mut self.plain)?;
             }
         }
         Ok(Some(&self.plain))
-    }
-}
-
-impl Translator {
-    /// Where only signs with three digits behind them tell which is decimal, asks as soon as a column has numbers
-    /// without one too.
-    fn doubt(&mut self, field: &Field, index: usize) -> Result<()> {
-        if !self.dialect.is_weak {
-            return Ok(());
-        }
-        let text = String::from_utf8_lossy(field.text.trim_ascii()).into_owned();
-        self.doubtful.resize(self.dialect.labels.len(), (false, false));
-        let seen = &mut self.doubtful[index];
-        match figures::form(&text) {
-            Form::EitherComma | Form::EitherPoint => seen.0 = true,
-            Form::Whole => seen.1 |= text.trim_start_matches(['-', '+']).len() > 1,
-            Form::Missing | Form::Text => {}
-            _ => self.dialect.is_weak = false,
-        }
-        if self.doubtful[index] == (true, true) {
-            return Err(two_ways(&text, field.at));
-        }
-        Ok(())
     }
 }
 
@@ -194,7 +166,7 @@ fn put(field: &Field, dialect: &mut Dialect, out: &mut Vec<u8>) -> Result<()> {
     };
     *comma = comma.or(own);
     if own.is_some_and(|own| *comma != Some(own)) {
-        return error("has another decimal sign than the numbers above it");
+        return error("has another decimal sign than the numbers above it, or than the recording says");
     }
     // an infinity has no digits and is told by the rows
     out.extend_from_slice(figures::plain(&text, *comma == Some(true)).unwrap_or(text).as_bytes());

@@ -102,10 +102,33 @@ fn damaged_archives_are_refused() {
     archive(&path, &[whole[0], ("binaries/win64/mass.dll", &library)]);
     expect("win64");
     archive(&path, &[whole[0], (&place, b"no library")]);
-    expect("does not load");
+    // the words of the loader, which differ by system
+    expect(if cfg!(target_os = "linux") { "does not load: dlopen failed: " } else { "does not load: " });
+    let with = |from: &str, to: &str| {
+        let changed = description.replacen(from, to, 1);
+        assert_ne!(changed, description);
+        archive(&path, &[("modelDescription.xml", changed.as_bytes()), whole[1]]);
+    };
+    with("modelIdentifier=\"mass\"", "modelIdentifier=\"other\"");
+    expect(&format!("names the library other.{}, and", place.rsplit('.').next().unwrap()));
+    with("valueReference=\"2\"", "valueReference=\"two\"");
+    expect("speed has the valueReference \"two\"");
+    with("valueReference=\"2\" ", "");
+    expect("speed has no valueReference");
+    with("derivative=\"2\"", "");
+    expect("index \"8\" as the rate of a state");
     let other = description.replace("fmiVersion=\"2.0\"", "fmiVersion=\"1.0\"");
     archive(&path, &[("modelDescription.xml", other.as_bytes()), whole[1]]);
     expect("1.0");
+    for (from, to, says) in [
+        ("guid=\"{mass}\"", "guid=\"{other}\"", "the guid {other} of modelDescription.xml is not its own"),
+        ("valueReference=\"1\"", "valueReference=\"77\"", "fmi2GetReal gave error"),
+    ] {
+        let other = description.replacen(from, to, 1);
+        archive(&path, &[("modelDescription.xml", other.as_bytes()), whole[1]]);
+        let (code, said) = refused(folder, "20");
+        assert!(code == Some(3) && said.contains(says) && said.contains("export"), "{said}");
+    }
     // rates that the structure does not list: the states would never move
     let still = description.replace(RATES, "");
     archive(&path, &[("modelDescription.xml", still.as_bytes()), whole[1]]);
