@@ -23,6 +23,13 @@ pub(super) fn turn(start: &[u8]) -> Result<Option<Turn>> {
             "a MATLAB file of format 7.3",
             "save it with `save('log.mat', '-v7')`, or write a table with `writetable`",
         )
+    } else if start.starts_with(b"MATLAB 5.0 MAT-file") {
+        ("a MATLAB file whose beginning is damaged or cut short", "save or copy it again")
+    } else if is_matlab_4(start) {
+        (
+            "a MATLAB file of format 4",
+            "save it with `save('log.mat', '-v7')`; in Python, `scipy.io.savemat` without format=\"4\"",
+        )
     } else if start.starts_with(b"\x89HDF\r\n\x1a\n") {
         (
             "an HDF5 file",
@@ -42,6 +49,24 @@ pub(super) fn turn(start: &[u8]) -> Result<Option<Turn>> {
         .with_line(1)
         .with_column(1)
         .with_hint(hint))
+}
+
+/// Whether bytes begin as a variable of MATLAB's format 4: five whole numbers, of either end first, and a name. The first
+/// tells machine, storage and kind by its digits.
+fn is_matlab_4(start: &[u8]) -> bool {
+    let Some(head) = start.get(..20) else { return false };
+    let numbers = |of: fn([u8; 4]) -> u32| -> Vec<u32> {
+        head.chunks_exact(4).map(|b| of([b[0], b[1], b[2], b[3]])).collect()
+    };
+    [(numbers(u32::from_le_bytes), 0), (numbers(u32::from_be_bytes), 1)].iter().any(|(n, machine)| {
+        let (kind, length) = (n[0] % 1000, n[4] as usize);
+        let is_head = n[0] / 1000 == *machine && kind / 10 <= 5 && kind % 10 <= 2 && n[3] <= 1;
+        let name = start.get(20..20 + length.min(64)).and_then(|name| name.split_last());
+        is_head
+            && name.is_some_and(|(end, name)| {
+                *end == 0 && !name.is_empty() && name.iter().all(|b| b.is_ascii_alphanumeric() || *b == b'_')
+            })
+    })
 }
 
 #[cfg(feature = "parquet")]

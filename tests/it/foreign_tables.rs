@@ -135,7 +135,19 @@ fn other_tables_are_refused_with_what_to_do() {
     let folder = tempfile::tempdir().unwrap();
     let mut new = b"MATLAB 7.3 MAT-file, Platform: GLNXA64".to_vec();
     new.resize(600, 0);
-    let cases: [(&str, &[u8], &str, &str); 4] = [
+    // a row of two doubles named t: kind, rows, columns, imaginary part, length of the name, either end first
+    let head = [0_u32, 1, 2, 0, 2];
+    let mut old = [head.map(u32::to_le_bytes).concat(), b"t\0".to_vec(), doubles(&[0.0, 1.0])].concat();
+    let [mut swapped, big] = [old.clone(), [1000, 1, 2, 0, 2].map(u32::to_be_bytes).concat()];
+    swapped[..20].copy_from_slice(&big);
+    old.extend(old.clone());
+    let mut damaged = example();
+    damaged[126] = 0;
+    let cases: [(&str, &[u8], &str, &str); 8] = [
+        ("damaged.mat", &damaged, "damaged or cut short", "copy it again"),
+        ("short.mat", &example()[..90], "damaged or cut short", "copy it again"),
+        ("old.mat", &old, "format 4", "'-v7'"),
+        ("swapped.mat", &swapped, "format 4", "'-v7'"),
         ("a.mat", &new, "format 7.3", "'-v7'"),
         ("a.h5", b"\x89HDF\r\n\x1a\n....", "HDF5", "CSV"),
         ("a.xlsx", b"PK\x03\x04.........", "workbook", "CSV"),
