@@ -37,6 +37,7 @@ pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 pub(crate) use stream::{is_stream, read_once};
 pub use summary::{Peak, Summary, summaries, summary};
 pub use wrap::{principal, unwrap};
+#[cfg(feature = "diagnose")]
 pub(crate) use zero::Zero;
 
 use crate::text::in_line;
