@@ -1,6 +1,7 @@
 //! The recordings on the bench: free runs of any model on their fitted parts.
 
 use super::catalogue::Scene;
+use super::measure::after_beginning;
 use super::watch::{LOOKS, Looks, Watched, spread};
 use crate::estimate::fit::harness::{Record, Unknown};
 use crate::estimate::fit::setup;
@@ -282,9 +283,15 @@ impl Bench {
     /// The simulator chooses its steps at the values that the model holds, where no plan for them is given.
     pub fn ready(&self, model: &Model, tolerance: f64, planned: Vec<Option<Planned>>) -> Result<Vec<Record>> {
         let options = FitOptions { tolerance, planned, ..self.options(Effort::Near, 0) };
-        (0..self.recordings.len())
-            .map(|k| setup::record(model, &self.recordings[k], k, &self.screened_spans(model, k), &options))
-            .collect()
+        let one = |k: usize| {
+            let spans = self.screened_spans(model, k);
+            let mut record = setup::record(model, &self.recordings[k], k, &spans, &options)?;
+            for t in record.tracks.iter_mut().filter(|_| !self.is_trials()) {
+                t.stretches = after_beginning(&t.stretches, t.time.len());
+            }
+            Ok(record)
+        };
+        (0..self.recordings.len()).map(one).collect()
     }
 
     /// Statistics of all signals of a fitted model.
@@ -308,6 +315,7 @@ impl Bench {
             tables: self.tables(),
             measured: self.measured(model),
             peaks: Vec::new(),
+            lines: std::collections::BTreeMap::new(),
             shifts: Vec::new(),
             own_parameters: self.own_parameters,
         })

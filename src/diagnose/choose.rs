@@ -75,12 +75,20 @@ fn is_jump_of_zero(p: &Proposal) -> bool {
     p.code == "output-offset" && p.term.contains("step(")
 }
 
-/// Out of how many a proposal was chosen before it was tried: the frequency of a wave in time is the best
-/// of all that the samples resolve, the moment of a sensor's jump of all samples.
+/// Starts of a wave whose frequency was read from the residual, at most.
+const FEW: usize = 4;
+
+/// Whether it is a wave whose frequency was read from the residual: it starts from there alone.
+fn is_line(p: &Proposal) -> bool {
+    is_wave(p) && p.starts.len() <= FEW
+}
+
+/// Out of how many a proposal was chosen before it was tried: the frequency of a wave that was read from the residual
+/// is the best of all that the samples resolve, the moment of a sensor's jump of all samples.
 pub fn chosen_from(p: &Proposal, samples: f64) -> f64 {
     match p {
         _ if is_jump_of_zero(p) => samples.max(1.0),
-        _ if is_timed_wave(p) => (0.5 * samples).max(1.0),
+        _ if is_line(p) => (0.5 * samples).max(1.0),
         _ => 1.0,
     }
 }

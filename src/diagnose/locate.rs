@@ -53,9 +53,15 @@ pub fn spectrum(values: &[f64]) -> Vec<f64> {
         let hann = 0.5 - 0.5 * (std::f64::consts::TAU * (i as f64 + 0.5) / n as f64).cos();
         padded[i] = hann * (v - mean);
     }
+    powers(padded)
+}
+
+/// Squares of a Fourier transform at the first half of its frequencies.
+pub fn powers(mut values: Vec<f64>) -> Vec<f64> {
+    let size = values.len();
     let fft = RealFftPlanner::<f64>::new().plan_fft_forward(size);
     let mut out = fft.make_output_vec();
-    if fft.process(&mut padded, &mut out).is_err() {
+    if fft.process(&mut values, &mut out).is_err() {
         return Vec::new();
     }
     out.iter().take(size / 2).map(num_complex::Complex::norm_sqr).collect()

@@ -20,6 +20,7 @@ use crate::estimate::noise::{Autoregression, NoiseModel, block_means};
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use statrs::function::beta::checked_beta_reg;
+use std::ops::Range;
 
 /// Parts that are left out in turn, each of several blocks.
 const BLOCKS: usize = 6;
@@ -29,8 +30,17 @@ const PIECES: usize = 4;
 const PRIOR: f64 = 2e-3;
 /// Order of the autoregressions whose likelihoods are compared.
 const ORDER: usize = 10;
+/// One in so many samples is not weighed at the beginning: what a law remembers from before it is not known, and a
+/// steady residual that is foretold by its own past would win against such a law by a few samples.
+const BEGINNING: usize = 50;
 /// Degrees of freedom from which on Fisher's distribution is that of chi-squared.
 const MANY: f64 = 2000.0;
+
+/// Stretches of so many samples without the beginning.
+pub fn after_beginning(stretches: &[Range<usize>], samples: usize) -> Vec<Range<usize>> {
+    let first = samples / BEGINNING;
+    stretches.iter().map(|r| r.start.max(first)..r.end).filter(|r| !r.is_empty()).collect()
+}
 
 /// The scale on which models of one set of recordings are compared.
 #[derive(Debug, Clone)]
@@ -50,6 +60,11 @@ impl Scale {
         let decimation =
             if trials { vec![1; fit.noise.len()] } else { fit.noise.iter().map(|n| n.decimation).collect() };
         Self { weights: fit.rmse.iter().map(inverse).collect(), decimation, trials }
+    }
+
+    /// The stretches of a series that are weighed.
+    fn stretches(&self, s: &Series) -> Vec<Range<usize>> {
+        if self.trials { s.stretches.clone() } else { after_beginning(&s.stretches, s.residual.len()) }
     }
 
     /// Free-run sum of squares of a fit, every output weighed by this scale.
@@ -138,7 +153,7 @@ fn left_out(series: &[&Series], free: &[usize], scale: &Scale) -> Option<f64> {
     let mut count = 0;
     for (k, s) in series.iter().enumerate() {
         let w = scale.weights[s.output];
-        for i in 0..s.residual.len() {
+        for i in scale.stretches(s).into_iter().flatten() {
             let block = if scale.trials { count % BLOCKS } else { (count / size) % BLOCKS };
             let (a, g, rows) = &mut blocks[block];
             for (x, jx) in free.iter().enumerate() {
@@ -185,7 +200,7 @@ fn likelihood(series: &[&Series], free: &[usize], scale: &Scale) -> (f64, f64) {
     let mut shorts: Vec<Short> = Vec::new();
     for s in series {
         let m = scale.decimation[s.output];
-        for r in &s.stretches {
+        for r in scale.stretches(s) {
             let columns = free.iter().map(|j| block_means(&s.sensitivities[*j][r.clone()], m)).collect();
             shorts.push(Short {
                 output: s.output,

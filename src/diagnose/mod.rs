@@ -24,6 +24,7 @@ mod hold;
 mod innovations;
 #[doc(hidden)]
 pub mod laboratory;
+mod lines;
 mod locate;
 mod located;
 mod measure;

@@ -16,7 +16,7 @@
 
 use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::{self, Proposal, Scene};
-use super::choose::CHANCE;
+use super::choose::{CHANCE, is_wave};
 use super::compared::same_tracks;
 use super::foretold::Foretold;
 use super::measure::Scale;
@@ -262,7 +262,8 @@ fn is_new(chosen: &[&Screened], s: &Screened) -> bool {
     let same: Vec<&&Screened> = chosen.iter().filter(|c| c.proposal.code == s.proposal.code).collect();
     let alike = |c: &Screened| c.score.degrees == s.score.degrees && cosine(&c.score, &s.score) > 0.999;
     let of_signals = same.iter().filter(|c| c.proposal.depends == s.proposal.depends).count();
-    of_signals < OF_SIGNALS && same.len() < OF_CODE && !same.iter().any(|c| alike(c))
+    let most = if is_wave(&s.proposal) { OF_CODE } else { OF_SIGNALS };
+    of_signals < most && same.len() < OF_CODE && !same.iter().any(|c| alike(c))
 }
 
 fn cosine(a: &Score, b: &Score) -> f64 {

@@ -145,6 +145,28 @@ impl Screen {
         whiten(tracks, &self.noise, |t| of(t))
     }
 
+    /// How the residual of the screen weighs the samples of tracks: its product with a direction is the sum of these
+    /// weights times what moves.
+    pub fn weights(&self, tracks: &[Track]) -> Vec<Vec<f64>> {
+        let mut rest = &self.residual[..];
+        let mut of = |t: &Track| {
+            let mut weights = vec![0.0; t.residual.len()];
+            for r in &t.stretches {
+                let noise = &self.noise[t.output];
+                let (own, others) = rest.split_at(r.len() / noise.decimation.max(1));
+                rest = others;
+                weights[r.clone()].copy_from_slice(&noise.whiten_adjoint(own, r.len()));
+            }
+            weights
+        };
+        tracks.iter().map(&mut of).collect()
+    }
+
+    /// Sum of the squares of directions, apart from the fitted unknowns.
+    pub fn energy(&self, directions: &[Vec<f64>]) -> f64 {
+        self.free(directions).squared_norm_l2()
+    }
+
     /// Directions without what lies in the space of the fitted unknowns.
     fn free(&self, directions: &[Vec<f64>]) -> Mat<f64> {
         let mut d = columns(self.residual.len(), directions);

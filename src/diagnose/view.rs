@@ -3,7 +3,7 @@
 use super::bench::{self, Bench, Stand, Track};
 use super::catalogue::Proposal;
 use super::compared::same_tracks;
-use super::response::{Response, Terms};
+use super::response::{Places, Response, Terms};
 use super::screen::Screen;
 use crate::estimate::Fit;
 use crate::estimate::fit::harness::Record;
@@ -32,6 +32,10 @@ pub struct View {
     pub tracks: Vec<Track>,
     /// Its response to small forces, where it can be found without simulations.
     pub response: Option<Response>,
+    /// The same on all samples and at the measured places, where that is another one.
+    fine: Option<Response>,
+    /// The screening space whose colour holds no line, for what repeats.
+    pub open: Screen,
 }
 
 impl View {
@@ -60,9 +64,19 @@ impl View {
             })
             .collect();
         let free = Screen::new(&own, &plain_noise, None);
-        let response = Response::of(bench, &fit.model, &stand, tolerance, &records);
+        let response = Response::of(bench, &fit.model, &stand, tolerance, &records, Places::Simulated);
         let screen = Screen::new(&own, &noise, Some(bench.seed));
-        Ok(Self { screen, free, stand, tolerance, planned, tracks: plain, response })
+        let differs = response.as_ref().is_some_and(|r| !r.is_fine);
+        let measured = Places::Measured(&plain);
+        let on_all = || Response::of(bench, &fit.model, &stand, tolerance, &records, measured);
+        let fine = if differs { on_all() } else { None };
+        let open = Screen::new(&own, &of_neighbours(&own, noise.len()), None);
+        Ok(Self { screen, free, stand, tolerance, planned, tracks: plain, response, fine, open })
+    }
+
+    /// The response on all samples and at the measured places, for what is faster than the model's own signals.
+    pub fn fine(&self) -> Option<&Response> {
+        self.fine.as_ref().or(self.response.as_ref())
     }
 
     /// A model that extends it, ready to run over the screened parts.
@@ -72,9 +86,21 @@ impl View {
 
     /// A proposal at rest, to be looked at from its starts.
     pub fn at_rest<'v>(&'v self, bench: &'v Bench, proposal: &'v Proposal) -> AtRest<'v> {
-        let terms = self.response.as_ref().and_then(|r| Some((r, r.terms(bench, proposal)?)));
+        let response = if proposal.turns() { self.fine() } else { self.response.as_ref() };
+        let terms = response.and_then(|r| Some((r, r.terms(bench, proposal)?)));
         AtRest { view: self, bench, proposal, terms, records: OnceCell::new() }
     }
+}
+
+/// The colour of each output's residual from one sample to the next.
+fn of_neighbours(tracks: &[Track], outputs: usize) -> Vec<NoiseModel> {
+    let of = |output: usize| {
+        let own = tracks.iter().filter(|t| t.output == output);
+        let stretches: Vec<&[f64]> =
+            own.flat_map(|t| t.stretches.iter().map(|r| &t.residual[r.clone()])).collect();
+        NoiseModel::of_neighbours(&stretches)
+    };
+    (0..outputs).map(of).collect()
 }
 
 /// A proposal at rest inside a fitted model.

@@ -2,7 +2,7 @@
 
 use super::edit::{self, Place};
 use super::scene::{Motion, Scene, Signal};
-use crate::expression::Expr;
+use crate::expression::{Expr, Function};
 use crate::model::{Initial, Model, Parameter, State};
 use crate::units::Unit;
 
@@ -100,6 +100,14 @@ impl Proposal {
         let inputs = self.model.inputs.iter().map(|i| &i.name);
         let signals = self.model.states.iter().map(|s| &s.name).chain(inputs);
         signals.filter(|s| edit::is_plainly_in(&term, s)).cloned().collect()
+    }
+
+    /// Whether its term is a sine or cosine of a state or of time, which may be faster than either.
+    pub fn turns(&self) -> bool {
+        let Ok(term) = Expr::parse(&self.term) else { return false };
+        let follows = |e: &Expr| e.mentions("t") || self.model.states.iter().any(|s| e.mentions(&s.name));
+        let is_turned = |e: &Expr| matches!(e, Expr::Call(Function::Sin | Function::Cos, _)) && follows(e);
+        edit::find(&term, &is_turned).is_some()
     }
 
     /// Whether its effect is a single force that may have one sign alone.

@@ -22,6 +22,7 @@
 
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, field};
 use crate::units::Unit;
+use std::f64::consts::TAU;
 
 /// A periodic force.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -36,7 +37,11 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
     let timed = motions.iter().flat_map(|m| scene.peaks.iter().map(move |w| (m, *w)));
     let mut all: Vec<Proposal> = timed.filter_map(|(m, w)| with_time(scene, m, w)).collect();
-    all.extend(motions.iter().filter(|m| m.speed.is_some()).filter_map(|m| with_place(scene, m)));
+    for m in motions.iter().filter(|m| m.speed.is_some()) {
+        all.extend(with_place(scene, m));
+        let lines = scene.lines.get(&m.state).into_iter().flatten();
+        all.extend(lines.filter_map(|n| with_line(scene, m, *n)));
+    }
     all
 }
 
@@ -58,28 +63,35 @@ fn with_time(scene: &Scene, m: &Motion, peak: f64) -> Option<Proposal> {
 }
 
 fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let signal = scene.signal(m.position.as_ref()?)?;
+    let range = signal.max - signal.min;
+    let turns = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
+    let mut starts: Vec<f64> = turns.iter().map(|turn| turn * TAU / range).collect();
+    if scene.is_angle(&signal.name) {
+        starts.extend((1..=12).map(f64::from).filter(|n| (9.0..400.0).contains(&(n * range))));
+    }
+    repeating(scene, m, (9.0 / range, 400.0 / range), &starts)
+}
+
+/// A force of one frequency in space that was read from the residual, about as exactly as it can be told there.
+fn with_line(scene: &Scene, m: &Motion, n: f64) -> Option<Proposal> {
+    let signal = scene.signal(m.position.as_ref()?)?;
+    // frequencies are told apart where their phases part by a turn over the whole way
+    let apart = TAU / (signal.max - signal.min);
+    let starts = [-0.6, -0.2, 0.2, 0.6].map(|k| n + k * apart);
+    repeating(scene, m, ((n - apart).max(0.0), n + apart), &starts)
+}
+
+fn repeating(scene: &Scene, m: &Motion, limits: (f64, f64), starts: &[f64]) -> Option<Proposal> {
     let q = m.position.as_ref()?;
-    let signal = scene.signal(q)?;
     let mut d = Draft::at(scene, "periodic-force", m);
     let a = d.amplitude("A_sin", &m.force, ANY, "sine part of the periodic force");
     let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
-    let range = signal.max - signal.min;
-    let unit = Unit::parse("rad").ok()?.over(&signal.unit);
-    let n = d.parameter(
-        "n",
-        &unit,
-        (9.0 / range, 400.0 / range),
-        "angle of the force for a unit of the position",
-    );
+    let unit = Unit::parse("rad").ok()?.over(&scene.signal(q)?.unit);
+    let n = d.parameter("n", &unit, limits, "angle of the force for a unit of the position");
     d.force(&m.state, &format!("{a}*sin({n}*{q}) + {b}*cos({n}*{q})"));
-    let turns = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
-    for turn in turns {
-        d.start(&[m.size, m.size, turn * std::f64::consts::TAU / range]);
-    }
-    if scene.is_angle(q) {
-        for teeth in (1..=12).map(f64::from).filter(|n| n * range > 9.0) {
-            d.start(&[m.size, m.size, teeth]);
-        }
+    for n in starts {
+        d.start(&[m.size, m.size, *n]);
     }
     let what = field::words(m).acts;
     d.done(&format!("{what} repeats with {}, {{0}} and {{1}} (sine and cosine) at {{2}}", scene.words(q)))

@@ -115,6 +115,8 @@ pub struct Scene<'a> {
     pub measured: BTreeMap<String, (f64, f64)>,
     /// Angular frequencies at which the residual has lines, rad/s.
     pub peaks: Vec<f64>,
+    /// Angular frequencies in space at which something is left, per unit of the position, by the state of a motion.
+    pub lines: BTreeMap<String, Vec<f64>>,
     /// Steps of the level of the residual, one an output at most.
     pub shifts: Vec<Shift>,
     /// How many of the parameters are the given model's own; mechanisms added theirs behind.

@@ -279,6 +279,7 @@ fn copy<'a>(scene: &Scene<'a>) -> Scene<'a> {
         tables: scene.tables.clone(),
         measured: scene.measured.clone(),
         peaks: scene.peaks.clone(),
+        lines: scene.lines.clone(),
         shifts: scene.shifts.clone(),
         own_parameters: scene.own_parameters,
         companions: scene.companions.clone(),

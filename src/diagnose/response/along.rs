@@ -2,12 +2,16 @@
 
 use super::probe::rows;
 use crate::diagnose::bench::Track;
+use crate::expression::Expr;
 use crate::model::{Initial, Model};
 use crate::record::Recording;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::ops::Range;
 use std::sync::Arc;
+
+/// Sums over neighbours reach as far as a power of two below this one.
+const WIDEST: usize = 8;
 
 /// One recording.
 pub(super) struct Along {
@@ -107,6 +111,19 @@ impl Along {
         x
     }
 
+    /// Moves the courses of those states that are outputs themselves to where they were measured.
+    pub fn take_places(&mut self, model: &Model, tracks: &[Track]) {
+        for t in tracks.iter().filter(|t| t.time.len() > 1) {
+            let equals = &model.outputs[t.output].equals;
+            let Some(state) = model.states.iter().find(|s| *equals == Expr::name(&s.name)) else { continue };
+            let off = read(&t.time, &smoothed(&t.residual), &self.time);
+            let channel = self.recording.channels.iter_mut().find(|c| c.name == state.name);
+            if let Some(channel) = channel.filter(|c| c.len() == off.len()) {
+                channel.values = channel.values.iter().zip(off).map(|(x, off)| x + off).collect();
+            }
+        }
+    }
+
     /// The values of signals at every time; `None` where one has gaps.
     pub fn values(&self, signals: &[&str]) -> Option<Vec<Vec<f64>>> {
         let channels: Option<Vec<_>> = signals.iter().map(|s| self.recording.channel(s).ok()).collect();
@@ -129,6 +146,30 @@ impl Along {
         };
         self.tracks.iter().map(one).collect()
     }
+}
+
+/// A series without its noise: means over as many neighbours as foretell a sample best.
+fn smoothed(values: &[f64]) -> Vec<f64> {
+    let n = values.len();
+    let mut sums = vec![0.0];
+    sums.extend(values.iter().scan(0.0, |sum, v| {
+        *sum += v;
+        Some(*sum)
+    }));
+    let around = |i: usize, reach: usize| (i.saturating_sub(reach), (i + reach + 1).min(n));
+    let without = |i: usize, reach: usize| {
+        let (a, b) = around(i, reach);
+        values[i] - (sums[b] - sums[a] - values[i]) / (b - a - 1) as f64
+    };
+    let missed = |reach: usize| (0..n).map(|i| without(i, reach).powi(2)).sum::<f64>();
+    let reaches = (0..WIDEST).map(|k| 1 << k).filter(|reach| 4 * reach < n);
+    let best = reaches.map(|reach| (reach, missed(reach))).min_by(|a, b| a.1.total_cmp(&b.1));
+    let Some((reach, _)) = best else { return values.to_vec() };
+    let mean = |i: usize| {
+        let (a, b) = around(i, reach);
+        (sums[b] - sums[a]) / (b - a) as f64
+    };
+    (0..n).map(mean).collect()
 }
 
 /// A series on a mesh, straight between its points, at rising times.

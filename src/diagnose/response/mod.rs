@@ -19,6 +19,7 @@
 //! The rule is stable at any step; its error is (ωh)²/12 of a motion of angular frequency ω. Models that
 //! remember their own states (lags, gaps) have more states than they name and are not treated here.
 
+mod adjoint;
 mod along;
 mod probe;
 mod thin;
@@ -27,7 +28,7 @@ use super::bench::{Bench, Stand, Track};
 use super::catalogue::Proposal;
 use crate::estimate::fit::harness::Record;
 use crate::expression::Expr;
-use crate::model::Model;
+use crate::model::{Model, State};
 use crate::record::{Channel, Recording};
 use along::{Along, Site};
 use faer::Mat;
@@ -46,6 +47,18 @@ pub struct Response {
     stand: Stand,
     tolerance: f64,
     runs: Vec<Along>,
+    /// Whether the whole mesh was kept, and no state is measured as it is.
+    pub is_fine: bool,
+}
+
+/// At what places the terms of a proposal are looked at.
+#[derive(Clone, Copy)]
+pub enum Places<'t> {
+    /// Where the model's own run takes its states, on a mesh as coarse as that allows.
+    Simulated,
+    /// Where the outputs saw those states that are outputs themselves, at all samples: a force that is faster than the
+    /// states is met in another phase where the run is a little off. Takes the run's tracks.
+    Measured(&'t [Track]),
 }
 
 /// A proposal's own rates and outputs along a run, of which the states are inputs.
@@ -65,15 +78,30 @@ impl Response {
         stand: &Stand,
         tolerance: f64,
         records: &[Record],
+        places: Places<'_>,
     ) -> Option<Self> {
         let n = model.states.len();
         if bench.is_trials() || n == 0 || n > STATES || remembers_states(model) {
             return None;
         }
-        let mut response = Self { model: model.clone(), stand: stand.clone(), tolerance, runs: Vec::new() };
+        let mut response =
+            Self { model: model.clone(), stand: stand.clone(), tolerance, runs: Vec::new(), is_fine: true };
+        let shown = |state: &State| model.outputs.iter().any(|o| o.equals == Expr::name(&state.name));
+        response.is_fine = !model.states.iter().any(shown);
+        let mut first = 0;
         for record in records {
-            let run = response.along(bench, record)?;
+            let (run, stride) = match places {
+                Places::Simulated => response.along(bench, record, thin::LONGEST)?,
+                Places::Measured(tracks) => {
+                    let own = tracks.get(first..first + record.tracks.len())?;
+                    let (mut run, stride) = response.along(bench, record, 1)?;
+                    run.take_places(model, own);
+                    (run, stride)
+                }
+            };
+            first += record.tracks.len();
             response.runs.push(run);
+            response.is_fine &= stride == 1;
         }
         Some(response)
     }
@@ -173,7 +201,7 @@ impl Response {
         (!sites.is_empty()).then_some((terms, sites))
     }
 
-    fn along(&self, bench: &Bench, record: &Record) -> Option<Along> {
+    fn along(&self, bench: &Bench, record: &Record, longest: usize) -> Option<(Along, usize)> {
         let (model, number) = (&self.model, record.recording);
         let n = model.states.len();
         let time: Arc<[f64]> = mesh(record)?.into();
@@ -194,7 +222,7 @@ impl Response {
         let states = looked(&probes, &recording, &time, place, &[])?.predictions;
         let signals: Vec<Vec<f64>> = recording.channels.iter().filter_map(|c| thin::on(c, &time)).collect();
         let courses: Vec<&[f64]> = states.iter().chain(&signals).map(Vec::as_slice).collect();
-        let stride = thin::stride(&courses, time.len());
+        let stride = thin::stride(&courses, time.len(), longest);
         let time: Arc<[f64]> = thin::every(&time, stride).into();
         thin::read_on(&mut recording, &time);
         for (s, values) in model.states.iter().zip(states) {
@@ -221,7 +249,7 @@ impl Response {
             let outputs = &slopes.sensitivities[n..];
             along.shown.extend(outputs.iter().flat_map(|o| o.iter().map(move |c| c[i])));
         }
-        along.forward.iter().chain(&along.shown).all(|x| x.is_finite()).then_some(along)
+        along.forward.iter().chain(&along.shown).all(|x| x.is_finite()).then_some((along, stride))
     }
 }
 
@@ -267,6 +295,55 @@ mod tests {
         Recording::from_channels("made", channels).unwrap()
     }
 
+    fn response(places: impl Fn(&Bench, &[Record], &Stand) -> Vec<Track>) -> (Response, Vec<Track>) {
+        let model = Model::parse(MODEL).unwrap();
+        let bench = Bench::new(&model, vec![recording()], false, 1);
+        let records = bench.ready(&model, 1e-5, Vec::new()).unwrap();
+        let stand = Stand {
+            parameters: model.parameters.iter().map(|p| p.value).collect(),
+            initials: vec![records[0].initials.clone()],
+        };
+        let tracks = places(&bench, &records, &stand);
+        let at = if tracks.is_empty() { Places::Simulated } else { Places::Measured(&tracks) };
+        (Response::of(&bench, &model, &stand, 1e-5, &records, at).unwrap(), tracks)
+    }
+
+    /// Σ w·δy by the moved tracks, and Σ g·∂L/∂g by the pulls: the same for any force and any weights.
+    #[test]
+    fn read_backwards_it_is_its_own_adjoint() {
+        let (response, _) = response(|_, _, _| Vec::new());
+        let mut seed = 1u64;
+        let mut drawn = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) as f64 / (1u64 << 31) as f64 - 0.5
+        };
+        let count = response.course("q").unwrap()[0].len();
+        let force: Vec<f64> = (0..count).map(|_| drawn()).collect();
+        let moved = response.pushed("v", vec![vec![force.clone()]]).unwrap();
+        let weights: Vec<Vec<f64>> =
+            moved.iter().map(|t| t.sensitivities[0].iter().map(|_| drawn()).collect()).collect();
+        let forwards: f64 = moved
+            .iter()
+            .zip(&weights)
+            .flat_map(|(t, w)| t.sensitivities[0].iter().zip(w))
+            .map(|(y, w)| y * w)
+            .sum();
+        let pulls = response.pulls("v", &weights).unwrap();
+        let backwards: f64 = pulls[0].iter().zip(&force).map(|(p, g)| p * g).sum();
+        assert!((forwards - backwards).abs() < 1e-9 * forwards.abs(), "{forwards} {backwards}");
+        assert!(forwards.abs() > 1e-9);
+    }
+
+    /// Where an output is a state, its course is the measured one: 0.03 sin 2t, no noise in it.
+    #[test]
+    fn takes_the_measured_places() {
+        let (response, _) = response(|_, records, stand| bench::run(records, stand, &[]).unwrap());
+        let places = response.course("q").unwrap();
+        let off = |(q, t): (&f64, &f64)| (q - 0.03 * (2.0 * t).sin()).abs();
+        let largest = places[0].iter().zip(response.runs[0].time.iter()).map(off).fold(0.0, f64::max);
+        assert!(largest < 1e-3, "{largest}");
+    }
+
     /// Every proposal at rest: the linearised response against the simulation with dual numbers.
     #[test]
     fn agrees_with_simulated_sensitivities() {
@@ -277,7 +354,7 @@ mod tests {
             parameters: model.parameters.iter().map(|p| p.value).collect(),
             initials: vec![records[0].initials.clone()],
         };
-        let response = Response::of(&bench, &model, &stand, 1e-5, &records).unwrap();
+        let response = Response::of(&bench, &model, &stand, 1e-5, &records, Places::Simulated).unwrap();
         let scene = bench.scene(&model, &stand).unwrap();
         let proposals = catalogue::ALL.iter().flat_map(|m| (m.propose)(&scene));
         let mut compared = std::collections::BTreeSet::new();

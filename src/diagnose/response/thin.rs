@@ -16,12 +16,12 @@ use std::sync::Arc;
 pub(super) const LEFT: f64 = 0.05;
 /// Points that are kept at least, and the longest stride.
 const LEAST: usize = 2000;
-const LONGEST: usize = 64;
+pub(super) const LONGEST: usize = 64;
 
 /// The largest stride that keeps the course of every signal.
-pub(super) fn stride(signals: &[&[f64]], points: usize) -> usize {
+pub(super) fn stride(signals: &[&[f64]], points: usize, longest: usize) -> usize {
     let mut stride = 1;
-    while 2 * stride <= LONGEST && points / (2 * stride) >= LEAST {
+    while 2 * stride <= longest && points / (2 * stride) >= LEAST {
         if !signals.iter().all(|s| keeps(s, 2 * stride)) {
             break;
         }
@@ -77,7 +77,7 @@ mod tests {
         };
         for (points, stride_then) in [(15.0, 1), (30.0, 2), (150.0, 16), (20_000.0, 16)] {
             let s = sine(points);
-            assert_eq!(stride(&[&s], s.len()), stride_then, "{points}");
+            assert_eq!(stride(&[&s], s.len(), LONGEST), stride_then, "{points}");
         }
         let (slow, fast) = (sine(150.0), sine(12.0));
         assert_eq!(stride(&[&slow, &fast], slow.len()), 1);

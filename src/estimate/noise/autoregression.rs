@@ -173,6 +173,21 @@ impl Autoregression {
             .collect()
     }
 
+    /// L⁻ᵀ e, the adjoint of [`Autoregression::whiten`].
+    pub fn whiten_adjoint(&self, innovations: &[f64]) -> Vec<f64> {
+        let p = self.order();
+        let mut out = vec![0.0; innovations.len()];
+        for (t, e) in innovations.iter().enumerate() {
+            let k = t.min(p);
+            let e = e / self.variances[k].sqrt();
+            out[t] += e;
+            for (j, a) in self.predictors[k].iter().enumerate() {
+                out[t - 1 - j] -= a * e;
+            }
+        }
+        out
+    }
+
     /// Coloured noise from unit-variance innovations: L e.
     pub fn colour(&self, innovations: &[f64]) -> Vec<f64> {
         let p = self.order();

@@ -81,9 +81,25 @@ impl NoiseModel {
         Self { decimation, autoregression }
     }
 
+    /// The colour of residual stretches by the next sample alone, none averaged: it cannot hold a line of the spectrum.
+    pub fn of_neighbours(stretches: &[&[f64]]) -> Self {
+        let clipped = clip(stretches);
+        let views: Vec<&[f64]> = clipped.iter().map(Vec::as_slice).collect();
+        Self { decimation: 1, autoregression: Autoregression::burg(&views, 1) }
+    }
+
     /// Innovations of one contiguous stretch.
     pub fn whiten(&self, stretch: &[f64]) -> Vec<f64> {
         self.autoregression.whiten(&block_means(stretch, self.decimation))
+    }
+
+    /// The adjoint of [`NoiseModel::whiten`] on a stretch of so many samples.
+    pub fn whiten_adjoint(&self, innovations: &[f64], samples: usize) -> Vec<f64> {
+        let m = self.decimation.max(1);
+        let blocks = self.autoregression.whiten_adjoint(innovations);
+        let mut out: Vec<f64> = blocks.iter().flat_map(|b| std::iter::repeat_n(b / m as f64, m)).collect();
+        out.resize(samples, 0.0);
+        out
     }
 
     /// Residual and sensitivities of one contiguous stretch, filtered alike.
