@@ -409,6 +409,38 @@ fn tanks_exchange_through_a_pipe_or_one_runs_over_or_nothing_is_missing() {
     assert_eq!(of(0.0, 0.0).verdict, Verdict::NothingMissing);
 }
 
+/// The value of a constant that a sentence names, with this unit behind it.
+fn told(says: &str, name: &str, unit: &str) -> f64 {
+    let behind = says.split(&format!("{name} = ")).nth(1).unwrap_or_else(|| panic!("no {name} in {says}"));
+    behind.split(&format!(" {unit}")).next().and_then(|v| v.parse().ok()).unwrap_or_else(|| panic!("{says}"))
+}
+
+/// What the sentence says is enough to write the outflow down: k√(h h_ref) is that of the made tank, c√h.
+#[test]
+fn a_law_can_be_written_down_from_what_is_said_of_it() {
+    let tank =
+        Plant { start: &[0.8], inputs: &[("q", "m^3/s")], states: &[("h", "m")], measured: 1, ..TANKS };
+    let said = tank.diagnosed(TANK_MODEL, |x, u| vec![(u[0] - 0.006 * x[0].sqrt()) / 0.5]);
+    assert_eq!((said.verdict, first(&said)), (Verdict::Named, "square-root-flow"), "{}", said.says);
+    let k = said.parameters.iter().find(|p| p.name == "k").unwrap();
+    let coefficient = |k: f64| k * told(&said.findings[0].says, "h_ref", "m").sqrt();
+    assert!(coefficient(k.low) < 0.006 && 0.006 < coefficient(k.high), "{} {k:?}", said.says);
+    assert!(coefficient(k.high) < 1.02 * coefficient(k.low), "{k:?}");
+}
+
+const TANK_MODEL: &str = r#"
+    name = "tank"
+    [inputs]
+    q = { unit = "m^3/s" }
+    [parameters]
+    A = { value = 0.4, unit = "m^2", fit = true, min = 0.01 }
+    k = { value = 0.005, unit = "m^2/s", fit = true, min = 0 }
+    [states]
+    h = { rate = "(q - k*h)/A", unit = "m", initial = "fit" }
+    [outputs]
+    h_meas = { equals = "h", unit = "m" }
+"#;
+
 const MOTOR: Plant<'_> = Plant {
     step: 0.02,
     start: &[10.0],

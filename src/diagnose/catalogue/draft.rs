@@ -63,6 +63,8 @@ pub struct Proposal {
     pub model: Model,
     /// What it adds to the fitted parameters.
     pub added: Vec<Added>,
+    /// Names of the parameters that it adds with a fixed value.
+    pub constants: Vec<String>,
     /// Values of the added parameters to start from; each has a visible effect.
     pub starts: Vec<Vec<f64>>,
     /// Which added parameters scale the effect: at 0 there is none.
@@ -155,6 +157,7 @@ impl<'a> Draft<'a> {
             site: Site { kind, name: name.to_string() },
             model: scene.model.clone(),
             added: Vec::new(),
+            constants: Vec::new(),
             starts: Vec::new(),
             amplitudes: Vec::new(),
             term: String::new(),
@@ -224,6 +227,7 @@ impl<'a> Draft<'a> {
             max: None,
             meaning: Some(meaning.to_string()),
         });
+        self.proposal.constants.push(name.clone());
         name
     }
 
