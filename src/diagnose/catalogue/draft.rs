@@ -2,7 +2,7 @@
 
 use super::edit::{self, Place};
 use super::scene::{Motion, Scene, Signal};
-use crate::expression::Expr;
+use crate::expression::{Expr, Function};
 use crate::model::{Initial, Model, Parameter, State};
 use crate::units::Unit;
 
@@ -79,6 +79,8 @@ pub struct Proposal {
     pub neutral: Option<Vec<f64>>,
     /// Limits of the added parameters.
     pub limits: Vec<Limits>,
+    /// What it puts in the place of what: new and old.
+    pub replaced: Vec<(Expr, Expr)>,
 }
 
 impl Proposal {
@@ -165,6 +167,7 @@ impl<'a> Draft<'a> {
             depends: Vec::new(),
             neutral: None,
             limits: Vec::new(),
+            replaced: Vec::new(),
         };
         Self { scene, proposal, failed: false }
     }
@@ -311,15 +314,17 @@ impl<'a> Draft<'a> {
 
     /// Replaces an output's expression; `{}` in the text stands for the old one.
     pub fn output(&mut self, output: &str, text: &str) {
-        let Some(o) = self.proposal.model.outputs.iter().find(|o| o.name == output) else {
+        let outputs = &self.proposal.model.outputs;
+        let Some(old) = outputs.iter().find(|o| o.name == output).map(|o| o.equals.clone()) else {
             self.failed = true;
             return;
         };
-        let new = text.replace("{}", &format!("({})", o.equals));
+        let new = text.replace("{}", &format!("({old})"));
         let Some(e) = self.read(&new) else { return };
         if let Some(o) = self.proposal.model.outputs.iter_mut().find(|o| o.name == output) {
-            o.equals = e;
+            o.equals = e.clone();
         }
+        self.proposal.replaced.push((e, old));
         self.term(&text.replace("{}", output));
     }
 
@@ -334,6 +339,7 @@ impl<'a> Draft<'a> {
             }
         });
         self.failed |= !found;
+        self.proposal.replaced.push((e, Expr::name(name)));
         self.term(text);
     }
 
@@ -421,11 +427,16 @@ impl<'a> Draft<'a> {
     }
 }
 
-/// Amplitudes at zero; else times and widths at zero, levels at their upper limit.
+/// Amplitudes at zero; else times and widths at zero, levels at their upper limit. A lag divides by its time, which
+/// has no rest.
 fn neutral(p: &Proposal) -> Option<Vec<f64>> {
     let start = p.starts.first()?;
     if !p.amplitudes.is_empty() {
         return Some(p.quiet(start));
+    }
+    let lags = |(new, _): &(Expr, Expr)| matches!(new, Expr::Call(Function::Lag, _));
+    if p.replaced.iter().any(lags) {
+        return None;
     }
     let at_rest = |l: &Limits| match *l {
         (0.0, _) => Some(0.0),
