@@ -14,7 +14,7 @@ mod spelling;
 mod turning;
 
 pub use dimension::{Dimension, Ratio};
-pub use figure::{counted, digits_within, figure, significant, without_needless_zeros};
+pub use figure::{counted, digits_within, figure, figure_of, significant, without_needless_zeros};
 pub use list::list;
 pub use turning::Turning;
 

@@ -9,10 +9,10 @@ from typing import Any
 from ._symbol import Tree
 
 Powers = tuple[Fraction, ...]
-"""Powers of m, kg, s, A and K."""
+"""Powers of m, kg, s, A, K and mol."""
 
-NONE: Powers = (Fraction(0),) * 5
-TIME: Powers = (Fraction(0), Fraction(0), Fraction(1), Fraction(0), Fraction(0))
+NONE: Powers = (Fraction(0),) * 6
+TIME: Powers = (Fraction(0), Fraction(0), Fraction(1), Fraction(0), Fraction(0), Fraction(0))
 
 _SAME = {"abs", "min", "max", "clamp"}
 _NUMBER = {"sign", "step", "atan2"}

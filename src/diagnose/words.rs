@@ -3,7 +3,7 @@
 use super::catalogue::{Limits, Proposal};
 use crate::estimate::Fit;
 use crate::model::Model;
-use crate::units::figure;
+use crate::units::{figure, figure_of};
 
 /// A number with its unit; pure numbers have none.
 pub fn quantity(value: f64, unit: &str) -> String {
@@ -43,7 +43,27 @@ pub fn beside(first: &Proposal, other: &Proposal) -> String {
     format!("{}{place}", other.code)
 }
 
-/// A mechanism's sentence with the fitted values in it.
+/// Digits of a constant: as many as a value has whose interval is narrow.
+const DIGITS: usize = 6;
+
+/// The constants that stand in a mechanism's term or sentence, in brackets behind it; empty where there are none.
+fn constants(p: &Proposal) -> String {
+    let stands_in = |text: &str, name: &str| {
+        text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name)
+    };
+    let stands = |name: &String| stands_in(&p.term, name) || stands_in(&p.says, name);
+    let told = p.model.parameters.iter().filter(|q| p.constants.contains(&q.name) && stands(&q.name));
+    let told: Vec<String> = told
+        .map(|q| {
+            let value = figure_of(q.unit.from_si(q.value), DIGITS);
+            let unit = if q.unit.text() == "1" { "" } else { q.unit.text() };
+            format!("{} = {value} {unit}", q.name).trim_end().to_owned()
+        })
+        .collect();
+    if told.is_empty() { String::new() } else { format!(" ({})", told.join(", ")) }
+}
+
+/// A mechanism's sentence with the fitted values in it, and with the constants that its law needs.
 pub fn sentence(p: &Proposal, fit: &Fit) -> String {
     let mut says = p.says.clone();
     for (i, a) in p.added.iter().enumerate() {
@@ -53,7 +73,7 @@ pub fn sentence(p: &Proposal, fit: &Fit) -> String {
         let value = fit.model.parameters.iter().find(|q| q.name == a.name).map_or(f64::NAN, |q| q.value);
         says = says.replace(&format!("{{{i}}}"), &quantity(a.unit.difference_from_si(value), a.unit.text()));
     }
-    says
+    says + &constants(p)
 }
 
 #[cfg(test)]

@@ -229,7 +229,7 @@ fn units(model: &Model) -> String {
         inputs.chain(parameters).chain(others).map(|u| (said::si(u), u)).collect();
     let mut out = String::from("  <UnitDefinitions>\n");
     for (name, unit) in all {
-        let powers = ["m", "kg", "s", "A", "K"].iter().zip(unit.dimension().powers());
+        let powers = ["m", "kg", "s", "A", "K", "mol"].iter().zip(unit.dimension().powers());
         let mut base: String = powers
             .filter(|p| p.1 != 0.0 && p.1.fract() == 0.0)
             .map(|(b, p)| format!(" {b}=\"{p}\""))

@@ -210,18 +210,16 @@ fn based(base: &Node<'_, '_>) -> Option<Unit> {
     if factor != 1.0 || offset != 0.0 {
         return None;
     }
-    let powers = ["kg", "m", "s", "A", "K", "rad"].map(|k| (k, number(base, k).unwrap_or(0.0)));
+    let powers = ["kg", "m", "s", "A", "K", "mol", "rad"].map(|k| (k, number(base, k).unwrap_or(0.0)));
     let terms: Vec<String> = powers
         .iter()
         .filter(|p| p.1 != 0.0)
         .map(|(k, p)| format!("{k}^{p}").replace("^1", if *p == 1.0 { "" } else { "^1" }))
         .collect();
-    let unknown = ["mol", "cd"].iter().any(|k| number(base, k).is_some_and(|p| p != 0.0));
-    if unknown {
-        None
-    } else {
-        Unit::parse(if terms.is_empty() { "1".into() } else { terms.join("*") }.as_str()).ok()
+    if number(base, "cd").is_some_and(|p| p != 0.0) {
+        return None;
     }
+    Unit::parse(if terms.is_empty() { "1".into() } else { terms.join("*") }.as_str()).ok()
 }
 
 /// How a variable of that type is held; `None` for texts, bytes and clocks.

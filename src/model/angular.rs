@@ -173,7 +173,7 @@ fn inertia() -> Dimension {
 
 /// Torque for a current or a temperature, N·m/A.
 fn is_torque_gain(d: Dimension) -> bool {
-    let [m, kg, s, ampere, kelvin] = d.powers();
+    let [m, kg, s, ampere, kelvin, _] = d.powers();
     (m, kg, s) == (2.0, 1.0, -2.0) && (ampere, kelvin) != (0.0, 0.0)
 }
 
@@ -181,12 +181,13 @@ fn is_torque_gain(d: Dimension) -> bool {
 /// temperature, a mass, a force or a torque. A length may hide one, as that of a belt on its wheel does, and a
 /// parameter may be a gain for one unit of angle.
 fn plainly(section: &str, d: Dimension) -> Option<Ratio> {
-    let [m, kg, s, ampere, kelvin] = d.powers();
-    let is_time = [m, kg, ampere, kelvin] == [0.0; 4] && s > 0.0;
-    let names = ["A", "K", "V", "kg", "N", "N*m", "Pa"];
+    let [m, kg, s, ampere, kelvin, mol] = d.powers();
+    let is_time = [m, kg, ampere, kelvin, mol] == [0.0; 5] && s > 0.0;
+    let names = ["A", "K", "V", "kg", "mol", "N", "N*m", "Pa"];
     let is = |name: &&str| Unit::parse(name).is_ok_and(|u| u.dimension() == d);
     let is_signal = section != "parameters" && names.iter().any(is);
-    let is_flow =
-        !["parameters", "definitions"].contains(&section) && m == 0.0 && [kg, ampere, kelvin] != [0.0; 3];
+    let is_flow = !["parameters", "definitions"].contains(&section)
+        && m == 0.0
+        && [kg, ampere, kelvin, mol] != [0.0; 4];
     (is_time || is_signal || is_flow).then_some(Ratio::ZERO)
 }

@@ -51,6 +51,7 @@ impl File<'_> {
                 of_numbers = Some(table.get_ref().file.span().start);
             }
             zero = zero.or(read.zero);
+            recording.time_unit = recording.time_unit.take().or(read.time_unit);
             self.add_channels(&mut recording, read.channels, table)?;
             recording.notes.extend(read.notes);
             if !recording.sources.contains(&read.origin.source) {

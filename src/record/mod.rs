@@ -94,6 +94,7 @@ impl Recording {
             notes,
             left_out,
             zero,
+            time_unit: table.time_unit,
             ..Self::default()
         })
     }

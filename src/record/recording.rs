@@ -3,7 +3,7 @@
 use super::spans::{Span, Spans};
 use super::zero::Zero;
 use crate::error::nearest;
-use crate::units::Unit;
+use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -253,6 +253,8 @@ pub struct Recording {
     pub left_out: Vec<LeftOut>,
     /// The moment of its zero of time, where the files tell.
     pub(crate) zero: Option<Zero>,
+    /// The unit in which its first table counts time from a zero of its own.
+    pub(crate) time_unit: Option<Unit>,
 }
 
 impl Recording {
@@ -285,6 +287,12 @@ impl Recording {
             }
         }
         Ok(Self { name: name.into(), channels, ..Self::default() })
+    }
+
+    /// The unit in which its file counts time: that of the first table's column of time; s for dates, and where no
+    /// column tells. Times are in s nevertheless.
+    pub fn time_unit(&self) -> Unit {
+        self.time_unit.clone().unwrap_or_else(|| Unit::of(Dimension::TIME))
     }
 
     /// The same recording as a table of trials.

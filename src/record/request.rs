@@ -37,6 +37,8 @@ pub(super) struct Table {
     pub left_out: Vec<LeftOut>,
     /// The zero of its dates and clocks.
     pub zero: Option<Zero>,
+    /// The unit of its column of time, where that counts from a zero of its own.
+    pub time_unit: Option<Unit>,
 }
 
 /// What is wanted of a table of text.

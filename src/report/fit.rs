@@ -55,6 +55,8 @@ struct Course<'a> {
     output: &'a Output,
     title: String,
     trials: bool,
+    /// The unit in which the recording counts time.
+    time_unit: Unit,
     held: Vec<[f64; 2]>,
     samples: Vec<Beside>,
 }
@@ -148,6 +150,7 @@ fn joined<'a>(
         output,
         title: format!("{} in “{}”", output.name, recording.name),
         trials: recording.kind == Kind::Trials,
+        time_unit: recording.time_unit(),
         held: held.into_iter().flat_map(ends).collect(),
         samples,
     })
@@ -166,11 +169,13 @@ fn without_seams(samples: &[Beside]) -> Vec<Beside> {
 
 impl Course<'_> {
     fn picture(&self, title: &str, y: &str) -> Picture {
-        Picture::new(title, if self.trials { "trial (row)" } else { "time, s" }, y).with(Layer::span(
-            "held",
-            "held out",
-            self.held.clone(),
-        ))
+        let picture = if self.trials {
+            Picture::new(title, "trial (row)", y)
+        } else {
+            let unit = &self.time_unit;
+            Picture::new(title, &with_unit("time", unit.text()), y).in_units_of(unit.to_si(1.0))
+        };
+        picture.with(Layer::span("held", "held out", self.held.clone()))
     }
 
     fn points(&self, of: impl Fn(&Beside) -> f64) -> Vec<[f64; 2]> {

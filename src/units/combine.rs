@@ -110,16 +110,16 @@ fn factors(text: &str) -> Vec<(String, f64)> {
     out
 }
 
-/// The place of a factor in a product: derived units as V and N first, then lengths, masses and angles, then A and K,
+/// The place of a factor in a product: derived units as V and N first, then lengths, masses, amounts and angles, then A and K,
 /// then times: `V*A*s`, `N*m*s`.
 fn rank(name: &str) -> usize {
-    const PLACES: [&[[i32; 5]]; 3] = [
-        &[[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0; 5]],
-        &[[0, 0, 0, 1, 0], [0, 0, 0, 0, 1]],
-        &[[0, 0, 1, 0, 0]],
+    const PLACES: [&[[i32; 6]]; 3] = [
+        &[[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 0, 1], [0; 6]],
+        &[[0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 1, 0]],
+        &[[0, 0, 1, 0, 0, 0]],
     ];
     let Some(own) = names::find(name).map(|n| n.dimension) else { return 0 };
-    let holds = |all: &&[[i32; 5]]| all.iter().any(|powers| Dimension::whole(*powers) == own);
+    let holds = |all: &&[[i32; 6]]| all.iter().any(|powers| Dimension::whole(*powers) == own);
     PLACES.iter().position(holds).map_or(0, |i| i + 1)
 }
 

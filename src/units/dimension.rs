@@ -1,10 +1,14 @@
-//! Dimensions: powers of metre, kilogram, second, ampere and kelvin, with rational exponents.
+//! Dimensions: powers of metre, kilogram, second, ampere, kelvin and mole, with rational exponents.
 
 use std::fmt;
 
 /// Derived SI units used to spell a dimension.
-const DERIVED: [(&str, [i32; 5]); 4] =
-    [("N", [1, 1, -2, 0, 0]), ("Pa", [-1, 1, -2, 0, 0]), ("W", [2, 1, -3, 0, 0]), ("V", [2, 1, -3, -1, 0])];
+const DERIVED: [(&str, [i32; 6]); 4] = [
+    ("N", [1, 1, -2, 0, 0, 0]),
+    ("Pa", [-1, 1, -2, 0, 0, 0]),
+    ("W", [2, 1, -3, 0, 0, 0]),
+    ("V", [2, 1, -3, -1, 0, 0]),
+];
 
 /// A small rational number, in lowest terms with a positive denominator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -101,9 +105,9 @@ impl fmt::Display for Ratio {
 }
 
 /// The base units, in the order of the exponents.
-const BASE: [&str; 5] = ["m", "kg", "s", "A", "K"];
+const BASE: [&str; 6] = ["m", "kg", "s", "A", "K", "mol"];
 
-/// Powers of m, kg, s, A, K; angles count as 1.
+/// Powers of m, kg, s, A, K, mol; angles count as 1.
 ///
 /// ```
 /// use gyrospec::units::Unit;
@@ -113,24 +117,24 @@ const BASE: [&str; 5] = ["m", "kg", "s", "A", "K"];
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Dimension([Ratio; 5]);
+pub struct Dimension([Ratio; 6]);
 
 impl Dimension {
     /// No dimension: pure numbers and angles.
-    pub const NONE: Self = Self([Ratio::ZERO; 5]);
+    pub const NONE: Self = Self([Ratio::ZERO; 6]);
     /// Time, s.
     pub const TIME: Self = Self::base(2);
     /// Thermodynamic temperature, K.
     pub const TEMPERATURE: Self = Self::base(4);
 
     const fn base(i: usize) -> Self {
-        let mut exponents = [Ratio::ZERO; 5];
+        let mut exponents = [Ratio::ZERO; 6];
         exponents[i] = Ratio::ONE;
         Self(exponents)
     }
 
-    /// Whole powers of m, kg, s, A, K.
-    pub(super) fn whole(powers: [i32; 5]) -> Self {
+    /// Whole powers of m, kg, s, A, K, mol.
+    pub(super) fn whole(powers: [i32; 6]) -> Self {
         Self(powers.map(|numerator| Ratio { numerator, denominator: 1 }))
     }
 
@@ -184,8 +188,8 @@ impl Dimension {
         (length, [vec![head], under].concat().join("/"))
     }
 
-    /// The powers of m, kg, s, A and K.
-    pub fn powers(self) -> [f64; 5] {
+    /// The powers of m, kg, s, A, K and mol.
+    pub fn powers(self) -> [f64; 6] {
         self.0.map(Ratio::to_f64)
     }
 

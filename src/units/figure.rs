@@ -8,16 +8,27 @@
 /// assert_eq!(figure(f64::NAN), "–");
 /// ```
 pub fn figure(x: f64) -> String {
+    figure_of(x, 4)
+}
+
+/// A number with so many significant digits and no needless zeros; `–` where there is none.
+///
+/// ```
+/// use gyrospec::units::figure_of;
+/// assert_eq!([figure_of(1.2, 6), figure_of(0.1234567, 6), figure_of(2.5e-7, 6)], ["1.2", "0.123457", "2.5e-7"]);
+/// ```
+pub fn figure_of(x: f64, digits: usize) -> String {
     if !x.is_finite() {
         return "–".into();
     }
     let size = x.abs();
     if size != 0.0 && !(1e-3..1e6).contains(&size) {
-        let text = format!("{x:.3e}");
+        let text = format!("{x:.*e}", digits.saturating_sub(1));
         let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
         return format!("{}e{power}", without_zeros(mantissa));
     }
-    let decimals = if size == 0.0 { 0 } else { (3 - size.log10().floor() as i32).max(0) as usize };
+    let decimals =
+        if size == 0.0 { 0 } else { (digits as i32 - 1 - size.log10().floor() as i32).max(0) as usize };
     without_zeros(&format!("{x:.decimals$}")).to_string()
 }
 

@@ -13,7 +13,7 @@ N*m*s/rad; 1 for none. Inside everything is SI and radians.
 
 const FOOT: &str = "
 # As people write them
-°C ℃ (degC), ° (deg), Ω Ohm (ohm), µ (u), knots (kn); raised digits (m/s², s⁻¹); · ⋅ × for *.
+°C ℃ (degC), ° (deg), Ω Ohm (ohm), µ (u), knots (kn), L (l); raised digits (m/s², s⁻¹); · ⋅ × for *.
 
 # Turns or radians
 For an angular speed rad/s, deg/s and rpm are plain. 1/min, Hz and rev/s are refused there with the question whether

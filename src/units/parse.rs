@@ -113,7 +113,7 @@ impl<'a> Reader<'a> {
         }
         match spelled_out(name).or_else(|| nearest(name, known.iter().map(String::as_str))) {
             Some(near) => e.with_hint(format!("the nearest known unit is {near}")),
-            None => e.with_hint("known are m ft nmi l g s min h d A K degC N dyn Nm J Wh W Pa bar psi mmHg V ohm H F T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
+            None => e.with_hint("known are m ft nmi l g s min h d A K degC mol N dyn Nm J Wh W Pa bar psi mmHg V ohm H F T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
         }
     }
 
@@ -153,6 +153,7 @@ fn spelled_out(name: &str) -> Option<&'static str> {
         "sec" | "secs" | "second" | "seconds" => "s",
         "degree" | "degrees" | "grad" => "deg",
         "radian" | "radians" => "rad",
+        "mole" | "moles" => "mol",
         "newton" | "newtons" => "N",
         "volt" | "volts" => "V",
         "knot" | "kt" | "kts" => "kn",

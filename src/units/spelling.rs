@@ -19,7 +19,11 @@ fn known(name: &str) -> String {
         .replace(['\u{2126}', '\u{3a9}'], "ohm")
         .replace("Ohm", "ohm")
         .replace(['\u{b5}', '\u{3bc}'], "u");
-    if name == "knots" { "kn".into() } else { name }
+    match name.as_str() {
+        "knots" => "kn".into(),
+        "L" | "mL" | "cL" | "dL" => name.replace('L', "l"),
+        _ => name,
+    }
 }
 
 /// What follows a name, with a raised power as `^` and plain digits.

@@ -32,6 +32,10 @@ fn conversions() {
         ("m^(3/2)", 2.0, 2.0),
         ("degC", 0.0, 273.15),
         ("degC/s", 1.0, 1.0),
+        ("kmol", 2.0, 2000.0),
+        ("mmol/L", 5.0, 5.0),
+        ("mol/(L*s)", 2.0, 2000.0),
+        ("umol/(m^2*s)", 3.0, 3e-6),
     ];
     for (unit, value, si) in cases {
         let got = u(unit).to_si(value);
@@ -50,8 +54,7 @@ fn errors_name_the_nearest() {
         ("m/sec", "s"),
         ("sec", "s"),
         ("SEC", "s"),
-        ("L", "l"),
-        ("L/min", "l"),
+        ("moles", "mol"),
         ("RPM", "rpm"),
         ("OHM", "ohm"),
         ("KN", "kN"),
@@ -76,6 +79,8 @@ fn the_spelling_of_people_is_read() {
         ("°C", "degC"),
         ("℃", "degC"),
         ("°", "deg"),
+        ("L/min", "l/min"),
+        ("µmol/mL", "umol/ml"),
         ("°/s", "deg/s"),
         ("m/s²", "m/s^2"),
         ("m³/h", "m^3/h"),
@@ -150,4 +155,14 @@ fn combinations_keep_their_names() {
     assert_eq!(u("m").times(&u("N")).times(&u("s")).text(), "N*m*s");
     assert_eq!(u("cm^2").times(&u("g")).over(&u("s")).text(), "cm^2*g/s");
     assert_eq!(u("m/s").power(-0.5).text(), "s^0.5/m^0.5");
+}
+
+#[test]
+fn an_amount_is_a_quantity_of_its_own() {
+    assert_ne!(u("mol/s").dimension(), u("1/s").dimension());
+    assert_eq!(u("mol/s").over(&u("mol/m^3")).dimension(), u("m^3/s").dimension());
+    // the gas constant's unit makes a pressure of a concentration and a temperature
+    let gas = u("J/(mol*K)").times(&u("mol/m^3")).times(&u("K"));
+    assert_eq!(gas.dimension(), u("Pa").dimension());
+    assert_eq!(u("mmol/(L*h)").dimension().to_string(), "mol/m^3/s");
 }

@@ -15,6 +15,16 @@ fn utf_16(text: &str, of: fn(u16) -> [u8; 2]) -> Vec<u8> {
     format!("\u{feff}{text}").encode_utf16().flat_map(of).collect()
 }
 
+#[test]
+fn a_recording_knows_the_unit_in_which_its_file_counts_time() {
+    let unit = |text: &str| read(text.as_bytes()).unwrap().time_unit().text().to_owned();
+    assert_eq!(unit("t [h],F [N]\n0,1\n0.5,2\n1,0\n"), "h");
+    assert_eq!(unit("Time (min),F [N]\n0,1\n0.5,2\n1,0\n"), "min");
+    // dates are no count of a unit
+    let days = "t,F [N]\n2025-04-03T12:00:00Z,1\n2025-04-04T12:00:00Z,2\n2025-04-05T12:00:00Z,0\n";
+    assert_eq!(unit(days), "s");
+}
+
 /// What every dialect below must give: a force of 1.5, -1234.5 and 0.25 N, at 0, 0.5 and 1 s.
 #[track_caller]
 fn gives_the_force(name: &str, bytes: &[u8], label: &str) {

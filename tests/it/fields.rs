@@ -409,6 +409,64 @@ fn tanks_exchange_through_a_pipe_or_one_runs_over_or_nothing_is_missing() {
     assert_eq!(of(0.0, 0.0).verdict, Verdict::NothingMissing);
 }
 
+/// The value of a constant that a sentence names, with this unit behind it.
+fn told(says: &str, name: &str, unit: &str) -> f64 {
+    let behind = says.split(&format!("{name} = ")).nth(1).unwrap_or_else(|| panic!("no {name} in {says}"));
+    behind.split(&format!(" {unit}")).next().and_then(|v| v.parse().ok()).unwrap_or_else(|| panic!("{says}"))
+}
+
+/// What the sentence says is enough to write the outflow down: k√(h h_ref) is that of the made tank, c√h.
+#[test]
+fn a_law_can_be_written_down_from_what_is_said_of_it() {
+    let tank =
+        Plant { start: &[0.8], inputs: &[("q", "m^3/s")], states: &[("h", "m")], measured: 1, ..TANKS };
+    let recording = tank.recorded(|x, u| vec![(u[0] - 0.006 * x[0].sqrt()) / 0.5]);
+    let found = diagnosed(&Model::parse(TANK_MODEL).unwrap(), recording);
+    let said = &found.answer;
+    assert_eq!((said.verdict, first(said)), (Verdict::Named, "square-root-flow"), "{}", said.says);
+    let k = said.parameters.iter().find(|p| p.name == "k").unwrap();
+    let coefficient = |k: f64| k * told(&said.findings[0].says, "h_ref", "m").sqrt();
+    assert!(coefficient(k.low) < 0.006 && 0.006 < coefficient(k.high), "{} {k:?}", said.says);
+    assert!(coefficient(k.high) < 1.02 * coefficient(k.low), "{k:?}");
+    // the picture shows what the root adds to the linear outflow
+    let [law] = &found.pictures.laws[..] else { panic!("{:?}", found.pictures.laws) };
+    assert_eq!((law.signal.as_str(), law.effect_unit.as_str()), ("h", "m^3/s"));
+    assert!(law.curve.len() > 20 && !law.means.is_empty() && !law.samples.is_empty());
+    for [h, missing, ..] in &law.curve {
+        let made = k.after * h - 0.006 * h.sqrt();
+        assert!((missing - made).abs() < 1e-4, "at {h}: {missing} for {made}");
+    }
+}
+
+/// A lag T of a sensor takes T ẏ from what it shows: the picture is a straight line of that slope.
+#[test]
+fn the_picture_of_a_lag_is_a_line_against_the_rate() {
+    let plant = Plant { start: &[600.0, 600.0], states: &[("shown", "K"), ("T", "K")], ..FURNACE };
+    let recording = plant.recorded(|x, u| vec![(x[1] - x[0]) / 240.0, (u[0] - 6.0 * (x[1] - u[1])) / 2500.0]);
+    let model = FURNACE_MODEL.replace("T_meas", "shown_meas");
+    let found = diagnosed(&Model::parse(&model).unwrap(), recording);
+    let code = first(&found.answer);
+    assert!(["input-lag", "output-lag"].contains(&code), "{}", found.answer.says);
+    let [law] = &found.pictures.laws[..] else { panic!("{:?}", found.answer.says) };
+    assert!(law.signal.starts_with("rate of "), "{}", law.signal);
+    let (a, b) = (law.curve.first().unwrap(), law.curve.last().unwrap());
+    let slope = (b[1] - a[1]) / (b[0] - a[0]);
+    assert!((slope + 240.0).abs() < 24.0, "{slope} of {} against {}", law.effect, law.signal);
+}
+
+const TANK_MODEL: &str = r#"
+    name = "tank"
+    [inputs]
+    q = { unit = "m^3/s" }
+    [parameters]
+    A = { value = 0.4, unit = "m^2", fit = true, min = 0.01 }
+    k = { value = 0.005, unit = "m^2/s", fit = true, min = 0 }
+    [states]
+    h = { rate = "(q - k*h)/A", unit = "m", initial = "fit" }
+    [outputs]
+    h_meas = { equals = "h", unit = "m" }
+"#;
+
 const MOTOR: Plant<'_> = Plant {
     step: 0.02,
     start: &[10.0],

@@ -5,7 +5,7 @@ use gyrospec::diagnose::answer::{
     Answer, Band, DataFault, Detection, Finding, InputFile, Located, Made, ParameterChange, Proof, SCHEMA,
     SignalChance, SiteName, Spell, Stretch, Unexplained, Value, Verdict, Visible,
 };
-use gyrospec::diagnose::pictures::{Close, Course, Faulty, Law, Pictures, Spectrum, Standing, Tried};
+use gyrospec::diagnose::pictures::{Clock, Close, Course, Faulty, Law, Pictures, Spectrum, Standing, Tried};
 use gyrospec::estimate::{Correlation, Direction, Lags};
 use gyrospec::report::diagnosis::page;
 use std::path::Path;
@@ -152,6 +152,7 @@ fn pictures(verdict: Verdict) -> Pictures {
     let power = |x: f64| (1..200).map(|i| [f64::from(i) * 0.1, x / f64::from(i)]).collect();
     Pictures {
         trials: false,
+        clock: Clock::default(),
         courses: (0..8).map(|i| course(&format!("position{i}"))).collect(),
         spectra: vec![Spectrum {
             output: "position".into(),
@@ -251,6 +252,25 @@ fn a_page_is_small_and_asks_nothing_from_outside() {
     }
 }
 
+/// A minute's wave: 0 to 60 s are 0 to 1 min.
+#[test]
+fn a_page_counts_time_as_the_recording_does() {
+    let verdict = Verdict::DataFault;
+    let drawn = |clock: Clock| {
+        let page = page("axis", &answer(verdict), &Pictures { clock, ..pictures(verdict) }, &[]);
+        sections(&page)
+    };
+    let (seconds, minutes) = (Clock::default(), Clock { unit: "min".into(), seconds: 60.0 });
+    let [seconds, minutes] = [seconds, minutes].map(drawn);
+    for name in ["courses", "residuals", "faults"] {
+        let of = |all: &[(String, String)]| all.iter().find(|s| s.0 == name).unwrap().1.clone();
+        let has = |text: &str, word: &str| text.contains(&format!(">{word}</text>"));
+        let (s, min) = (of(&seconds), of(&minutes));
+        assert!(has(&s, "time, s") && has(&s, "20") && !has(&s, "0.6"), "{name}");
+        assert!(has(&min, "time, min") && has(&min, "0.6") && !has(&min, "20"), "{name}");
+    }
+}
+
 #[test]
 fn the_verdict_is_one_sentence() {
     let heading = |v: Verdict| {
@@ -307,6 +327,11 @@ fn a_browser_opens_the_page() {
     for verdict in verdicts {
         opens(&browser, &format!("{verdict:?}"), &made(verdict));
     }
+    let mut long = pictures(Verdict::Named);
+    long.laws[0].formula = format!("curve((v - v_mean)/v_spread{})", ", -1.23, f1".repeat(30));
+    opens(&browser, "long formula", &page("axis", &answer(Verdict::Named), &long, &[]));
+    long.laws[0].formula = "x".repeat(400);
+    opens(&browser, "long name", &page("axis", &answer(Verdict::Named), &long, &[]));
     opens(&browser, "roll-error", &page_of(&["roll-error", "examples/roll.csv"]));
     opens(&browser, "fit", &page_of(&["fit", "examples/clinometer.toml", "examples/clinometer.csv"]));
 }

@@ -63,6 +63,8 @@ pub struct Proposal {
     pub model: Model,
     /// What it adds to the fitted parameters.
     pub added: Vec<Added>,
+    /// Names of the parameters that it adds with a fixed value.
+    pub constants: Vec<String>,
     /// Values of the added parameters to start from; each has a visible effect.
     pub starts: Vec<Vec<f64>>,
     /// Which added parameters scale the effect: at 0 there is none.
@@ -77,6 +79,8 @@ pub struct Proposal {
     pub neutral: Option<Vec<f64>>,
     /// Limits of the added parameters.
     pub limits: Vec<Limits>,
+    /// What it puts in the place of what: new and old.
+    pub replaced: Vec<(Expr, Expr)>,
 }
 
 impl Proposal {
@@ -163,6 +167,7 @@ impl<'a> Draft<'a> {
             site: Site { kind, name: name.to_string() },
             model: scene.model.clone(),
             added: Vec::new(),
+            constants: Vec::new(),
             starts: Vec::new(),
             amplitudes: Vec::new(),
             term: String::new(),
@@ -170,6 +175,7 @@ impl<'a> Draft<'a> {
             depends: Vec::new(),
             neutral: None,
             limits: Vec::new(),
+            replaced: Vec::new(),
         };
         Self { scene, proposal, failed: false }
     }
@@ -232,6 +238,7 @@ impl<'a> Draft<'a> {
             max: None,
             meaning: Some(meaning.to_string()),
         });
+        self.proposal.constants.push(name.clone());
         name
     }
 
@@ -315,15 +322,17 @@ impl<'a> Draft<'a> {
 
     /// Replaces an output's expression; `{}` in the text stands for the old one.
     pub fn output(&mut self, output: &str, text: &str) {
-        let Some(o) = self.proposal.model.outputs.iter().find(|o| o.name == output) else {
+        let outputs = &self.proposal.model.outputs;
+        let Some(old) = outputs.iter().find(|o| o.name == output).map(|o| o.equals.clone()) else {
             self.failed = true;
             return;
         };
-        let new = text.replace("{}", &format!("({})", o.equals));
+        let new = text.replace("{}", &format!("({old})"));
         let Some(e) = self.read(&new) else { return };
         if let Some(o) = self.proposal.model.outputs.iter_mut().find(|o| o.name == output) {
-            o.equals = e;
+            o.equals = e.clone();
         }
+        self.proposal.replaced.push((e, old));
         self.term(&text.replace("{}", output));
     }
 
@@ -338,6 +347,7 @@ impl<'a> Draft<'a> {
             }
         });
         self.failed |= !found;
+        self.proposal.replaced.push((e, Expr::name(name)));
         self.term(text);
     }
 
@@ -425,11 +435,16 @@ impl<'a> Draft<'a> {
     }
 }
 
-/// Amplitudes at zero; else times and widths at zero, levels at their upper limit.
+/// Amplitudes at zero; else times and widths at zero, levels at their upper limit. A lag divides by its time, which
+/// has no rest.
 fn neutral(p: &Proposal) -> Option<Vec<f64>> {
     let start = p.starts.first()?;
     if !p.amplitudes.is_empty() {
         return Some(p.quiet(start));
+    }
+    let lags = |(new, _): &(Expr, Expr)| matches!(new, Expr::Call(Function::Lag, _));
+    if p.replaced.iter().any(lags) {
+        return None;
     }
     let at_rest = |l: &Limits| match *l {
         (0.0, _) => Some(0.0),

@@ -67,6 +67,8 @@ mod tests {
         assert_eq!([heat.acts, heat.back], ["a flow of heat", "the loss of heat"]);
         assert_eq!(at("W", None).store, "a second store of heat");
         assert_eq!(at("mg/(l*h)", None).store, "a second compartment");
+        assert_eq!(at("mmol/(l*h)", None).store, "a second compartment");
+        assert_eq!(at("mol/s", None).acts, "a flow of substance");
         assert_eq!(at("V/s", None).store, "a second store of charge");
         assert_eq!(at("N", Some("v")).back, "the restoring force");
         assert_eq!(at("N*m/rad", Some("w")).acts, "a moment");

@@ -30,7 +30,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     Group::Input,
     include_str!("input_lag.rs"),
     propose,
-);
+)
+.shifting_time();
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

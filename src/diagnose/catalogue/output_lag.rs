@@ -28,7 +28,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     Group::Output,
     include_str!("output_lag.rs"),
     propose,
-);
+)
+.shifting_time();
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {

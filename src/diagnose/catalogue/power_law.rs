@@ -137,8 +137,7 @@ fn alone(scene: &Scene, m: &Motion, x: &str) -> Option<Proposal> {
         d.start(&[m.size / size, start]);
     }
     d.done(&format!(
-        "a loss or drag of {{0}} at {x} = {} goes with a power of {}, {{1}} beside the first",
-        crate::units::figure(size),
+        "a loss or drag of {{0}} at {x} = {scale} goes with a power of {}, {{1}} beside the first",
         scene.words(x)
     ))
 }

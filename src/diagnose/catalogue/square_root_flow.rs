@@ -48,14 +48,16 @@ fn is_level(scene: &Scene, m: &Motion) -> bool {
 
 fn at(scene: &Scene, levels: &[&Motion]) -> Option<Proposal> {
     let mut d = Draft::at(scene, "square-root-flow", levels.last()?);
+    let mut laws = Vec::new();
     for m in levels {
         let s = &m.state;
         let signal = scene.signal(s)?;
         let scale =
             d.constant(&format!("{s}_ref"), &signal.unit, signal.max, "scale of the level, not fitted");
         d.replace(s, &format!("sqrt(max({s}, 0*{scale})*{scale})"), |p| !matches!(p, Place::Output(_)));
+        laws.push(format!("sqrt({s}*{scale}) stands for {s}"));
     }
     d.start(&[]);
     let names: Vec<String> = levels.iter().map(|m| scene.words(&m.state)).collect();
-    d.done(&format!("the flow goes with the root of {}", names.join(" and of ")))
+    d.done(&format!("the flow goes with the root of {}: {}", names.join(" and of "), laws.join(", ")))
 }

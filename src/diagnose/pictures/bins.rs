@@ -13,6 +13,18 @@ pub struct Sample {
     pub row: usize,
 }
 
+/// Share of derivatives that is left out at both ends: the wildest stand at the ends of a stretch, and would hide the
+/// law.
+pub const WILD: f64 = 0.01;
+
+/// The least and the greatest of the finite values that are left without a share at both ends.
+pub fn between(values: impl Iterator<Item = f64>, share: f64) -> (f64, f64) {
+    let mut order: Vec<f64> = values.filter(|v| v.is_finite()).collect();
+    order.sort_unstable_by(f64::total_cmp);
+    let cut = (share * order.len() as f64) as usize;
+    order.get(cut).map_or((f64::NAN, f64::NAN), |low| (*low, order[order.len() - 1 - cut]))
+}
+
 /// Means in bins of equal width between the outer half per cents of the signal.
 ///
 /// The 95 % band of a mean comes from the scatter of the visits to its bin: samples that follow each
@@ -70,13 +82,7 @@ fn visits(own: &[Sample]) -> Vec<(f64, f64)> {
 
 /// Samples of each bin, in order of time; empty bins are left out.
 fn binned(samples: &[Sample], bins: usize) -> Vec<Vec<Sample>> {
-    let mut xs: Vec<f64> = samples.iter().map(|s| s.x).filter(|x| x.is_finite()).collect();
-    if xs.is_empty() {
-        return Vec::new();
-    }
-    xs.sort_unstable_by(f64::total_cmp);
-    let cut = xs.len() / 200;
-    let (low, high) = (xs[cut], xs[xs.len() - 1 - cut]);
+    let (low, high) = between(samples.iter().map(|s| s.x), 0.005);
     let width = (high - low) / bins as f64;
     let mut all = vec![Vec::new(); bins];
     for s in samples.iter().filter(|s| s.x >= low && s.x <= high && s.y.is_finite()) {
@@ -90,6 +96,13 @@ fn binned(samples: &[Sample], bins: usize) -> Vec<Vec<Sample>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_wildest_are_left_out_at_both_ends() {
+        let of = |share: f64| between((0..=200).map(f64::from).chain([f64::NAN]), share);
+        assert_eq!((of(0.0), of(0.01)), ((0.0, 200.0), (2.0, 198.0)));
+        assert!(between([f64::NAN].into_iter(), 0.0).0.is_nan() && means(&[], 3).is_empty());
+    }
 
     #[test]
     fn the_mean_of_a_sign_is_a_step() {

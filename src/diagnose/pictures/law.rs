@@ -16,8 +16,9 @@
 //! # Numerical aspects
 //! Differentiated noise is large: the means along the signal count, not the single samples.
 
-use super::bins::{self, Sample};
+use super::bins::{self, Sample, WILD};
 use super::probe::{Accused, Probe};
+use super::rest::Rest;
 use super::{Assembly, Law, Point};
 use crate::diagnose::catalogue::{Proposal, SiteKind, edit};
 use crate::estimate::Fit;
@@ -26,7 +27,7 @@ use crate::estimate::fit::{Effort, setup};
 use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
 use crate::model::Model;
-use crate::record::{Channel, principal};
+use crate::record::{Channel, Recording, principal};
 use crate::units::Unit;
 
 /// Samples that are looked at.
@@ -59,7 +60,7 @@ fn varying(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     if unit.dimension() != own.unit.dimension() || !term.mentions(&own.name) {
         return None;
     }
-    let accused = Accused::of(model, p);
+    let accused = Accused::of(model, p, &clock(assembly));
     let mut probe = Probe::of(model);
     probe.watch(accused.along.clone());
     probe.watch(term.clone());
@@ -67,7 +68,7 @@ fn varying(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     for (a, deviation) in p.added.iter().zip(&spread.deviations) {
         let value = model.parameters.iter().find(|q| q.name == a.name)?.value;
         let moved = probe.constant(value + deviation, &a.unit);
-        let whole = probe.variant(&term, &[(&a.name, moved)]);
+        let whole = probe.variant(&term, &|e| e.substitute(&a.name, &moved));
         probe.watch(whole);
     }
     let channel = bench.recordings.first()?.find(&model.outputs.first()?.name)?;
@@ -87,7 +88,7 @@ fn varying(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
         effect_unit: own.unit.clone(),
         formula: term.to_string(),
     };
-    Some(law(p, words, &[], &curve))
+    Some(law(p, words, (&[], 0.0), &curve))
 }
 
 /// What the finding acts on.
@@ -107,7 +108,8 @@ struct Target {
 }
 
 fn target(model: &Model, p: &Proposal) -> Option<Target> {
-    let touched = |e: &Expr| p.added.iter().any(|a| edit::reaches(model, e, &a.name));
+    let own: Vec<&String> = p.added.iter().map(|a| &a.name).chain(&p.constants).collect();
+    let touched = |e: &Expr| own.iter().any(|n| edit::reaches(model, e, n));
     for (s, seen) in model.states.iter().zip(seen_states(model)) {
         let Some(seen) = seen.filter(|seen| seen.order < 2 && touched(&s.rate)) else { continue };
         let unit = edit::unit_of(edit::sum_of(model, &s.rate), &|n| edit::unit_of_name(model, n));
@@ -126,14 +128,18 @@ fn target(model: &Model, p: &Proposal) -> Option<Target> {
         factor: Expr::Number(1.0),
         unit: o.unit.of_differences(),
         words: format!("what is missing in {}", o.name),
-        formula: p.term.clone(),
+        formula: if p.neutral.is_some() { p.term.clone() } else { String::new() },
         measured: Seen { output, order: 0 },
     })
 }
 
-/// What a finding adds to the innermost sum of a rate: its term without what stands around that sum.
+/// What a finding adds to the innermost sum of a rate: its term without what stands around that sum. A term that
+/// stands in the place of another is more than what it adds.
 fn inner_term(model: &Model, rate: &Expr, p: &Proposal) -> Option<Expr> {
     const PLACE: &str = "place_of_the_sum";
+    if !p.replaced.is_empty() {
+        return None;
+    }
     let around = edit::with_sum(model, rate, &|_| Expr::name(PLACE));
     within(&around, &Expr::parse(&p.term).ok()?, PLACE)
 }
@@ -161,14 +167,21 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     let (bench, fit) = (&assembly.bench, &assembly.found.last);
     let model = &fit.model;
     let target = target(model, p)?;
-    let neutral = p.neutral.as_ref()?;
-    let accused = Accused::of(model, p);
+    let without = Rest::of(p)?;
+    let accused = Accused::of(model, p, &clock(assembly));
     let mut probe = Probe::of(model);
-    let mut at_rest = Vec::new();
-    for (a, value) in p.added.iter().zip(neutral) {
-        at_rest.push((a.name.as_str(), probe.constant(*value, &a.unit)));
-    }
-    let rest = probe.variant(&target.whole, &at_rest);
+    let rest = match &without {
+        Rest::Replaced(_) => probe.variant(&target.whole, &|e| without.without(e, &|_| None)),
+        Rest::Values(values) => {
+            let mut at_rest: Vec<(&str, Expr)> = Vec::new();
+            for a in &p.added {
+                let value = *values.get(a.name.as_str())?;
+                at_rest.push((&a.name, probe.constant(value, &a.unit)));
+            }
+            let named = |n: &str| at_rest.iter().find(|(own, _)| *own == n).map(|(_, e)| e.clone());
+            probe.variant(&target.whole, &|e| without.without(e, &named))
+        }
+    };
     for e in [accused.along.clone(), target.factor.clone(), rest, target.whole.clone()] {
         probe.watch(e);
     }
@@ -176,7 +189,7 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     for (a, deviation) in p.added.iter().zip(&spread.deviations) {
         let value = model.parameters.iter().find(|q| q.name == a.name)?.value;
         let moved = probe.constant(value + deviation, &a.unit);
-        let whole = probe.variant(&target.whole, &[(&a.name, moved)]);
+        let whole = probe.variant(&target.whole, &|e| e.substitute(&a.name, &moved));
         probe.watch(whole);
     }
     let channel = bench.recordings.first()?.find(&model.outputs[target.measured.output].name)?;
@@ -202,7 +215,8 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
         effect_unit: target.unit,
         formula: target.formula,
     };
-    Some(law(p, words, &data, &curve))
+    let wild = if target.measured.order > 0 { WILD } else { 0.0 };
+    Some(law(p, words, (&data, wild), &curve))
 }
 
 /// An output of the first recording without and with a finding, both running free.
@@ -228,18 +242,16 @@ fn most_moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Moved> {
     let (bench, last) = (&assembly.bench, &assembly.found.last);
     let spans = bench.spans(&last.model, 0);
     let options = bench.options(Effort::Near, 0);
-    let record = setup::record(&last.model, bench.recordings.first()?, 0, &spans, &options).ok()?;
+    let recording = bench.recordings.first()?;
+    let record = setup::record(&last.model, recording, 0, &spans, &options).ok()?;
     let initials = &last.records.first()?.initials;
-    let given: Vec<f64> = last.model.parameters.iter().map(|q| q.value).collect();
-    let mut at_rest = given.clone();
-    for (a, value) in p.added.iter().zip(p.neutral.as_ref()?) {
-        at_rest[last.model.parameters.iter().position(|q| q.name == a.name)?] = *value;
-    }
-    let residuals = |parameters: &[f64]| -> Option<Vec<Vec<f64>>> {
-        let run = record.run(parameters, initials, &[]).ok()?;
+    let residuals = |model: &Model| -> Option<Vec<Vec<f64>>> {
+        let record = setup::record(model, recording, 0, &spans, &options).ok()?;
+        let parameters: Vec<f64> = model.parameters.iter().map(|q| q.value).collect();
+        let run = record.run(&parameters, initials, &[]).ok()?;
         Some(record.tracks.iter().zip(&run.predictions).map(|(t, y)| t.residual(y)).collect())
     };
-    let pairs = residuals(&at_rest)?.into_iter().zip(residuals(&given)?);
+    let pairs = residuals(&Rest::of(p)?.model(&last.model))?.into_iter().zip(residuals(&last.model)?);
     let all = record.tracks.iter().zip(pairs).map(|(track, (without, with))| Moved {
         output: track.output,
         time: track.time.clone(),
@@ -253,7 +265,7 @@ fn most_moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Moved> {
 fn moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     let (bench, found) = (&assembly.bench, &assembly.found);
     let m = most_moved(assembly, p)?;
-    let accused = Accused::of(&found.last.model, p);
+    let accused = Accused::of(&found.last.model, p, &clock(assembly));
     let stride = m.time.len().div_ceil(SAMPLES).max(1);
     let at: Vec<usize> = (0..m.time.len()).step_by(stride).collect();
     let times: Vec<f64> = at.iter().map(|i| m.time[*i]).collect();
@@ -278,7 +290,12 @@ fn moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
         effect_unit: unit,
         formula: String::new(),
     };
-    Some(law(p, words, &data, &curve))
+    Some(law(p, words, (&data, 0.0), &curve))
+}
+
+/// The unit in which the first recording counts time.
+fn clock(assembly: &Assembly<'_>) -> Unit {
+    assembly.bench.recordings.first().map_or_else(Unit::one, Recording::time_unit)
 }
 
 /// What stands along the axes and beside the curve.
@@ -290,12 +307,10 @@ struct Words {
     formula: String,
 }
 
-fn law(p: &Proposal, words: Words, data: &[Sample], curve: &[Sample]) -> Law {
-    let mut order: Vec<f64> = data.iter().map(|s| s.y).filter(|y| y.is_finite()).collect();
-    order.sort_unstable_by(f64::total_cmp);
-    let cut = order.len() / 100;
-    let inside = |y: f64| order.get(cut).is_some_and(|l| y >= *l) && y <= order[order.len() - 1 - cut];
-    // the wildest are derivatives at the ends of a stretch, which would hide the law
+/// The picture of samples, without a share of them at both ends, and of a curve.
+fn law(p: &Proposal, words: Words, (data, wild): (&[Sample], f64), curve: &[Sample]) -> Law {
+    let (low, high) = bins::between(data.iter().map(|s| s.y), wild);
+    let inside = |y: f64| y >= low && y <= high;
     let kept: Vec<Sample> = data.iter().filter(|s| s.x.is_finite() && inside(s.y)).copied().collect();
     let drawn = kept.iter().step_by(kept.len().div_ceil(DRAWN).max(1));
     Law {

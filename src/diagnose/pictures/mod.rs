@@ -12,6 +12,7 @@ pub mod closer;
 mod course;
 mod law;
 mod probe;
+mod rest;
 mod sites;
 
 use super::answer::{Band, SiteName, Stretch};
@@ -19,6 +20,7 @@ use super::assemble::Assembly;
 use super::faults::Spoiled;
 use super::locate;
 use crate::estimate::{Correlation, Fit, correlations};
+use crate::record::Recording;
 use serde::Serialize;
 
 /// Stretches that a long series is thinned to.
@@ -34,6 +36,8 @@ pub type Point = [f64; 2];
 pub struct Pictures {
     /// Whether the recordings are tables of trials, with row numbers for times.
     pub trials: bool,
+    /// How the recordings count time.
+    pub clock: Clock,
     /// Outputs over time.
     pub courses: Vec<Course>,
     /// Spectra of the residuals.
@@ -48,6 +52,29 @@ pub struct Pictures {
     pub tried: Vec<Tried>,
     /// Channels with faults.
     pub faults: Vec<Faulty>,
+}
+
+/// A unit of time. All times here are in s nevertheless.
+#[derive(Debug, Clone, Serialize)]
+pub struct Clock {
+    /// The unit.
+    pub unit: String,
+    /// How many seconds it has.
+    pub seconds: f64,
+}
+
+impl Default for Clock {
+    fn default() -> Self {
+        Self { unit: "s".into(), seconds: 1.0 }
+    }
+}
+
+impl Clock {
+    /// That of a recording's file.
+    pub fn of(recording: &Recording) -> Self {
+        let unit = recording.time_unit();
+        Self { seconds: unit.to_si(1.0), unit: unit.text().to_owned() }
+    }
 }
 
 /// One output on one recording.
@@ -175,6 +202,7 @@ pub(super) fn gather(assembly: &Assembly<'_>) -> Pictures {
     let found = &assembly.found;
     Pictures {
         trials: assembly.bench.is_trials(),
+        clock: assembly.bench.recordings.first().map(Clock::of).unwrap_or_default(),
         courses: course::courses(assembly),
         spectra: spectra(&found.base, &found.last),
         left_before: correlations(&found.base, &assembly.bench.recordings),

@@ -1,11 +1,12 @@
 //! A finding's effect, watched along the run of the model that has it.
 
+use super::bins::{WILD, between};
 use crate::diagnose::bench::Bench;
 use crate::diagnose::catalogue::{self, Proposal, edit};
 use crate::estimate::Fit;
 use crate::estimate::fit::{Effort, setup};
 use crate::estimate::smooth::Smoother;
-use crate::expression::{BinaryOp, Expr};
+use crate::expression::{BinaryOp, Expr, Function};
 use crate::model::{Definition, Model, Output, Parameter};
 use crate::record::Channel;
 use crate::units::Unit;
@@ -49,24 +50,24 @@ impl Probe {
         self.watched.push(e);
     }
 
-    /// An expression with some names replaced, in the definitions that it uses as well: those that such a
-    /// name reaches stand a second time, under names of their own.
-    pub fn variant(&mut self, e: &Expr, by: &[(&str, Expr)]) -> Expr {
-        let mut by: HashMap<String, Expr> = by.iter().map(|(n, e)| ((*n).to_string(), e.clone())).collect();
+    /// An expression that is changed, in the definitions that it uses as well: those that the change reaches stand a
+    /// second time, under names of their own.
+    pub fn variant(&mut self, e: &Expr, change: &dyn Fn(&Expr) -> Expr) -> Expr {
+        let mut by: HashMap<String, Expr> = HashMap::new();
         let mut stem = "watched_copy_".to_string();
         let taken = self.model.scope();
         while taken.keys().any(|n| n.starts_with(&stem)) {
             stem.push('_');
         }
         for d in self.model.definition_order().unwrap_or_default() {
-            if d.equals.names().into_iter().any(|n| by.contains_key(n)) {
+            let equals = change(&d.equals).substitute_each(&|n| by.get(n).cloned());
+            if equals != d.equals {
                 let name = format!("{stem}{}", self.copies.len());
-                let equals = d.equals.substitute_each(&|n| by.get(n).cloned());
                 by.insert(d.name.clone(), Expr::name(name.clone()));
                 self.copies.push(Definition { name, equals, ..d.clone() });
             }
         }
-        e.substitute_each(&|n| by.get(n).cloned())
+        change(e).substitute_each(&|n| by.get(n).cloned())
     }
 
     /// The values of all that is watched at times of the first recording: rows of time and values.
@@ -120,14 +121,19 @@ pub struct Accused {
 
 impl Accused {
     /// What a finding brings in, else what its term or its site names; of a shift in time the rate of what it shifts.
-    pub fn of(model: &Model, p: &Proposal) -> Self {
+    /// Time is drawn in the unit of a clock.
+    pub fn of(model: &Model, p: &Proposal, clock: &Unit) -> Self {
         if catalogue::find(p.code).is_ok_and(|m| m.shifts_time) {
-            // u(t + τ) − u(t) = τ u̇ + …
-            let (name, along, unit) = signal(model, &p.site.name);
+            // u(t + τ) − u(t) = τ u̇ + …, and of a lag y − u = −T ẏ
+            let (mut name, mut along, unit) = signal(model, &p.site.name);
+            if let Some(lag) = Expr::parse(&p.term).ok().filter(|e| is_lag(e) && along == Expr::name(&name)) {
+                (name, along) = (lag.to_string(), lag);
+            }
             let unit = Unit::parse("s").map_or_else(|_| unit.clone(), |s| unit.over(&s));
             return Self { words: format!("rate of {name}"), along, unit, is_rate: true };
         }
         let (words, along, unit) = accused(model, p);
+        let unit = if words == "t" { clock.clone() } else { unit };
         Self { words, along, unit, is_rate: false }
     }
 
@@ -143,8 +149,13 @@ impl Accused {
         if let Some(smoother) = Smoother::new(&time, &level) {
             kept.iter().enumerate().for_each(|(k, i)| rates[*i] = self.unit.from_si(smoother.jet(k)[1]));
         }
-        rates
+        let (low, high) = between(rates.iter().copied(), WILD);
+        rates.into_iter().map(|r| if r >= low && r <= high { r } else { f64::NAN }).collect()
     }
+}
+
+fn is_lag(e: &Expr) -> bool {
+    matches!(e, Expr::Call(Function::Lag, _))
 }
 
 /// What a finding brings in, else what its term or its site names.

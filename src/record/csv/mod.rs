@@ -14,6 +14,7 @@ mod translate;
 use super::input::{self, Input, Sink};
 use super::request::{Clock, Request, Table, finished};
 use super::{Channel, LeftOut, Note, Origin};
+use crate::units::Unit;
 use crate::{Error, Result};
 use dialect::Dialect;
 use header::{Cell, Header, Seen};
@@ -40,13 +41,15 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     let coded = input.coded();
     let (source, note) = input::read_lines(input, &mut reader).map_err(|e| place(e, path))?;
     let zero = reader.translator.as_ref().and_then(Translator::zero);
+    let time_unit = reader.time_unit().filter(|_| zero.is_none());
     let (channels, left_out, mut notes) = reader.finish().map_err(|e| place(e, path))?;
     notes.extend(note.into_iter().chain(coded).map(|says| (None, says)));
     let notes =
         notes.into_iter().map(|(line, message)| Note { file: path.to_owned(), line, message }).collect();
     let left_out = left_out.into_iter().map(|l| l.in_file(path)).collect();
     let first_row = request.rows.map_or(0, |r| r.0);
-    Ok(Table { channels, origin: Origin { source, first_row, is_table: true }, notes, left_out, zero })
+    let origin = Origin { source, first_row, is_table: true };
+    Ok(Table { channels, origin, notes, left_out, zero, time_unit })
 }
 
 fn place(e: Error, path: &Path) -> Error {
@@ -145,6 +148,10 @@ impl<'a> Reader<'a> {
         self.rows = Some(Rows::new(&header, self.request.rows));
         self.header = Some(header);
         Ok(())
+    }
+
+    fn time_unit(&self) -> Option<Unit> {
+        self.header.as_ref()?.time.as_ref().map(|t| t.unit.clone())
     }
 
     fn finish(self) -> Result<(Vec<Channel>, Vec<LeftOut>, Notes)> {

@@ -51,7 +51,7 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     let notes =
         notes.into_iter().map(|(line, message)| Note { file: path.to_owned(), line, message }).collect();
     let origin = Origin { source, first_row: 0, is_table: false };
-    Ok(Table { channels, origin, notes, left_out: Vec::new(), zero })
+    Ok(Table { channels, origin, notes, left_out: Vec::new(), zero, time_unit: None })
 }
 
 fn finish_group(group: Group, table: usize) -> Vec<super::Channel> {

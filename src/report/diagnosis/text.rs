@@ -63,6 +63,9 @@ fn findings(out: &mut String, a: &Answer) {
         let share = share(f);
         let _ = writeln!(out, "  {:<22} {site:<22} {share:>6}   {}", f.code, values(f).join(", "));
         let _ = writeln!(out, "      {}", f.term);
+        if !a.says.contains(&f.says) {
+            let _ = writeln!(out, "      {}", without_needless_zeros(&f.says));
+        }
         if f.resembles {
             out.push_str("      only resembles it, and is not in the model\n");
         }

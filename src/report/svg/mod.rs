@@ -8,9 +8,11 @@
 //! ```
 
 mod axis;
+mod layer;
 mod thin;
 
 pub use axis::{Scale, tick_text, ticks};
+pub use layer::Layer;
 
 use crate::text::shown as visible;
 use crate::units::significant;
@@ -27,90 +29,6 @@ const GAP: f64 = 6.0;
 /// wider by a third.
 const DIGIT: f64 = 13.4;
 
-/// What a picture is made of; classes give the colours.
-#[derive(Debug, Clone)]
-pub enum Layer {
-    /// A line through points.
-    Line {
-        class: &'static str,
-        /// Name in the legend; empty for none.
-        name: String,
-        /// Points, in order.
-        points: Vec<[f64; 2]>,
-    },
-    /// A dot at each point.
-    Dots {
-        class: &'static str,
-        /// Name in the legend; empty for none.
-        name: String,
-        points: Vec<[f64; 2]>,
-    },
-    /// A band between two values along x: x, low, high.
-    Ribbon {
-        class: &'static str,
-        /// Name in the legend; empty for none.
-        name: String,
-        /// x, low and high, in order.
-        points: Vec<[f64; 3]>,
-    },
-    /// A dot with a bar from low to high: x, y, low, high.
-    Bars {
-        class: &'static str,
-        /// Name in the legend; empty for none.
-        name: String,
-        /// x, y, low and high.
-        points: Vec<[f64; 4]>,
-    },
-    /// A span of x over the whole height; a span of no width is drawn as a thin mark.
-    Span {
-        class: &'static str,
-        /// Name in the legend; empty for none.
-        name: String,
-        /// From and to.
-        spans: Vec<[f64; 2]>,
-    },
-}
-
-impl Layer {
-    /// A line.
-    pub fn line(class: &'static str, name: &str, points: Vec<[f64; 2]>) -> Self {
-        Self::Line { class, name: name.into(), points }
-    }
-
-    pub fn dots(class: &'static str, name: &str, points: Vec<[f64; 2]>) -> Self {
-        Self::Dots { class, name: name.into(), points }
-    }
-
-    /// Spans of x.
-    pub fn span(class: &'static str, name: &str, spans: Vec<[f64; 2]>) -> Self {
-        Self::Span { class, name: name.into(), spans }
-    }
-
-    fn legend(&self) -> (&'static str, &str, &'static str) {
-        match self {
-            Self::Line { class, name, points } => (class, shown(name, points.is_empty()), "line"),
-            Self::Dots { class, name, points } => (class, shown(name, points.is_empty()), "dot"),
-            Self::Bars { class, name, points } => (class, shown(name, points.is_empty()), "dot"),
-            Self::Ribbon { class, name, points } => (class, shown(name, points.is_empty()), "patch"),
-            Self::Span { class, name, spans } => (class, shown(name, spans.is_empty()), "patch"),
-        }
-    }
-
-    /// Corners that the frame must hold; spans of x ask for nothing.
-    fn corners(&self) -> Vec<[f64; 2]> {
-        match self {
-            Self::Line { points, .. } | Self::Dots { points, .. } => points.clone(),
-            Self::Ribbon { points, .. } => points.iter().flat_map(|p| [[p[0], p[1]], [p[0], p[2]]]).collect(),
-            Self::Bars { points, .. } => points.iter().flat_map(|p| [[p[0], p[2]], [p[0], p[3]]]).collect(),
-            Self::Span { .. } => Vec::new(),
-        }
-    }
-}
-
-fn shown(name: &str, empty: bool) -> &str {
-    if empty { "" } else { name }
-}
-
 /// A picture in the making.
 #[derive(Debug, Clone)]
 pub struct Picture {
@@ -119,6 +37,8 @@ pub struct Picture {
     y: (String, Scale),
     /// What the ticks of x are told in beside, times this.
     beside: Option<f64>,
+    /// What x of the layers is divided by.
+    x_size: f64,
     layers: Vec<Layer>,
 }
 
@@ -126,7 +46,7 @@ impl Picture {
     /// A picture with linear axes; the words are plain text.
     pub fn new(title: &str, x: &str, y: &str) -> Self {
         let axis = |words: &str| (words.to_string(), Scale::Linear);
-        Self { title: title.into(), x: axis(x), y: axis(y), beside: None, layers: Vec::new() }
+        Self { title: title.into(), x: axis(x), y: axis(y), beside: None, x_size: 1.0, layers: Vec::new() }
     }
 
     /// The same with both axes logarithmic.
@@ -144,10 +64,17 @@ impl Picture {
         self
     }
 
+    /// The same with x in another unit than that of the layers to come, so many times as large.
+    #[must_use]
+    pub fn in_units_of(mut self, size: f64) -> Self {
+        self.x_size = size;
+        self
+    }
+
     /// The same with one layer more, above the others.
     #[must_use]
     pub fn with(mut self, layer: Layer) -> Self {
-        self.layers.push(layer);
+        self.layers.push(if self.x_size == 1.0 { layer } else { layer.in_units_of(self.x_size) });
         self
     }
 
@@ -363,6 +290,19 @@ mod tests {
         let at = drawn.split("<text x=\"").nth(1).and_then(|t| t.split('"').next()).unwrap();
         assert!(at.parse::<f64>().unwrap() > 6.0 * DIGIT, "{at}");
         assert!(drawn.contains("> line</span>") && !drawn.contains("held out"));
+    }
+
+    #[test]
+    fn an_axis_counts_in_its_own_unit() {
+        let of = |size: f64| {
+            Picture::new("", "time", "y")
+                .in_units_of(size)
+                .with(Layer::span("held", "held out", vec![[3600.0 * size, 99.0 * size]]))
+                .with(Layer::line("after", "line", vec![[0.0, 0.0], [7200.0 * size, 1.0]]))
+                .draw()
+        };
+        assert!(of(60.0).contains(">6000</text>") && !of(60.0).contains(">400000</text>"));
+        assert_eq!(of(60.0), of(1.0));
     }
 
     #[test]
