@@ -194,6 +194,14 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let as_likely = |i: &usize| worth(&round.fitted[*i]) > worth(&round.fitted[likeliest]) - TIE;
     let simpler = rivals.iter().copied().filter(|i| as_likely(i) && fewest(i) < fewest(&likeliest));
     let simplest = simpler.min_by_key(|i| fewest(i));
+    // Of several frequencies of one wave the one that blocks left out like best.
+    let is_same_wave = |i: &usize| {
+        let (p, q) = (&round.fitted[*i].proposal, &round.fitted[likeliest].proposal);
+        is_wave(p) && p.site == q.site && p.term == q.term && as_likely(i)
+    };
+    let fallen = |i: &usize| fall(&round.fitted[*i]);
+    let line = rivals.iter().copied().filter(is_same_wave).max_by(|a, b| fallen(a).total_cmp(&fallen(b)));
+    let likeliest = line.unwrap_or(likeliest);
     let best = simplest.or(first.filter(|i| place(*i) < place(likeliest))).unwrap_or(likeliest);
     let chosen = &round.fitted[best].proposal;
     let mut ties: Vec<Proposal> = Vec::new();

@@ -27,6 +27,10 @@ use std::f64::consts::PI;
 const TURNS: f64 = 20.0;
 /// Lines that are kept over one position.
 const KEPT: usize = 3;
+/// Lines whose score is found exactly, those of them around which it is, and steps to either side at which it is.
+const TRIED: usize = 40;
+const REFINED: usize = 6;
+const STEPS: i32 = 3;
 /// Share of the largest score that another line must reach.
 const HALF: f64 = 0.5;
 /// Frequencies at which the denominator is found.
@@ -84,7 +88,23 @@ impl<'v> Place<'v> {
         let energies = self.energies(view, (few as f64 * unit, power.len() as f64 * unit))?;
         let energy = |k: usize| between(&energies, k as f64 * unit);
         let score: Vec<f64> = power.iter().enumerate().map(|(k, p)| p / energy(k)).collect();
-        Some(highest(&score, few, unit))
+        let exact = |n: f64| Some((n, view.open.score(&self.directions(view, n)?, false)?.chi2));
+        let by_score = |a: &(f64, f64), b: &(f64, f64)| b.1.total_cmp(&a.1);
+        let mut found: Vec<(f64, f64)> = highest(&score, few, unit).into_iter().filter_map(exact).collect();
+        found.sort_by(by_score);
+        let around = |n: f64| (-STEPS..=STEPS).map(move |k| n + f64::from(k) * unit / f64::from(STEPS));
+        let finer = |f: (f64, f64)| around(f.0).filter_map(exact).min_by(by_score);
+        let mut found: Vec<(f64, f64)> = found.into_iter().take(REFINED).filter_map(finer).collect();
+        found.sort_by(by_score);
+        Some(found.into_iter().take(KEPT).map(|f| f.0).collect())
+    }
+
+    /// The directions W G sin nq and W G cos nq.
+    fn directions(&self, view: &View, n: f64) -> Option<Vec<Vec<f64>>> {
+        let turned = |f: fn(f64) -> f64| move |q: &Vec<f64>| q.iter().map(|q| f(n * q)).collect::<Vec<f64>>();
+        let forces = self.course.iter().map(|q| vec![turned(f64::sin)(q), turned(f64::cos)(q)]);
+        let tracks = self.response.pushed(self.state, forces.collect())?;
+        Some((0..2).map(|j| view.open.whitened(&tracks, |t| &t.sensitivities[j])).collect())
     }
 
     /// What is left over the position, by frequency in steps of a unit, with the number of the first that is looked at.
@@ -118,12 +138,7 @@ impl<'v> Place<'v> {
     fn energies(&self, view: &View, (low, high): (f64, f64)) -> Option<Vec<(f64, f64)>> {
         let of = |i: usize| {
             let n = low * (high / low).powf(i as f64 / (KNOWN - 1) as f64);
-            let turned =
-                |f: fn(f64) -> f64| move |q: &Vec<f64>| q.iter().map(|q| f(n * q)).collect::<Vec<f64>>();
-            let forces = self.course.iter().map(|q| vec![turned(f64::sin)(q), turned(f64::cos)(q)]);
-            let tracks = self.response.pushed(self.state, forces.collect())?;
-            let direction = |j: usize| view.open.whitened(&tracks, |t| &t.sensitivities[j]);
-            Some((n, view.open.energy(&[direction(0), direction(1)])))
+            Some((n, view.open.energy(&self.directions(view, n)?)))
         };
         (0..KNOWN).map(of).collect()
     }
@@ -135,7 +150,7 @@ fn highest(of: &[f64], first: usize, unit: f64) -> Vec<f64> {
     let mut tops: Vec<usize> = (first.max(1)..of.len().saturating_sub(1)).filter(is_top).collect();
     tops.sort_by(|a, b| of[*b].total_cmp(&of[*a]));
     let least = tops.first().map_or(0.0, |k| HALF * of[*k]);
-    let kept = tops.into_iter().take(KEPT).filter(|k| of[*k] >= least);
+    let kept = tops.into_iter().take(TRIED).filter(|k| of[*k] >= least);
     kept.map(|k| (k as f64 + summit(&of[k - 1..k + 2])) * unit).collect()
 }
 

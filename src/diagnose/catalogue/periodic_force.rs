@@ -78,7 +78,7 @@ fn with_line(scene: &Scene, m: &Motion, n: f64) -> Option<Proposal> {
     let signal = scene.signal(m.position.as_ref()?)?;
     // frequencies are told apart where their phases part by a turn over the whole way
     let apart = TAU / (signal.max - signal.min);
-    let starts = [-0.6, -0.2, 0.2, 0.6].map(|k| n + k * apart);
+    let starts = [-0.3, -0.1, 0.1, 0.3].map(|k| n + k * apart);
     repeating(scene, m, ((n - apart).max(0.0), n + apart), &starts)
 }
 

@@ -80,7 +80,7 @@ mod tests {
             assert_eq!(stride(&[&s], s.len(), LONGEST), stride_then, "{points}");
         }
         let (slow, fast) = (sine(150.0), sine(12.0));
-        assert_eq!(stride(&[&slow, &fast], slow.len()), 1);
+        assert_eq!(stride(&[&slow, &fast], slow.len(), LONGEST), 1);
     }
 
     #[test]
