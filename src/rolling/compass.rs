@@ -138,7 +138,7 @@ impl Filling {
         let has = |name: &str| self.states.iter().any(|s| s == name);
         if !self.states.is_empty() && !has("x") {
             return Err(Error::bad_input(
-                "this model has no part that gives way (no state `x`): roll is not rectified in it",
+                "this model has no elastic part (no state `x`): roll is not rectified in it",
             )
             .with_hint("start from gyrosphere, gyrosphere-inertia or gyrosphere-flow"));
         }

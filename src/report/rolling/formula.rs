@@ -72,7 +72,7 @@ fn derived(closed: &ClosedForm) -> String {
                 closed.points()
             )
         }
-        ClosedForm::Integral { .. } if order == 0 => "a ratio of polynomials in these letters".into(),
+        ClosedForm::Integral { .. } if order == 0 => "a ratio of polynomials in these symbols".into(),
         ClosedForm::Written(_) => {
             format!(
                 "derived from I_{order}; agrees with the numeric engine at {} random points",
@@ -81,7 +81,7 @@ fn derived(closed: &ClosedForm) -> String {
         }
         ClosedForm::Integral { .. } => {
             format!(
-                "a ratio of polynomials in these letters, which written out fills pages: I_{order} gives its value"
+                "a ratio of polynomials in these symbols, which written out fills pages: I_{order} gives its value"
             )
         }
     }
