@@ -73,7 +73,7 @@ enum Command {
     Simulate(simulate::Call),
     /// Fit a model to recordings.
     Fit(fit::Call),
-    /// Find what a model leaves out, and prove it.
+    /// Find what a model leaves out, and check it on held-out data.
     Diagnose(diagnose::Call),
     /// Write a model as code (Python, C, Rust, Modelica), as LaTeX, or as a Functional Mock-up Unit.
     Export(export::Call),

@@ -49,7 +49,7 @@ pub fn formula_text(
     out
 }
 
-/// The motion with letters.
+/// The motion in symbols.
 fn moved(excitation: &Excitation) -> String {
     let roll = match &excitation.source {
         Source::Irregular(_) => "irregular roll K(τ) = A e^(−μ|τ|)(cos ετ + (μ/ε) sin ε|τ|), b² = μ² + ε²",
