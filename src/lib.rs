@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | integrate G/(H(jω)·H(−jω)) over all ω | [`evaluate`] or [`evaluate_fast`] of an [`Integrand`] | |
 //! | see one integral by every method | [`crosscheck`](fn@crosscheck) | |
-//! | print I_n with letters | [`print_tables`], [`Table`] | `symbolic` |
+//! | print I_n in symbols | [`print_tables`], [`Table`] | `symbolic` |
 //! | derive a mean or a variance in symbols | [`formula`](fn@formula) | `symbolic` |
 //! | describe a compass and the roll that disturbs it | [`Gyrosphere`], [`Instrument`], [`Roll`] | `instruments` |
 //! | ask for the rolling error | [`roll_error`] of a [`Compass`] | `diagnose` |
@@ -25,7 +25,7 @@
 //! | [`error`] | one opaque error with a kind and data |
 //! | [`units`] | the closed list of units |
 //! | [`integral`] | I_n by recursion, moments, determinant, exact arithmetic, quadrature |
-//! | [`symbolic`] | the same integrals with letters |
+//! | [`symbolic`] | the same integrals in symbols |
 //! | [`lti`] | transfer functions, state space, covariance |
 //! | [`spectrum`] | roll and sea spectra |
 //! | [`record`] | recordings |

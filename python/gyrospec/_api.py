@@ -36,7 +36,7 @@ def integral_batch(h: ArrayLike, g: ArrayLike, *, fast: bool = True) -> Integral
 
 
 def table(orders: int | str | range | tuple[int, int], format: str = "markdown") -> str:
-    """I_n with letters: of one order (7), a range with both ends ("1..10" or (1, 10)).
+    """I_n in symbols: of one order (7), a range with both ends ("1..10" or (1, 10)).
 
     format: json, markdown, latex, or a language of programs, as `gyrospec table --help` lists them.
     """
@@ -218,7 +218,7 @@ def roll_error(
     spread: n of cosⁿ about the main direction, where the waves come from many; long crests if absent.
     roll_damping: d of d·|rate|·rate, 1/rad, and c of c·rate³, s/rad²: damping of roll beyond the ratio.
 
-    part: what gives way in the compass beside the lag; parts go together, as `inertia=True, friction="2N"`:
+    part: elastic parts of the compass beside the lag; parts go together, as `inertia=True, friction="2N"`:
 {parts}
 
     Each quantity has a range, and what lies outside is refused; `validity` of the result says where the

@@ -189,7 +189,7 @@ def _units(
 
 def _found(section: str, n: str, found: Mapping[str, Powers], ends: Mapping[str, Form | None]) -> str:
     """The unit that the equations demand."""
-    form = ends.get(n) if section == "outputs" else Form((Fraction(0),) * 5, {n: Fraction(1)})
+    form = ends.get(n) if section == "outputs" else Form(unknown={n: Fraction(1)})
     if form is not None and all(k in found for k in form.unknown):
         powers = list(form.powers)
         for k, share in form.unknown.items():

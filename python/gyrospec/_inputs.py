@@ -188,7 +188,7 @@ def _by_pandas(file: str | os.PathLike[str]) -> Any:
     try:
         frame = getattr(pandas, reader)(file)
     except ImportError as e:
-        raise FileError(f"{file}: pandas wants another package to read it: {e}") from e
+        raise FileError(f"{file}: pandas needs another package to read it: {e}") from e
     except Exception as e:
         raise FileError(f"{file}: pandas cannot read it: {e}") from e
     if isinstance(frame, dict):

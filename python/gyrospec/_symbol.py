@@ -101,7 +101,7 @@ class Symbol:
 
     def __float__(self) -> float:
         raise refuse(
-            "a function that wants a plain number got a value of the model (float, or one of math's)",
+            "a function that needs a plain number got a value of the model (float, or one of math's)",
             "write NumPy's function instead: np.sin for math.sin",
         )
 

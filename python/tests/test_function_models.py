@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import inspect
 import math
+import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import gyrospec
@@ -79,6 +81,18 @@ def everything(np_: Any, q: Any, v: Any, u: Any, c: Any) -> Any:
     vector = np_.array([[0.0, 1.0], [-2.0, 0.5]]) @ np_.array([q, v])
     eight = vector[0] - vector[1] + np_.dot([q, v], [1.0, -1.0]) + np_.sum(np_.sin(np_.array([q, v])))
     return u - c * v - (-q) - 2 * q + 0.1 * (one + two + three + four + five + six + seven + eight) + +q * abs(q) / 5
+
+
+def test_the_models_of_the_page_are_read_and_units_follow() -> None:
+    page = (Path(__file__).parents[2] / "docs/how-to/python.md").read_text(encoding="utf-8")
+    section = page.split("## A model as a function")[1].split("\n## ")[0]
+    first, second = re.findall(r"```python\n(.*?)```", section, re.DOTALL)
+    names: dict[str, Any] = {"gyrospec": gyrospec}
+    exec(first, names)
+    assert "unit" not in names["model"].to_toml()
+    exec(second, names)
+    # N*m = d rad/s and N*m = k
+    assert (names["model"].units["d"], names["model"].units["k"]) == ("N*m*s", "N*m")
 
 
 def test_numpy_means_in_the_model_what_it_means_in_python() -> None:

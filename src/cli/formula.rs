@@ -1,4 +1,4 @@
-//! `gyrospec formula`: a mean value as a formula in the user's own letters.
+//! `gyrospec formula`: a mean value as a formula in the user's own symbols.
 
 mod sheet;
 mod values;
@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use sheet::Sheet;
 use std::path::PathBuf;
 
-/// Derive a mean square or mean product as a formula in your own letters.
+/// Derive a mean square or mean product as a formula in your own symbols.
 ///
 /// Give H and G, or transfer functions in s that one noise drives. The result is simplified and checked at random
 /// points against the numeric engine; what does not agree is never printed.

@@ -21,7 +21,7 @@ Examples:
   gyrospec integral --h \"1 2 3\" --g \"0 1\" --check
   gyrospec integral --batch cases.jsonl";
 
-/// I_n = (1/2π) ∫ G(jω)/(H(jω)H(−jω)) dω, exact to the last place.
+/// I_n = (1/2π) ∫ G(jω)/(H(jω)H(−jω)) dω, within two units in the last place.
 #[derive(Args)]
 #[command(after_help = HELP)]
 pub struct Arguments {

@@ -73,15 +73,15 @@ enum Command {
     Simulate(simulate::Call),
     /// Fit a model to recordings.
     Fit(fit::Call),
-    /// Find what a model leaves out, and prove it.
+    /// Find what a model leaves out, and check it on held-out data.
     Diagnose(diagnose::Call),
-    /// Write a model as code: Python, C, Rust, Modelica, LaTeX.
+    /// Write a model as code (Python, C, Rust, Modelica), as LaTeX, or as a Functional Mock-up Unit.
     Export(export::Call),
     /// What can be missing: the pages of the catalogue.
     Explain(explain::Explain),
     /// How often the diagnosis finds what was concealed.
     Laboratory(laboratory::Call),
-    /// The models that the program brings along.
+    /// The built-in models.
     Models(models::Call),
     /// Mean and spread of the rolling error of a gyrocompass.
     RollError(Box<roll_error::Arguments>),
@@ -93,13 +93,13 @@ enum Command {
     Identify(identify::Call),
     /// A compass with a liquid ballistic: settled error, corrector, manoeuvres.
     Pendulous(Box<pendulous::Call>),
-    /// The spectral integral I_n, exact to the last place.
+    /// The spectral integral I_n, within two units in the last place.
     Integral(integral::Arguments),
-    /// A mean value as a formula in your own letters.
+    /// A mean value as a formula in your own symbols.
     Formula(Box<formula::FormulaCall>),
     /// Is a printed formula right: dimensions, value, limits.
     Audit(audit::Audit),
-    /// Tables of I_n with letters.
+    /// Tables of I_n in symbols.
     Table(table::Table),
     /// Completions for a shell.
     Completions(completions::Completions),

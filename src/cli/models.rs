@@ -1,4 +1,4 @@
-//! `gyrospec models`: the models that the program brings along.
+//! `gyrospec models`: the built-in models.
 
 use super::Outcome;
 use super::output::words;

@@ -11,7 +11,7 @@ Examples:
   gyrospec table --orders 1..4 --format markdown
   gyrospec table --orders 7 --format rust --out i7.rs";
 
-/// Print I_n with letters: numerator and denominator for H = a0 s^n + … + an, G = b0 s^(2n-2) + … + b(n-1).
+/// Print I_n in symbols: numerator and denominator for H = a0 s^n + … + an, G = b0 s^(2n-2) + … + b(n-1).
 #[derive(Args)]
 #[command(after_help = HELP)]
 pub struct Table {

@@ -25,7 +25,7 @@ pub struct Task {
     /// Writes a report with pictures, one page that opens offline.
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
-    /// Writes the model with the fitted values in place, and with what was found.
+    /// Writes the model with the fitted values in place; `diagnose` also writes what it found into it.
     #[arg(long, value_name = "FILE")]
     model_out: Option<PathBuf>,
     /// Seed of all that is drawn at random.

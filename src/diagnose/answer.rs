@@ -108,7 +108,7 @@ pub struct Located {
     pub bands: Vec<Band>,
     /// Signals that it goes with.
     pub signals: Vec<SignalChance>,
-    /// What would part the sites.
+    /// What would tell the sites apart.
     pub separating_measurement: Option<String>,
 }
 

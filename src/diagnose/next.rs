@@ -18,10 +18,10 @@ const SAME: f64 = 1e-3;
 pub const PATIENCE: &str =
     "Start the parameters nearer to the instrument's and bound them, or give the search more time.";
 
-/// What tells a step of a sensor from one of the thing.
+/// What tells a step of a sensor from one of the system.
 pub fn second_sensor(output: &str) -> String {
     format!(
-        "Record {output} by a second, independent sensor too: a step of one sensor's zero does not show in the other, a push on the thing shows in both."
+        "Record {output} by a second, independent sensor too: a step of one sensor's zero does not show in the other, a push on the system shows in both."
     )
 }
 
@@ -69,7 +69,7 @@ fn unseen_state(model: &Model) -> Option<String> {
     model.states.iter().find(|s| !shown(&s.name)).map(|s| s.meaning.clone().unwrap_or_else(|| s.name.clone()))
 }
 
-/// By how much it and the first that fits as well would part, in words.
+/// By how much it and the first that fits as well would differ, in words.
 fn expected(model: &Model, bench: &Bench, taken: &Taken) -> Option<String> {
     let Apart { input, swing, output, difference, ratio } = apart::farthest(bench, taken.rivals.as_ref()?)?;
     let output = &model.outputs[output];
@@ -79,12 +79,12 @@ fn expected(model: &Model, bench: &Bench, taken: &Taken) -> Option<String> {
         "Inputs of half or twice the size would not: both predict the same.".to_string()
     } else if ratio < SEEN {
         format!(
-            "Inputs of half or twice the size would not: the two would part by {size} in {} at most, less than half of what is left there now.",
+            "Inputs of half or twice the size would not: the two would differ by {size} in {} at most, less than half of what is left there now.",
             output.name
         )
     } else {
         format!(
-            "With {input} at {swing} its size the two would part by {size} in {} (root mean square), {} times what is left there now.",
+            "With {input} at {swing} its size the two would differ by {size} in {} (root mean square), {} times what is left there now.",
             output.name,
             figure(ratio)
         )
@@ -121,7 +121,7 @@ pub fn separation(model: &Model, first: &Proposal, ties: &[Proposal]) -> Option<
         format!("a recording in which {} vary independently of each other", signals.unwrap_or(outputs))
     };
     let names = (words::beside(other, first), words::beside(first, other));
-    Some(format!("{} and {} fit alike here. What would part them: {text}.", names.0, names.1))
+    Some(format!("{} and {} fit equally well here. To tell them apart: {text}.", names.0, names.1))
 }
 
 /// Different names, with "and" before the last; none where there are none.

@@ -37,7 +37,7 @@ const LAMBDA: usize = 2;
 pub struct Instrument {
     /// The compass.
     pub sphere: Gyrosphere,
-    /// What gives way.
+    /// The elastic part.
     pub elastic: Box<dyn Elastic>,
     /// Speed of the ship over the ground along its heading, m/s.
     pub speed: f64,

@@ -1,4 +1,4 @@
-//! The models that the program brings along.
+//! The built-in models.
 
 use crate::error::nearest;
 use crate::{Error, Result};

@@ -26,7 +26,7 @@ impl Model {
         self.simulated.as_ref().is_some_and(|s| s.gives(input)) || self.steps(input)
     }
 
-    /// A recording with the series that the model brings along.
+    /// A recording with the series that come with the model.
     ///
     /// # Errors
     /// `BadInput` where the recording has a channel of the name of such a series, or holds steady trials.
@@ -68,7 +68,7 @@ impl Model {
         Ok(Cow::Owned(joined))
     }
 
-    /// Recordings with the series that the model brings along.
+    /// Recordings with the series that come with the model.
     ///
     /// # Errors
     /// As for one.

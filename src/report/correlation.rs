@@ -13,7 +13,7 @@ pub fn section(before: &[Correlation], after: &[Correlation]) -> String {
     }
     let mut out = String::from(
         "<p class=\"note\">On the fitted part. Each lag by itself lies in the 99 % band by chance, so that one in a \
-         hundred lies outside. The residual of a free run is coloured by the sensor and by whatever drives the thing, so \
+         hundred lies outside. The residual of a free run is coloured by the sensor and by whatever drives the system, so \
          the bands are not those of white noise: against itself, noise that remembers no longer than up to that lag; \
          against an input, noise of the residual's own spectrum that knows nothing of the input. At positive lags the \
          input comes first; what is outside at negative lags is feedback, or a clock that is off.</p>",

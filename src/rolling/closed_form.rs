@@ -1,4 +1,4 @@
-//! The mean error on irregular roll with letters, by the symbols' own derivation, and its values.
+//! The mean error on irregular roll in symbols, by the symbols' own derivation, and its values.
 
 use super::{Compass, Excitation, SeaMotion, ShipMotion};
 use crate::expression::Expr;
@@ -10,7 +10,7 @@ use crate::{Error, Result};
 /// The highest order n of an I_n that is written out: beyond it the formula fills pages.
 pub(super) const LONGEST: usize = 6;
 
-/// The mean error on irregular roll with letters.
+/// The mean error on irregular roll in symbols.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ClosedForm {
     /// Written out.
@@ -50,7 +50,7 @@ impl ClosedForm {
     }
 }
 
-/// The mean error on irregular roll of the form (3.3), with letters; behind two low-passes at ω_c where the motion
+/// The mean error on irregular roll of the form (3.3), in symbols; behind two low-passes at ω_c where the motion
 /// has a `band`.
 ///
 /// ```
@@ -77,7 +77,7 @@ pub fn closed_form(part: &dyn Elastic, band: Option<f64>) -> Result<ClosedForm> 
 /// would first be multiplied out.
 pub(super) fn order(r: &FormulaRequest) -> Result<usize> {
     let number = |name: &str| {
-        // any numbers do at which nothing cancels that does not with letters
+        // any numbers do at which nothing cancels that does not in symbols
         let sum = name.bytes().fold(7u32, |sum, b| (31 * sum + u32::from(b)) % 997);
         (name != "s" && name != "K").then(|| Expr::number(f64::from(sum + 1) / 64.0))
     };

@@ -1,4 +1,4 @@
-//! The mean error with letters on any motion that has one: irregular roll, regular roll, roll in a sea.
+//! The mean error in symbols on any motion that has one: irregular roll, regular roll, roll in a sea.
 
 use super::closed_form::{ClosedForm, LONGEST, closed_form, integral, order, request};
 use super::{Excitation, ShipMotion, Source, Waves};
@@ -10,7 +10,7 @@ use crate::symbolic::{Formula, Relation, Simplifier, SineMean};
 use crate::units::significant;
 use crate::{Error, Result};
 
-/// The mean error on a motion, with letters; the roll of a sea is white noise through a filter with numbers.
+/// The mean error on a motion, in symbols; the roll of a sea is white noise through a filter with numbers.
 ///
 /// ```
 /// use gyrospec::gyro::{elastic::Lag, seed::Regular};

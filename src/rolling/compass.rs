@@ -14,7 +14,7 @@ use crate::{Error, Result};
 pub struct Compass {
     /// Its numbers.
     pub sphere: Gyrosphere,
-    /// What gives way.
+    /// The elastic part.
     pub part: Box<dyn Elastic>,
     /// Speed of the ship over the ground, m/s.
     pub speed: f64,
@@ -50,7 +50,7 @@ impl Compass {
     /// The compass of a built-in model.
     ///
     /// # Errors
-    /// `BadInput` for an unknown name, and for a model in which nothing gives way.
+    /// `BadInput` for an unknown name, and for a model without an elastic part.
     pub fn builtin(name: &str) -> Result<Self> {
         let mut f = Filling::of_paper();
         f.builtin(name)?;
@@ -138,7 +138,7 @@ impl Filling {
         let has = |name: &str| self.states.iter().any(|s| s == name);
         if !self.states.is_empty() && !has("x") {
             return Err(Error::bad_input(
-                "this model has no part that gives way (no state `x`): roll is not rectified in it",
+                "this model has no elastic part (no state `x`): roll is not rectified in it",
             )
             .with_hint("start from gyrosphere, gyrosphere-inertia or gyrosphere-flow"));
         }

@@ -95,7 +95,7 @@ impl Table {
         fitted.or_else(|| self.excitation.as_ref().and_then(Excitation::roll))
     }
 
-    /// The mean with letters (feature `symbolic`), where the motion is irregular roll or was fitted by one, and the
+    /// The mean in symbols (feature `symbolic`), where the motion is irregular roll or was fitted by one, and the
     /// part is linear.
     #[cfg(feature = "symbolic")]
     pub fn closed_form(&self) -> Option<super::ClosedForm> {

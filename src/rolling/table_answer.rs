@@ -20,7 +20,7 @@ pub(super) enum TableAnswer {
     /// A part that is followed in time along the parallel.
     Followed {
         instrument: Box<Instrument>,
-        /// What gives way along the meridian.
+        /// The elastic part along the meridian.
         across: Option<StateSpace>,
         /// The largest amplitude, m/s².
         most: f64,

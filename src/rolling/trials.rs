@@ -74,7 +74,8 @@ pub fn identification(table: &Recording, compass: &Compass) -> Result<Identifica
     if compass.part.name() != Lag.name() {
         let text =
             format!("T and C0 are those of the {}, and this compass has {}", Lag.name(), compass.part.name());
-        return Err(Error::usage(text).with_hint("name a compass whose centre of mass lags by (2.3) alone"));
+        return Err(Error::usage(text)
+            .with_hint("name a compass whose centre of mass lags by (2.3) of Potemkin 1978 alone"));
     }
     compass.sphere.check()?;
     let columns = Columns::of(table)?;

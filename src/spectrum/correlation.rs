@@ -94,8 +94,9 @@ pub(super) fn fit_from(
             best = Some(f);
         }
     }
-    let best =
-        best.ok_or_else(|| Error::not_computed("no roll spectrum of the form (3.3) fits this motion"))?;
+    let best = best.ok_or_else(|| {
+        Error::not_computed("no roll spectrum of the form (3.3) of Potemkin 1978 fits this motion")
+    })?;
     let Roll { variance: a, decay, frequency } = shaped(&best.parameters);
     let roll = Roll::new(a, decay, frequency)?;
     let total: f64 = measured.iter().map(|m| (m / variance).powi(2)).sum();

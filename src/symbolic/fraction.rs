@@ -23,7 +23,7 @@ impl Fraction {
     /// Bad input, where the denominator is 0.
     pub fn new(numerator: &Polynomial, denominator: &Polynomial) -> Result<Self> {
         if denominator.is_zero() {
-            return Err(Error::bad_input("a formula divides by what is zero for all values of its letters"));
+            return Err(Error::bad_input("a formula divides by what is zero for all values of its symbols"));
         }
         let mut common = gcd(numerator, denominator)?;
         if denominator.content().is_negative() {

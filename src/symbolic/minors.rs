@@ -1,6 +1,6 @@
 //! The determinants of I_n as a straight-line program of shared minors.
 //!
-//! Purpose: numerator and denominator of I_n with letters, without ever dividing.
+//! Purpose: numerator and denominator of I_n in symbols, without ever dividing.
 //! Method: G(s) = P(s)H(-s) + P(-s)H(s) gives n linear equations for the coefficients of P whose matrix is the
 //! Hurwitz matrix, M\[m\]\[i\] = a(2m+1-i), and I_n = p0/a0; Cramer's rule with both determinants expanded
 //! along their columns. A minor of the last columns is known by its set of rows, so each is formed once, and
@@ -12,7 +12,7 @@ use crate::{Error, Result};
 use std::collections::HashMap;
 use std::ops::{Add, Mul, Neg};
 
-/// The highest order with letters: 29 symbols with exponents to 15 fill the packed form.
+/// The highest order in symbols: 29 symbols with exponents to 15 fill the packed form.
 pub const HIGHEST_ORDER: usize = 14;
 
 /// A letter of the tables.

@@ -1,4 +1,4 @@
-//! Integrals with letters: tables, formulas, rendering, audit.
+//! Integrals in symbols: tables, formulas, rendering, audit.
 //!
 //! - [`Program`] and [`Table`]: I_n as shared minors and as a ratio of expanded polynomials; [`print_tables`].
 //! - [`formula`]: a mean value derived from transfer functions in the user's own symbols, simplified, checked against

@@ -140,7 +140,7 @@ impl Polynomial {
                 self.terms.len(),
                 other.terms.len()
             ))
-            .with_hint("give some letters values, or one name to several of them"));
+            .with_hint("give some symbols values, or one name to several of them"));
         }
         let mut terms = Vec::with_capacity(products);
         for (m, p) in &self.terms {

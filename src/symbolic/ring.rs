@@ -71,7 +71,7 @@ impl Ring {
 
     fn too_high(&self) -> Error {
         Error::not_computed(format!(
-            "with {} letters and functions a formula holds powers up to {}, and here one is higher",
+            "with {} symbols and functions a formula holds powers up to {}, and here one is higher",
             self.names.len(),
             (1_u64 << self.bits) - 1
         ))

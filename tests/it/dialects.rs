@@ -193,7 +193,7 @@ fn a_wrong_reading_is_never_silent() {
         ),
         ("time,x [m]\n2025-02-29T12:00:00Z,1\n2025-03-01T12:00:00Z,2\n", (2, 1), "28 days"),
         ("time,x [m]\n2025-04-03T12:00:00Z,1\n,2\n2025-04-03T12:00:02Z,3\n", (3, 1), "time is empty"),
-        ("time,x [m]\n2025-04-03T12:00:00Z,1\n2025-04-03T12:00:00Z,2\n", (3, 1), "stands there twice"),
+        ("time,x [m]\n2025-04-03T12:00:00Z,1\n2025-04-03T12:00:00Z,2\n", (3, 1), "occurs twice"),
         ("time;x [m]\n12:00:00;1\n11:00:00;2\n", (3, 1), "backwards"),
         ("time,x [m]\n2025-04-03T12:00:00Z,1\n2025-04-03T12:00:05,2\n", (3, 1), "no zero in common"),
         ("Zeit;x [m]\n00:00;1\n00:01;2\n", (2, 1), "(mm:ss)"),

@@ -260,7 +260,26 @@ fn the_page_of_schemas_names_each() {
     assert!(count > 10);
 }
 
-/// The house runs the first test command of the README.
+/// The codes that `explain` lists below a heading.
+fn listed_below(heading: &str) -> usize {
+    let list = said("gyrospec explain");
+    let (_, below) = list.split_once(&format!("{heading}\n")).unwrap();
+    below.lines().take_while(|l| l.starts_with("  ")).count()
+}
+
+#[test]
+fn the_comparison_counts_the_catalogue() {
+    let all = said("gyrospec explain").lines().filter(|l| l.starts_with("  ")).count();
+    let faults = listed_below("Faulty data");
+    let laws = all - faults - listed_below("Without a name");
+    let page = fs::read_to_string(root().join("COMPARE.md")).unwrap();
+    assert!(
+        page.contains(&format!("of {laws} laws and {faults} faults of data")),
+        "{laws} laws, {faults} faults"
+    );
+}
+
+/// The first test command of the README is the one that a change must pass.
 #[test]
 fn the_readme_names_the_command_of_all_tests_first() {
     let readme = fs::read_to_string(root().join("README.md")).unwrap();

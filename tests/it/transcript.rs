@@ -4,8 +4,8 @@
 //! A fenced block ```` ```toml NAME ```` is a file of that name; below `src/`, one of the project's own, as
 //! it stands. In a block ```` ```console ````, `$ ` begins a
 //! command and `> ` goes on with it; `? 1` below it is its exit code, and the lines after that are what it
-//! says, on both outputs. `...` on a line of its own stands for any lines, `[..]` for any part of a line.
-//! A command that shows nothing may say anything.
+//! says, on both outputs. `$ echo $?` after a command shows its exit code as well. `...` on a line of its own
+//! stands for any lines, `[..]` for any part of a line. A command that shows nothing may say anything.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -49,8 +49,12 @@ fn parts(document: &str) -> Vec<Part> {
 
 fn steps(block: &[(usize, &str)]) -> Vec<Step> {
     let mut steps: Vec<Step> = Vec::new();
-    for (line, text) in block {
-        if let Some(command) = text.strip_prefix("$ ") {
+    let mut lines = block.iter();
+    while let Some((line, text)) = lines.next() {
+        if *text == "$ echo $?" {
+            let code = lines.next().and_then(|(_, shown)| shown.parse().ok());
+            steps.last_mut().unwrap().code = code.expect("the exit code below `echo $?`");
+        } else if let Some(command) = text.strip_prefix("$ ") {
             let (command, shown) = (command.to_string(), Vec::new());
             steps.push(Step { line: line + 1, command, code: 0, shown });
         } else if let Some(step) = steps.last_mut() {

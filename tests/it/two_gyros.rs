@@ -99,5 +99,5 @@ fn one_talker_for_two_is_said_and_one_gyro_is_not_accused() {
     // at one and the same time: refused, with what to do
     let twice = log(["HE", "HE"], 30).replace(".400Z", ".000Z");
     let e = read(&twice, &channel("h", "HDT")).unwrap_err().to_string();
-    assert!(e.contains("stands there twice") && e.contains("give one of them another talker"), "{e}");
+    assert!(e.contains("occurs twice") && e.contains("give one of them another talker"), "{e}");
 }

@@ -28,8 +28,8 @@ const HELP: &str = "\
 Settled error: v_N/(R nu) by the ship's speed and -eps (U sin(lat) + v_E tan(lat)/R)/nu by the damping, with
 nu = U cos(lat) + v_E/R; at rest -eps tan(lat). A corrector takes off what it would be at the latitude and the speed
 that are set on it. Units stand behind the numbers; latitude and heading are in degrees without one.
-H = 15 N*m*s, eps = 0.03 rad and a flow of 60 s, where none is said, are round numbers of the size of such compasses
-and of no maker's; ask yours.
+H = 15 N*m*s, eps = 0.03 rad and a flow of 60 s, where none is given, are round numbers of the size of such compasses
+and of no maker's; take yours from the maker's data sheet.
 Examples:
   gyrospec pendulous --latitude 60
   gyrospec pendulous --latitude 60 --speed 15kn --corrector 55,12kn

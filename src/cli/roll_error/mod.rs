@@ -31,12 +31,12 @@ use std::path::{Path, PathBuf};
 
 /// Mean and spread of a gyrocompass's heading error on a rolling ship.
 ///
-/// Without arguments: the two examples of the rolling-error paper, as derived and as printed.
+/// Without arguments: the two examples of the rolling-error paper (A. E. Potemkin 1978), as derived and as printed.
 #[derive(clap::Args)]
 #[command(after_help = help())]
 pub struct Arguments {
     /// Parameters of the compass: a model file, a file with [parameters], or a built-in model's
-    /// name; - is standard input; without it the gyrocompass of the rolling-error paper.
+    /// name; - is standard input; without it the gyrocompass of the rolling-error paper (Potemkin 1978).
     model_or_parameters: Option<PathBuf>,
     /// A recording of the ship's roll (CSV, or TOML); - is standard input.
     recording: Option<PathBuf>,

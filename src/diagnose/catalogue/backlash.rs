@@ -61,7 +61,7 @@ fn own(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.replace(q, &format!("backlash({q}, {gap})"), |p| {
         p == Place::Rate(&state) || matches!(p, Place::Definition(_))
     });
-    d.done(&format!("play of {{0}} stands between {} and what it pushes", scene.words(q)))
+    d.done(&format!("there is play of {{0}} between {} and what it pushes", scene.words(q)))
 }
 
 fn used(scene: &Scene, m: &Motion) -> Option<Proposal> {
@@ -69,19 +69,19 @@ fn used(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let mut d = Draft::at(scene, "backlash", m);
     let gap = widths(&mut d, scene, s)?;
     d.replace(s, &format!("backlash({s}, {gap})"), |p| p != Place::Rate(s) && !matches!(p, Place::Output(_)));
-    d.done(&format!("play of {{0}} stands between {} and what it drives", scene.words(s)))
+    d.done(&format!("there is play of {{0}} between {} and what it drives", scene.words(s)))
 }
 
 fn seen(scene: &Scene, output: &str) -> Option<Proposal> {
     let mut d = Draft::new(scene, "backlash", SiteKind::Output, output);
     let gap = widths(&mut d, scene, output)?;
     d.output(output, &format!("backlash({{}}, {gap})"));
-    d.done(&format!("play of {{0}} stands between the thing and the sensor of {}", scene.words(output)))
+    d.done(&format!("there is play of {{0}} between the system and the sensor of {}", scene.words(output)))
 }
 
 fn fed(scene: &Scene, input: &str) -> Option<Proposal> {
     let mut d = Draft::new(scene, "backlash", SiteKind::Input, input);
     let gap = widths(&mut d, scene, input)?;
     d.replace(input, &format!("backlash({input}, {gap})"), |_| true);
-    d.done(&format!("play of {{0}} stands between {} and the thing", scene.words(input)))
+    d.done(&format!("there is play of {{0}} between {} and the system", scene.words(input)))
 }

@@ -11,7 +11,7 @@ use crate::units::Unit;
 pub enum SiteKind {
     /// The rate of a state.
     State,
-    /// An input, as the thing feels it.
+    /// An input, as the system feels it.
     Input,
     /// An output, as the sensor gives it.
     Output,

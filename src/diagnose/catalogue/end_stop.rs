@@ -10,7 +10,7 @@
 //! ```
 //!
 //! # What else looks like this
-//! cubic-stiffness, input-saturation, output-saturation (the sensor clips, the thing does not).
+//! cubic-stiffness, input-saturation, output-saturation (the sensor clips, the motion does not).
 //!
 //! # Reference
 //! S. W. Shaw, P. J. Holmes, A periodically forced piecewise linear oscillator, J. Sound Vib. 90

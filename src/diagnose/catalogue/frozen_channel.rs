@@ -1,5 +1,5 @@
 //! # What it is
-//! A channel repeats one value while the thing moves: a lost link, a hung logger, ice.
+//! A channel repeats one value while the system moves: a lost link, a hung logger, ice.
 //!
 //! # Signature in a recording
 //! Many equal samples in a row where the neighbours say that there was motion.
@@ -10,13 +10,13 @@
 //! ```
 //!
 //! # What else looks like this
-//! output-saturation (at the end of the range), a thing that really rests, quantisation.
+//! output-saturation (at the end of the range), a system that really rests, quantisation.
 //!
 //! # Reference
 //! V. Barnett, T. Lewis, Outliers in Statistical Data (1994).
 //!
 //! # Example
-//! A heading that stays at 225.3 deg for a minute while the ship turns. ---
+//! A heading that stays at 225.3 deg for a minute while the ship turns.
 
 use super::{Group, Mechanism, no_proposals};
 

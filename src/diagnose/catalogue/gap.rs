@@ -16,7 +16,7 @@
 //! R. J. A. Little, D. B. Rubin, Statistical Analysis with Missing Data, 3rd ed. (2019).
 //!
 //! # Example
-//! A minute lost while the file was changed. ---
+//! A minute lost while the file was changed.
 
 use super::{Group, Mechanism, no_proposals};
 

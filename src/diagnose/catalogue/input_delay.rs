@@ -1,5 +1,5 @@
 //! # What it is
-//! What is recorded reaches the thing only after a dead time: transport in a pipe, a bus, a sampled
+//! What is recorded acts on the system only after a dead time: transport in a pipe, a bus, a sampled
 //! controller.
 //!
 //! # Signature in a recording
@@ -12,7 +12,7 @@
 //! ```
 //!
 //! # What else looks like this
-//! output-delay (with one input and one output the same thing), input-lag, clock-offset, neglected-
+//! output-delay (the same with one input and one output), input-lag, clock-offset, neglected-
 //! inertia.
 //!
 //! # Reference
@@ -24,10 +24,10 @@
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
 use crate::units::Unit;
 
-/// A delay before the thing.
+/// A delay of an input.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
     "input-delay",
-    "a delay before the thing",
+    "a delay of an input",
     Group::Input,
     include_str!("input_delay.rs"),
     propose,
@@ -48,5 +48,5 @@ fn at(scene: &Scene, u: &Signal) -> Option<Proposal> {
     for start in scene.delays() {
         d.start(&[start]);
     }
-    d.done(&format!("{} reaches the thing {{0}} late", scene.words(&u.name)))
+    d.done(&format!("{} acts on the system {{0}} late", scene.words(&u.name)))
 }

@@ -1,5 +1,5 @@
 //! # What it is
-//! What is recorded reaches the thing through a first-order lag: an amplifier, a valve, a warming
+//! What is recorded acts on the system through a first-order lag: an amplifier, a valve, a warming
 //! filament.
 //!
 //! # Signature in a recording
@@ -11,7 +11,7 @@
 //! ```
 //!
 //! # What else looks like this
-//! output-lag (the same thing in a linear model with one input), input-delay at low frequency,
+//! output-lag (the same in a linear model with one input), input-delay at low frequency,
 //! neglected-inertia.
 //!
 //! # Reference
@@ -23,15 +23,10 @@
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
 use crate::units::Unit;
 
-/// A lag before the thing.
-pub(super) const MECHANISM: Mechanism = Mechanism::new(
-    "input-lag",
-    "a lag before the thing",
-    Group::Input,
-    include_str!("input_lag.rs"),
-    propose,
-)
-.shifting_time();
+/// A lag of an input.
+pub(super) const MECHANISM: Mechanism =
+    Mechanism::new("input-lag", "a lag of an input", Group::Input, include_str!("input_lag.rs"), propose)
+        .shifting_time();
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
@@ -47,5 +42,5 @@ fn at(scene: &Scene, u: &Signal) -> Option<Proposal> {
     for start in scene.times() {
         d.start(&[start]);
     }
-    d.done(&format!("{} reaches the thing through a lag of {{0}}", scene.words(&u.name)))
+    d.done(&format!("{} acts on the system through a lag of {{0}}", scene.words(&u.name)))
 }

@@ -1,5 +1,5 @@
 //! # What it is
-//! Beyond a level the thing feels no more of what is recorded: a full-open valve, a current limit.
+//! Beyond a level no more of what is recorded acts on the system: a full-open valve, a current limit.
 //!
 //! # Signature in a recording
 //! The residual appears at large inputs alone, and follows their tops.
@@ -55,5 +55,5 @@ fn at(scene: &Scene, u: &Signal, side: i8) -> Option<Proposal> {
             _ => u.mean + fraction * (u.min - u.mean),
         }]);
     }
-    d.done(&format!("beyond {{0}} no more of {} reaches the thing", scene.words(name)))
+    d.done(&format!("beyond {{0}} no more of {} acts on the system", scene.words(name)))
 }

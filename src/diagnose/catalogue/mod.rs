@@ -31,9 +31,9 @@ pub enum Group {
     Flow,
     /// A signal that the model ignores.
     Ignored,
-    /// What acts between the recorded input and the thing.
+    /// What acts between the recorded input and the system.
     Input,
-    /// The sensor, not the thing.
+    /// The sensor, not the system.
     Output,
     /// Faulty data.
     Fault,
@@ -52,7 +52,7 @@ impl Group {
             Self::Flow => "Flow",
             Self::Ignored => "Ignored signal",
             Self::Input => "Input",
-            Self::Output => "Output: the sensor, not the thing",
+            Self::Output => "Output: the sensor, not the system",
             Self::Fault => "Faulty data",
             Self::Unnamed => "Without a name",
         }

@@ -16,7 +16,7 @@
 //! P. J. Huber, E. M. Ronchetti, Robust Statistics, 2nd ed. (2009).
 //!
 //! # Example
-//! A depth of 999.9 in an echo sounder's log. ---
+//! A depth of 999.9 in an echo sounder's log.
 
 use super::{Group, Mechanism, no_proposals};
 

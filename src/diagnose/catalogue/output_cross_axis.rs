@@ -2,7 +2,7 @@
 //! A sensor shows a part of another motion: a tilted accelerometer, a crosstalk, a lever arm.
 //!
 //! # Signature in a recording
-//! The residual is proportional to the other signal at once, without the thing's own dynamics.
+//! The residual is proportional to the other signal at once, without the system's own dynamics.
 //!
 //! # Equation
 //! ```text

@@ -2,7 +2,7 @@
 //! The sensor follows with a first-order lag: a thermometer in its pocket, a filter.
 //!
 //! # Signature in a recording
-//! Fast changes of the output are rounded; the thing itself is not slower, as other sensors show.
+//! Fast changes of the output are rounded; the system itself is not slower, as other sensors show.
 //!
 //! # Equation
 //! ```text

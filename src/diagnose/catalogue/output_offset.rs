@@ -11,8 +11,8 @@
 //! ```
 //!
 //! # What else looks like this
-//! constant-force, input-offset: the same thing where the model is linear and has a rest.
-//! Of a jump: parameter-change, whose effect goes with the motion and comes no faster than the thing is; clock-jump.
+//! constant-force, input-offset: the same where the model is linear and has a rest.
+//! Of a jump: parameter-change, whose effect goes with the motion and comes no faster than the system responds; clock-jump.
 //!
 //! # Reference
 //! JCGM 200:2012, International vocabulary of metrology, 4.20; R. S. Tsay, J. Forecasting 7

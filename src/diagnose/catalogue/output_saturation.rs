@@ -1,5 +1,5 @@
 //! # What it is
-//! Beyond a level the sensor shows that level, while the thing goes on.
+//! Beyond a level the sensor shows that level, while the motion goes on.
 //!
 //! # Signature in a recording
 //! Flat tops at exactly one value, and right again after them; the rest of the motion is not
@@ -11,7 +11,7 @@
 //! ```
 //!
 //! # What else looks like this
-//! end-stop, overflow, input-saturation: there the thing itself stops; frozen-channel.
+//! end-stop, overflow, input-saturation: there the motion itself stops; frozen-channel.
 //!
 //! # Reference
 //! E. O. Doebelin, Measurement Systems, 5th ed. (2004), ch. 3.

@@ -16,7 +16,7 @@
 //! B. Widrow, I. Kollar, Quantization Noise (2008).
 //!
 //! # Example
-//! A heading logged in whole degrees. ---
+//! A heading logged in whole degrees.
 
 use super::{Group, Mechanism, no_proposals};
 

@@ -16,7 +16,7 @@
 //! K. V. Mardia, P. E. Jupp, Directional Statistics (2000).
 //!
 //! # Example
-//! A heading about north without `wraps = true`. ---
+//! A heading about north without `wraps = true`.
 
 use super::{Group, Mechanism, no_proposals};
 

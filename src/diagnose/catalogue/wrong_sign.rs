@@ -17,7 +17,7 @@
 //! signs.
 //!
 //! # Example
-//! A roll angle positive to port. ---
+//! A roll angle positive to port.
 
 use super::{Group, Mechanism, no_proposals};
 

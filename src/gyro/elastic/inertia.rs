@@ -24,7 +24,7 @@ pub(super) const ASKED: Asked = Asked {
         name: "inertia",
         numbers: "",
         ranges: &[],
-        help: "The elastic part with its inertia, (2.2) in place of (2.3)",
+        help: "The elastic part with its inertia, (2.2) in place of (2.3) of Potemkin 1978",
     }],
     make: |_| Box::new(Inertia),
 };

@@ -57,7 +57,7 @@ pub trait Elastic: Boxed + std::fmt::Debug + Send + Sync {
         None
     }
 
-    /// How W₁ moves x, with letters; `None` where the mean error has no closed form.
+    /// How W₁ moves x, in symbols; `None` where the mean error has no closed form.
     fn letters(&self) -> Option<Letters> {
         None
     }
@@ -68,7 +68,7 @@ pub trait Elastic: Boxed + std::fmt::Debug + Send + Sync {
     }
 }
 
-/// The centre of mass with letters.
+/// The centre of mass in symbols.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Letters {
     /// x/θ̈ as an expression in s, with the letters of docs/symbols.md; where the mass gives way along the meridian

@@ -35,7 +35,7 @@ pub struct Tilt {
     pub lag: f64,
 }
 
-/// What gives way beside the spring C₀ and the dashpot T C₀ of the gyrosphere; each part once.
+/// What yields beside the spring C₀ and the dashpot T C₀ of the gyrosphere; each part once.
 ///
 /// A part enters itself by [`Elastic::enters`](super::Elastic::enters); what the entries mean together stands with
 /// [`Assembly`](super::Assembly).
@@ -77,7 +77,7 @@ impl Suspension {
         self.friction.is_none() && self.gap.is_none()
     }
 
-    /// What gives way, in words.
+    /// The elastic part, in words.
     pub fn name(&self) -> String {
         let base = if self.inertia { "lag with inertia (2.2)" } else { "lag (2.3)" };
         let more = [

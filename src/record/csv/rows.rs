@@ -178,7 +178,7 @@ impl Rows {
             Some(t) if t.is_nan() => Error::bad_input(format!("{place}: the time is empty"))
                 .with_hint("remove rows without a time; values may be empty, times may not"),
             Some(t) if t == self.previous => {
-                Error::bad_input(format!("{place}: the time {shown} stands there twice")).with_hint(
+                Error::bad_input(format!("{place}: the time {shown} occurs twice")).with_hint(
                     "keep one row for each time; where the clock of the log is too coarse, give \
                      time = { start = …, step = … } in a TOML recording",
                 )

@@ -285,7 +285,7 @@ impl Group {
     fn take(&mut self, sentence: &Sentence, time: f64, line: usize) -> Result<()> {
         let other = self.talkers.take(sentence.address);
         if let Some(previous) = self.time.last().copied().filter(|p| *p >= time) {
-            let what = if previous == time { "stands there twice" } else { "runs backwards" };
+            let what = if previous == time { "occurs twice" } else { "runs backwards" };
             let whose = if other {
                 format!("where two talkers send it, name one, such as {}", sentence.address)
             } else {

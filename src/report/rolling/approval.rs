@@ -17,7 +17,7 @@ pub fn approval_text(compass: &Compass, a: &Approval) -> String {
     let mut out = format!(
         "Scorsby table: roll {:.0}°, pitch {:.0}° and yaw, by sines of {} to {} s, at most {} m/s² at the compass\n\
          (IMO resolution A.424(XI), 5.2; the lever h = {} m makes the acceleration)\n\
-         compass: {}, gives way: {}; latitude {}°\n\n\
+         compass: {}, elastic part: {}; latitude {}°\n\n\
          motion           period   heading   pitch leads   acceleration   largest mean error\n",
         t.roll.to_degrees(),
         t.pitch.to_degrees(),
@@ -41,7 +41,7 @@ pub fn approval_text(compass: &Compass, a: &Approval) -> String {
     );
     if a.followed {
         out.push_str(
-            "What gives way is not linear: it is followed in time until it repeats, in sines of many periods and\n\
+            "The elastic part is not linear: it is followed in time until it repeats, in sines of many periods and\n\
              amplitudes, and the worst of each motion once more by itself; one between them may be some percent worse.\n",
         );
     }

@@ -49,7 +49,7 @@ pub fn formula_text(
     out
 }
 
-/// The motion with letters.
+/// The motion in symbols.
 fn moved(excitation: &Excitation) -> String {
     let roll = match &excitation.source {
         Source::Irregular(_) => "irregular roll K(τ) = A e^(−μ|τ|)(cos ετ + (μ/ε) sin ε|τ|), b² = μ² + ε²",
@@ -72,7 +72,7 @@ fn derived(closed: &ClosedForm) -> String {
                 closed.points()
             )
         }
-        ClosedForm::Integral { .. } if order == 0 => "a ratio of polynomials in these letters".into(),
+        ClosedForm::Integral { .. } if order == 0 => "a ratio of polynomials in these symbols".into(),
         ClosedForm::Written(_) => {
             format!(
                 "derived from I_{order}; agrees with the numeric engine at {} random points",
@@ -81,7 +81,7 @@ fn derived(closed: &ClosedForm) -> String {
         }
         ClosedForm::Integral { .. } => {
             format!(
-                "a ratio of polynomials in these letters, which written out fills pages: I_{order} gives its value"
+                "a ratio of polynomials in these symbols, which written out fills pages: I_{order} gives its value"
             )
         }
     }

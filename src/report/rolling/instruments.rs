@@ -42,7 +42,7 @@ pub fn instruments_text() -> String {
     let mut s = Gyrosphere::seed();
     let mut out = String::from(
         "Gyrocompasses known by name\n\n\
-         gyrosphere   the two-rotor gyrocompass of the rolling-error paper of 1978; taken where none is named\n",
+         gyrosphere   the two-rotor gyrocompass of the rolling-error paper (Potemkin 1978); taken where none is named\n",
     );
     let _ = writeln!(
         out,

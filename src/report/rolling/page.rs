@@ -24,7 +24,7 @@ pub struct Sheet<'a> {
 
 /// Everything that the page says.
 struct Rolling<'a> {
-    /// What gives way in it.
+    /// Its elastic part.
     part: String,
     /// Where its numbers come from.
     compass: &'a str,
@@ -146,7 +146,7 @@ fn drawn(r: &Rolling<'_>) -> String {
         kind: "Rolling error of a gyrocompass".into(),
         title: "Rolling error of a gyrocompass".into(),
         verdict: sentence(r),
-        lead: format!("{} Motion: {}. Compass: {}; gives way: {}.", r.beyond, r.motion, r.compass, r.part)
+        lead: format!("{} Motion: {}. Compass: {}; elastic part: {}.", r.beyond, r.motion, r.compass, r.part)
             .trim_start()
             .to_owned(),
         sections: vec![

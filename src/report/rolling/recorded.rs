@@ -50,9 +50,9 @@ pub fn words(r: &MeasuredRoll) -> String {
     };
     let verdict = match a.fit.misfit {
         m if m < MeasuredRoll::FAIR => "a good fit",
-        _ if r.mean.is_none() => "this roll is hardly of the form (3.3), and the quick spread a guide alone",
+        _ if r.mean.is_none() => "this roll is hardly of that form, and the quick spread a guide alone",
         m if m < 0.15 => "a fair fit: trust the column of the measured spectrum more",
-        _ => "a poor fit: this roll is not of the form (3.3); use the column of the measured spectrum",
+        _ => "a poor fit: this roll is not of that form; use the column of the measured spectrum",
     };
     format!(
         "Roll of `{}`: {n} samples {step:.4} s apart{gaps}, {:.1} min; standard deviation {sigma:.3}°\n\
@@ -102,7 +102,7 @@ fn than(part: f64) -> String {
 /// What of the answer depends on frequencies that nobody measured.
 fn unmeasured(above: f64, banded: bool) -> String {
     let tail = |end: &str| {
-        let tail = ", where (3.3) gives the\nacceleration a white tail of infinite variance";
+        let tail = ", where that form gives the\nacceleration a white tail of infinite variance";
         if above.abs() >= MeasuredRoll::MUCH && !banded { format!("{tail}{end}") } else { String::new() }
     };
     if above < -0.005 {
@@ -120,7 +120,7 @@ fn unmeasured(above: f64, banded: bool) -> String {
 }
 
 /// How the figures of a part that is not linear come about.
-const FOLLOWED: &str = "What gives way is not linear: it is followed in time through the recording itself, up to the end of \
+const FOLLOWED: &str = "The elastic part is not linear: it is followed in time through the recording itself, up to the end of \
 its band, and the mean is\nthat of such a roll within the margin told (99 %, from blocks of the recording, with the error of the \
 step). The quick\nspread is that of the fit. Rounding and noise of the samples shake the part too: --band takes them away.\n";
 
@@ -130,7 +130,7 @@ pub fn differs(measured: &MeasuredRoll, follows: &str) -> String {
     let mut text = unmeasured(m.above(), measured.band.is_some());
     text.push_str(&format!(
         "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\
-         {} since inside the band the roll is not quite of the form (3.3), or the recording is short.\n",
+         {} since inside the band the roll is not quite of the fitted form, or the recording is short.\n",
         than(1.0 - m.ratio()),
         than(m.above()),
         than(m.form())

@@ -33,7 +33,7 @@ pub fn text(table: &Table) -> String {
     let _ = writeln!(
         out,
         "Heading error of a gyrocompass by rolling, {place}; h = {} m above the roll axis\n\
-         compass: {}; gives way: {}\nmotion: {}\nsign: {SIGN}\n{}\n",
+         compass: {}; elastic part: {}\nmotion: {}\nsign: {SIGN}\n{}\n",
         s.lever,
         words::origin(&table.compass.origin),
         words::part(table.compass.part.name()),

@@ -23,7 +23,7 @@ pub fn origin(o: &Origin) -> String {
     text
 }
 
-/// What gives way, without the paper's name and numbers of equations.
+/// The elastic part, without the paper's name and numbers of equations.
 pub fn part(name: &str) -> String {
     let spring = "damped spring";
     let plain =

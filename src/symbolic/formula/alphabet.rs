@@ -134,7 +134,7 @@ impl Alphabet {
                 "the formula has a sum of {count} terms; {MOST_TERMS} are printed"
             ))
             .with_hint(
-                "give several letters one name or a value; where every coefficient is a letter of its own, \
+                "give several symbols one name or a value; where every coefficient is a symbol of its own, \
                     `gyrospec table` prints the whole of I_n",
             ));
         }

@@ -1,4 +1,4 @@
-//! From transfer functions to a mean value with letters.
+//! From transfer functions to a mean value in symbols.
 //!
 //! Purpose: the mean product of two signals that one noise drives, as a formula.
 //! Method: H is the least common denominator of both transfer functions with the shaping filter, G the even part of

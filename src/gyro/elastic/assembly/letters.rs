@@ -1,4 +1,4 @@
-//! A combination with letters.
+//! A combination in symbols.
 
 use crate::gyro::elastic::part::Letters;
 use crate::gyro::elastic::suspension::Suspension;
@@ -34,7 +34,7 @@ fn massless(s: &Suspension) -> String {
 
 const LIQUID: &str = "(s^2 + 2*zeta*omega*s + omega^2)";
 
-/// N = (l/g) ω² (1 + τ s)/[…], l = lP/P, above and below; with letters of its own where liquid swings too.
+/// N = (l/g) ω² (1 + τ s)/[…], l = lP/P, above and below; in symbols of its own where liquid swings too.
 fn tilt(s: &Suspension) -> Option<(String, String)> {
     s.tilt?;
     let n = if s.swing.is_some() { "_n" } else { "" };

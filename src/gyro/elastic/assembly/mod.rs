@@ -119,7 +119,7 @@ impl Assembly {
         Ok(vec![(0, part)])
     }
 
-    /// What gives way along the meridian and the vertical.
+    /// The elastic part along the meridian and the vertical.
     fn others(&self, s: &Gyrosphere) -> Result<Vec<(usize, StateSpace)>> {
         let mut out = Vec::new();
         for (axis, part) in [(1, self.suspension.meridian), (2, self.suspension.vertical)] {

@@ -109,7 +109,7 @@ fn recorded(table: &Table) -> String {
     format!("the recorded roll “{name}”, means by {by}")
 }
 
-/// The compass: where its numbers come from, what gives way, where it stands.
+/// The compass: where its numbers come from, its elastic part, where it stands.
 fn compass(card: &Card) -> String {
     let s = &card.compass.sphere;
     let speed = match card.compass.speed {
@@ -120,7 +120,7 @@ fn compass(card: &Card) -> String {
         ),
     };
     format!(
-        "{}; gives way: {}; {} m above the roll axis; latitude {}°{speed}",
+        "{}; elastic part: {}; {} m above the roll axis; latitude {}°{speed}",
         words::origin(&card.compass.origin),
         words::part(card.compass.part.name()),
         figure(s.lever),

@@ -4,7 +4,7 @@ use super::{USE, cells, compass, decimals, heading, is_guide, motion, note, rema
 use crate::rolling::Card;
 use std::fmt::Write;
 
-/// The card as text, to be printed with letters of one width.
+/// The card as text, to be printed in symbols of one width.
 ///
 /// ```
 /// use gyrospec::rolling::{Against, Card, Compass, Excitation, Request};
