@@ -94,8 +94,10 @@ fn interval(bench: &Bench, view: &View, of: (&Proposal, usize), fit: &Fit) -> Op
     let width =
         fit.parameters.iter().find(|p| p.name == of.0.added[of.1].name).map_or(step, |p| p.high - p.low);
     let width = if width.is_finite() { width.clamp(0.01 * step, step) } else { step };
-    let near = (0..FINER).map(|i| own + width * ((i as f64 + 0.5) / FINER as f64 - 0.5) * 2.0);
-    let all: Vec<f64> = coarse.iter().copied().chain(near).chain([own]).collect();
+    // a valley beside its own may be as deep and as narrow
+    let near =
+        |width: f64| (0..FINER).map(move |i| own + width * ((i as f64 + 0.5) / FINER as f64 - 0.5) * 2.0);
+    let all: Vec<f64> = coarse.iter().copied().chain(near(width)).chain(near(step)).chain([own]).collect();
     let promised: Vec<(f64, f64)> = all.par_iter().map(|at| (*at, rig.promise(*at).0)).collect();
     let least = promised.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
     let allowed = promised.iter().filter(|p| 0.5 * (p.1 - least) <= LOST).map(|p| p.0);

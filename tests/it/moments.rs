@@ -75,11 +75,9 @@ fn a_jump_of_the_damping_is_found_at_its_moment_and_alone() {
         let finding = &told.findings[0];
         assert_eq!((finding.code.as_str(), finding.site.name.as_str()), ("parameter-change", "d"));
         let (size, time) = (&finding.parameters[0], &finding.parameters[1]);
-        assert!(
-            (time.value - moment).abs() < 0.2 && (size.value - jump / 60.0).abs() < 0.02,
-            "{}",
-            told.says
-        );
+        // two moments between which the axis hardly moves are as likely: the interval tells
+        assert!(time.low <= moment && moment <= time.high && time.high - time.low < 1.0, "{time:?}");
+        assert!((size.value - jump / 60.0).abs() < 0.02, "{}", told.says);
     }
 }
 
