@@ -16,10 +16,14 @@
 //! A. E. Bryson, Y.-C. Ho, Applied Optimal Control (1975), 2.3; S. Kay, Fundamentals of Statistical Signal Processing I
 //! (1993), example 4.2.
 
+use super::bench::{Bench, Track};
 use super::catalogue::{Motion, Scene};
 use super::locate::powers;
 use super::response::Response;
-use super::view::View;
+use super::screen::Screen;
+use super::view::{View, own_tracks};
+use crate::estimate::Fit;
+use crate::estimate::noise::NoiseModel;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
@@ -44,18 +48,41 @@ const MOST: f64 = 1_048_576.0;
 
 /// By the state that a force would act on, angular frequencies in its position at which something is left, per unit of
 /// the position.
-pub fn over_positions(scene: &Scene, view: &View) -> BTreeMap<String, Vec<f64>> {
-    let turning = scene.motions().into_iter().filter(|m| m.speed.is_some());
+pub fn over_positions(
+    bench: &Bench,
+    scene: &Scene,
+    (fit, view): (&Fit, &View),
+) -> BTreeMap<String, Vec<f64>> {
+    let turning: Vec<Motion> = scene.motions().into_iter().filter(|m| m.speed.is_some()).collect();
+    let looked = || Some((view.fine(bench)?, view.response.as_ref()?, open(fit, view)?));
+    let Some((fine, smooth, open)) = (!turning.is_empty()).then(looked).flatten() else {
+        return BTreeMap::new();
+    };
     let of = |m: Motion| {
-        let lines = Place::of(view, m.position.as_ref()?, &m.state)?.lines(view)?;
+        let courses = (fine.course(m.position.as_ref()?)?, smooth.course(m.position.as_ref()?)?);
+        let lines = Place::of(fine, &open, &m.state, courses)?.lines(&view.tracks)?;
         Some((m.state, lines))
     };
-    turning.filter_map(of).collect()
+    turning.into_iter().filter_map(of).collect()
+}
+
+/// The screening space in which each output's residual is whitened by its nearest neighbour alone.
+fn open(fit: &Fit, view: &View) -> Option<Screen> {
+    let own = own_tracks(fit, &view.tracks).ok()?;
+    let of = |output: usize| {
+        let tracks = own.iter().filter(|t| t.output == output);
+        let stretches: Vec<&[f64]> =
+            tracks.flat_map(|t| t.stretches.iter().map(|r| &t.residual[r.clone()])).collect();
+        NoiseModel::of_neighbours(&stretches)
+    };
+    let noise: Vec<NoiseModel> = (0..fit.noise.len()).map(of).collect();
+    Some(Screen::new(&own, &noise, None))
 }
 
 /// A position, and a grid over it.
 struct Place<'v> {
     response: &'v Response,
+    open: &'v Screen,
     state: &'v str,
     /// Where it was, run by run.
     course: Vec<Vec<f64>>,
@@ -66,29 +93,31 @@ struct Place<'v> {
 }
 
 impl<'v> Place<'v> {
-    /// A grid that shows every period which the samples resolve at the mean speed.
-    fn of(view: &'v View, position: &str, state: &'v str) -> Option<Self> {
-        let response = view.fine()?;
-        let course = response.course(position)?;
+    /// A grid that shows every period which the samples resolve at the mean speed; of the courses that were measured
+    /// and simulated, for the way of the first is longer by its noise.
+    fn of(
+        response: &'v Response,
+        open: &'v Screen,
+        state: &'v str,
+        (course, smooth): (Vec<Vec<f64>>, Vec<Vec<f64>>),
+    ) -> Option<Self> {
         let all = || course.iter().flatten().copied();
         let (first, last) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
-        // the way of the measured position is longer by its noise
-        let smooth = view.response.as_ref()?.course(position)?;
         let path: f64 = smooth.iter().flat_map(|q| q.windows(2)).map(|w| (w[1] - w[0]).abs()).sum();
-        let shortest = 2.0 * path / view.open.residual.len() as f64;
+        let shortest = 2.0 * path / open.residual.len() as f64;
         let cells = (CELLS * (last - first) / shortest).min(MOST);
         let width = (last - first) / cells;
-        let own = Self { response, state, course, first, width, cells: cells as usize + 2 };
+        let own = Self { response, open, state, course, first, width, cells: cells as usize + 2 };
         (width > 0.0 && cells > CELLS * TURNS).then_some(own)
     }
 
     /// The frequencies of the largest scores.
-    fn lines(&self, view: &View) -> Option<Vec<f64>> {
-        let (power, unit, few) = self.periodogram(view)?;
-        let energies = self.energies(view, (few as f64 * unit, power.len() as f64 * unit))?;
+    fn lines(&self, tracks: &[Track]) -> Option<Vec<f64>> {
+        let (power, unit, few) = self.periodogram(tracks)?;
+        let energies = self.energies((few as f64 * unit, power.len() as f64 * unit))?;
         let energy = |k: usize| between(&energies, k as f64 * unit);
         let score: Vec<f64> = power.iter().enumerate().map(|(k, p)| p / energy(k)).collect();
-        let exact = |n: f64| Some((n, view.open.score(&self.directions(view, n)?, false)?.chi2));
+        let exact = |n: f64| Some((n, self.open.score(&self.directions(n)?, false)?.chi2));
         let by_score = |a: &(f64, f64), b: &(f64, f64)| b.1.total_cmp(&a.1);
         let mut found: Vec<(f64, f64)> = highest(&score, few, unit).into_iter().filter_map(exact).collect();
         found.sort_by(by_score);
@@ -100,16 +129,16 @@ impl<'v> Place<'v> {
     }
 
     /// The directions W G sin nq and W G cos nq.
-    fn directions(&self, view: &View, n: f64) -> Option<Vec<Vec<f64>>> {
+    fn directions(&self, n: f64) -> Option<Vec<Vec<f64>>> {
         let turned = |f: fn(f64) -> f64| move |q: &Vec<f64>| q.iter().map(|q| f(n * q)).collect::<Vec<f64>>();
         let forces = self.course.iter().map(|q| vec![turned(f64::sin)(q), turned(f64::cos)(q)]);
         let tracks = self.response.pushed(self.state, forces.collect())?;
-        Some((0..2).map(|j| view.open.whitened(&tracks, |t| &t.sensitivities[j])).collect())
+        Some((0..2).map(|j| self.open.whitened(&tracks, |t| &t.sensitivities[j])).collect())
     }
 
     /// What is left over the position, by frequency in steps of a unit, with the number of the first that is looked at.
-    fn periodogram(&self, view: &View) -> Option<(Vec<f64>, f64, usize)> {
-        let pulls = self.response.pulls(self.state, &view.open.weights(&view.tracks))?;
+    fn periodogram(&self, tracks: &[Track]) -> Option<(Vec<f64>, f64, usize)> {
+        let pulls = self.response.pulls(self.state, &self.open.weights(tracks))?;
         let mut gathered = self.gathered(&pulls);
         // no window: it would blur frequencies that the ends of the way tell apart
         gathered.resize((FINER * self.cells).next_power_of_two(), 0.0);
@@ -135,10 +164,10 @@ impl<'v> Place<'v> {
     }
 
     /// ‖P W G sin nq‖² + ‖P W G cos nq‖² at frequencies n in equal ratios.
-    fn energies(&self, view: &View, (low, high): (f64, f64)) -> Option<Vec<(f64, f64)>> {
+    fn energies(&self, (low, high): (f64, f64)) -> Option<Vec<(f64, f64)>> {
         let of = |i: usize| {
             let n = low * (high / low).powf(i as f64 / (KNOWN - 1) as f64);
-            Some((n, view.open.energy(&self.directions(view, n)?)))
+            Some((n, self.open.energy(&self.directions(n)?)))
         };
         (0..KNOWN).map(of).collect()
     }

@@ -186,7 +186,7 @@ fn round(
     bench.budget.begin("screening");
     let mut scene = bench.scene(&current.model, &view.stand)?;
     scene.peaks = super::locate::peaks(current);
-    scene.lines = super::lines::over_positions(&scene, view);
+    scene.lines = super::lines::over_positions(bench, &scene, (current, view));
     scene.shifts = super::innovations::shifts(bench, current);
     let State { now, scale, gains, taken, is_last } = state;
     let screening = screen(bench, &scene, view, taken, progress);

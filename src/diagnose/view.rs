@@ -12,6 +12,7 @@ use crate::model::Model;
 use crate::simulate::Planned;
 use crate::{Error, Result};
 use std::cell::OnceCell;
+use std::sync::OnceLock;
 
 /// Samples to which the free run is shortened for its own screening.
 const FREE: usize = 3000;
@@ -32,10 +33,8 @@ pub struct View {
     pub tracks: Vec<Track>,
     /// Its response to small forces, where it can be found without simulations.
     pub response: Option<Response>,
-    /// The same on all samples and at the measured places, where that is another one.
-    fine: Option<Response>,
-    /// The screening space whose colour holds no line, for what repeats.
-    pub open: Screen,
+    /// The same on all samples and at the measured places, once it is asked for.
+    fine: OnceLock<Option<Response>>,
 }
 
 impl View {
@@ -66,17 +65,17 @@ impl View {
         let free = Screen::new(&own, &plain_noise, None);
         let response = Response::of(bench, &fit.model, &stand, tolerance, &records, Places::Simulated);
         let screen = Screen::new(&own, &noise, Some(bench.seed));
-        let differs = response.as_ref().is_some_and(|r| !r.is_fine);
-        let measured = Places::Measured(&plain);
-        let on_all = || Response::of(bench, &fit.model, &stand, tolerance, &records, measured);
-        let fine = if differs { on_all() } else { None };
-        let open = Screen::new(&own, &of_neighbours(&own, noise.len()), None);
-        Ok(Self { screen, free, stand, tolerance, planned, tracks: plain, response, fine, open })
+        let fine = OnceLock::new();
+        Ok(Self { screen, free, stand, tolerance, planned, tracks: plain, response, fine })
     }
 
     /// The response on all samples and at the measured places, for what is faster than the model's own signals.
-    pub fn fine(&self) -> Option<&Response> {
-        self.fine.as_ref().or(self.response.as_ref())
+    pub fn fine(&self, bench: &Bench) -> Option<&Response> {
+        let response = self.response.as_ref()?;
+        if response.is_fine {
+            return Some(response);
+        }
+        self.fine.get_or_init(|| response.measured(bench, &self.tracks)).as_ref().or(Some(response))
     }
 
     /// A model that extends it, ready to run over the screened parts.
@@ -86,21 +85,10 @@ impl View {
 
     /// A proposal at rest, to be looked at from its starts.
     pub fn at_rest<'v>(&'v self, bench: &'v Bench, proposal: &'v Proposal) -> AtRest<'v> {
-        let response = if proposal.turns() { self.fine() } else { self.response.as_ref() };
+        let response = if proposal.turns() { self.fine(bench) } else { self.response.as_ref() };
         let terms = response.and_then(|r| Some((r, r.terms(bench, proposal)?)));
         AtRest { view: self, bench, proposal, terms, records: OnceCell::new() }
     }
-}
-
-/// The colour of each output's residual from one sample to the next.
-fn of_neighbours(tracks: &[Track], outputs: usize) -> Vec<NoiseModel> {
-    let of = |output: usize| {
-        let own = tracks.iter().filter(|t| t.output == output);
-        let stretches: Vec<&[f64]> =
-            own.flat_map(|t| t.stretches.iter().map(|r| &t.residual[r.clone()])).collect();
-        NoiseModel::of_neighbours(&stretches)
-    };
-    (0..outputs).map(of).collect()
 }
 
 /// A proposal at rest inside a fitted model.

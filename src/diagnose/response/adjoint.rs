@@ -6,7 +6,7 @@
 //! # References
 //! A. E. Bryson, Y.-C. Ho, Applied Optimal Control (1975), 2.3 (the adjoint of a linear system).
 
-use super::along::{Along, Site};
+use super::along::{Along, Site, places};
 use super::{Changes, Response};
 use crate::diagnose::bench::Track;
 use crate::model::Model;
@@ -74,12 +74,7 @@ impl Along {
 
 /// The adjoint of reading a mesh at rising times, straight between its points.
 fn spread(mesh: &[f64], time: &[f64], weights: &[f64], out: &mut [f64]) {
-    let mut i = 0;
-    for (t, w) in time.iter().zip(weights) {
-        while i + 2 < mesh.len() && mesh[i + 1] <= *t {
-            i += 1;
-        }
-        let share = (t - mesh[i]) / (mesh[i + 1] - mesh[i]);
+    for ((i, share), w) in places(mesh, time).zip(weights) {
         out[i] += (1.0 - share) * w;
         out[i + 1] += share * w;
     }

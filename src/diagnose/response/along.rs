@@ -172,15 +172,18 @@ fn smoothed(values: &[f64]) -> Vec<f64> {
     (0..n).map(mean).collect()
 }
 
-/// A series on a mesh, straight between its points, at rising times.
-fn read(mesh: &[f64], values: &[f64], time: &[f64]) -> Vec<f64> {
+/// Between which points of a mesh rising times lie: the number of the first, and the share of the way to the next.
+pub(super) fn places(mesh: &[f64], time: &[f64]) -> impl Iterator<Item = (usize, f64)> {
     let mut i = 0;
-    let one = |t: &f64| {
+    time.iter().map(move |t| {
         while i + 2 < mesh.len() && mesh[i + 1] <= *t {
             i += 1;
         }
-        let share = (t - mesh[i]) / (mesh[i + 1] - mesh[i]);
-        values[i] + share * (values[i + 1] - values[i])
-    };
-    time.iter().map(one).collect()
+        (i, (t - mesh[i]) / (mesh[i + 1] - mesh[i]))
+    })
+}
+
+/// A series on a mesh, straight between its points, at rising times.
+fn read(mesh: &[f64], values: &[f64], time: &[f64]) -> Vec<f64> {
+    places(mesh, time).map(|(i, share)| values[i] + share * (values[i + 1] - values[i])).collect()
 }

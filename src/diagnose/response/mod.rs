@@ -106,6 +106,12 @@ impl Response {
         Some(response)
     }
 
+    /// The same response on all samples and at the places that the run's tracks measured.
+    pub fn measured(&self, bench: &Bench, tracks: &[Track]) -> Option<Self> {
+        let records = bench.ready(&self.model, self.tolerance, Vec::new()).ok()?;
+        Self::of(bench, &self.model, &self.stand, self.tolerance, &records, Places::Measured(tracks))
+    }
+
     /// A proposal's own terms, ready to be looked at from any of its starts; `None` where they cannot be.
     pub fn terms<'p>(&self, bench: &Bench, proposal: &'p Proposal) -> Option<Terms<'p>> {
         let p = &proposal.model;
@@ -295,23 +301,21 @@ mod tests {
         Recording::from_channels("made", channels).unwrap()
     }
 
-    fn response(places: impl Fn(&Bench, &[Record], &Stand) -> Vec<Track>) -> (Response, Vec<Track>) {
-        let model = Model::parse(MODEL).unwrap();
-        let bench = Bench::new(&model, vec![recording()], false, 1);
-        let records = bench.ready(&model, 1e-5, Vec::new()).unwrap();
+    fn at_given(model: &Model) -> (Bench, Stand, Response) {
+        let bench = Bench::new(model, vec![recording()], false, 1);
+        let records = bench.ready(model, 1e-5, Vec::new()).unwrap();
         let stand = Stand {
             parameters: model.parameters.iter().map(|p| p.value).collect(),
             initials: vec![records[0].initials.clone()],
         };
-        let tracks = places(&bench, &records, &stand);
-        let at = if tracks.is_empty() { Places::Simulated } else { Places::Measured(&tracks) };
-        (Response::of(&bench, &model, &stand, 1e-5, &records, at).unwrap(), tracks)
+        let response = Response::of(&bench, model, &stand, 1e-5, &records, Places::Simulated).unwrap();
+        (bench, stand, response)
     }
 
     /// Σ w·δy by the moved tracks, and Σ g·∂L/∂g by the pulls: the same for any force and any weights.
     #[test]
     fn read_backwards_it_is_its_own_adjoint() {
-        let (response, _) = response(|_, _, _| Vec::new());
+        let (_, _, response) = at_given(&Model::parse(MODEL).unwrap());
         let mut seed = 1u64;
         let mut drawn = || {
             seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -337,7 +341,10 @@ mod tests {
     /// Where an output is a state, its course is the measured one: 0.03 sin 2t, no noise in it.
     #[test]
     fn takes_the_measured_places() {
-        let (response, _) = response(|_, records, stand| bench::run(records, stand, &[]).unwrap());
+        let (bench, stand, simulated) = at_given(&Model::parse(MODEL).unwrap());
+        let records = bench.ready(&simulated.model, 1e-5, Vec::new()).unwrap();
+        let tracks = bench::run(&records, &stand, &[]).unwrap();
+        let response = simulated.measured(&bench, &tracks).unwrap();
         let places = response.course("q").unwrap();
         let off = |(q, t): (&f64, &f64)| (q - 0.03 * (2.0 * t).sin()).abs();
         let largest = places[0].iter().zip(response.runs[0].time.iter()).map(off).fold(0.0, f64::max);
@@ -348,13 +355,7 @@ mod tests {
     #[test]
     fn agrees_with_simulated_sensitivities() {
         let model = Model::parse(MODEL).unwrap();
-        let bench = Bench::new(&model, vec![recording()], false, 1);
-        let records = bench.ready(&model, 1e-5, Vec::new()).unwrap();
-        let stand = Stand {
-            parameters: model.parameters.iter().map(|p| p.value).collect(),
-            initials: vec![records[0].initials.clone()],
-        };
-        let response = Response::of(&bench, &model, &stand, 1e-5, &records, Places::Simulated).unwrap();
+        let (bench, stand, response) = at_given(&model);
         let scene = bench.scene(&model, &stand).unwrap();
         let proposals = catalogue::ALL.iter().flat_map(|m| (m.propose)(&scene));
         let mut compared = std::collections::BTreeSet::new();
