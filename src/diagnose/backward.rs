@@ -19,6 +19,7 @@ use super::answer::Evidence;
 use super::bench::Bench;
 use super::catalogue::Proposal;
 use super::choose::{CHANCE, FLOOR, MUCH, gain};
+use super::inert::{self, Inert};
 use super::measure::{Measure, Scale};
 use super::prove::{Held, held_out, leaves_levels_out};
 use super::search::{Found, Taken, ahead, is_over};
@@ -36,17 +37,12 @@ const NO_SHARE: f64 = 1e-3;
 /// The last model without one finding, and how good it is.
 type Without = (Fit, Measure);
 
-/// The model of a fit with one taken mechanism at rest, refitted in so many steps; `None` where it has no rest.
+/// The model of a fit in which one taken mechanism does nothing, refitted in so many steps; `None` where nothing keeps it
+/// from acting.
 pub fn without(bench: &Bench, last: &Fit, p: &Proposal, steps: usize) -> Option<Fit> {
-    let neutral = p.neutral.as_ref()?;
-    let mut model = last.model.clone();
-    for (a, value) in p.added.iter().zip(neutral) {
-        let parameter = model.parameters.iter_mut().find(|q| q.name == a.name)?;
-        parameter.fit = false;
-        parameter.value = *value;
-    }
+    let model = Inert::of(p)?.model(&last.model, p)?;
     let mut options = bench.options(Effort::Near, steps);
-    options.initials = last.starts();
+    options.initials = last.starts().iter().map(|x| inert::kept(&model, &last.model, x)).collect();
     fit(&model, &bench.recordings, &options).ok()
 }
 

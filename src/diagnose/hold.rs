@@ -9,8 +9,9 @@
 //! predictions. The residual is projected on the directions of all inputs together, orthogonal to the fitted
 //! sensitivities and whitened: a weight of 1 is an input that is held, 0 one that runs straight, and any other
 //! something else that shifts or smooths it, which is left to the search. What stands so is read as held, and stays so
-//! where the refitted model is likelier. Where something larger is missing that hides the reading, the search finds a
-//! delay of half a sample beside it: held inputs take its place if they fit as well, with one unknown less.
+//! where the refitted model is likelier. Where something larger is missing that hides the reading, the search finds
+//! what resembles it beside that, a delay or a resonance: held inputs take its place if they fit as well, with fewer
+//! unknowns.
 //!
 //! # References
 //! G. F. Franklin, J. D. Powell, M. Workman, Digital Control of Dynamic Systems, 3rd ed. (1998), 4.3 (a hold delays by
@@ -35,6 +36,9 @@ use crate::record::{Channel, Hold, Recording};
 /// How far a weight may lie from 1, and its standard deviation: a delay has any weight, and what leaves it so open
 /// that it may be 1 by luck settles nothing.
 const FROM_ONE: (f64, f64) = (0.15, 0.06);
+/// How far a weight, or a delay or a lag over half a sample, may lie from 1 beside something large: the likelihood
+/// decides then.
+const ABOUT: f64 = 0.5;
 /// Standard deviations up to which a weight may be 1, which is told.
 const OPEN: f64 = 3.0;
 /// A standard deviation beyond which the reading makes no difference.
@@ -55,7 +59,10 @@ pub struct Settled {
 /// # Errors
 /// Where the model cannot be fitted to what was settled.
 pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit) -> Result<Settled> {
-    let (held, notes) = weighed(bench, &base).unwrap_or_default();
+    let weights = weighed(bench, &base).unwrap_or_default();
+    let (sure, open): (Vec<Weight>, Vec<Weight>) = weights.into_iter().partition(Weight::is_sure);
+    let notes: Vec<String> = open.iter().filter(|w| w.may_be()).map(Weight::note).collect();
+    let held: Vec<String> = sure.into_iter().map(|w| w.name).collect();
     if held.is_empty() {
         return Ok(Settled { fit: base, held: Vec::new(), notes });
     }
@@ -84,18 +91,22 @@ fn evidence(held: &Measure, straight: &Measure, degrees: usize) -> Evidence {
     }
 }
 
-/// Inputs in whose place a delay of half a sample was found: held and without that delay, they fit as well. Such are
-/// read as held from here on.
-pub fn in_place_of_delays(bench: &mut Bench, separate: &mut [Recording], found: &Found) -> Vec<DataFault> {
+/// Inputs in whose place something was found: the model without it shows them held, or it is late by half a sample;
+/// held and without it, they fit as well. Such are read as held from here on.
+pub fn in_place_of_findings(bench: &mut Bench, separate: &mut [Recording], found: &Found) -> Vec<DataFault> {
     let scale = Scale::of(&found.last, found.scale.trials);
     let last = Measure::of(&found.last, &scale);
     let steps = bench.steps(&found.last.model);
-    for t in &found.taken {
-        let Some(names) = half_a_sample(bench, &found.last, &t.proposal) else { continue };
-        let fitted = |bench: &Bench| without(bench, &found.last, &t.proposal, steps);
+    for (i, t) in found.taken.iter().enumerate() {
+        let without = |bench: &Bench| without(bench, &found.last, &t.proposal, steps);
+        let fit = found.without.get(i).and_then(Option::as_ref).map(|w| &w.0);
+        let weights = fit.and_then(|fit| weighed(bench, fit)).unwrap_or_default();
+        let shown = weights.into_iter().filter(|w| (w.held - 1.0).abs() <= ABOUT).map(|w| w.name);
+        let shown = Some(shown.collect()).filter(|names: &Vec<String>| !names.is_empty());
+        let Some(names) = shown.or_else(|| half_a_sample(bench, &found.last, &t.proposal)) else { continue };
         let mut other = bench.clone();
         read_held(&mut other.recordings, &names);
-        let (Some(held), Some(straight)) = (fitted(&other), fitted(bench)) else { continue };
+        let (Some(held), Some(straight)) = (without(&other), without(bench)) else { continue };
         let [held, straight] = [held, straight].map(|fit| Measure::of(&fit, &scale));
         if held.likelihood < last.likelihood - TIE {
             continue;
@@ -110,20 +121,22 @@ pub fn in_place_of_delays(bench: &mut Bench, separate: &mut [Recording], found: 
     Vec::new()
 }
 
-/// The inputs that a delay of about half their sample may stand for, if they are read straight.
-fn half_a_sample(bench: &Bench, last: &Fit, delay: &Proposal) -> Option<Vec<String>> {
-    let names: Vec<String> = match (delay.code, delay.site.kind) {
-        ("input-delay", SiteKind::Input) => vec![delay.site.name.clone()],
-        ("output-delay", SiteKind::Output) => measured(&last.model).map(String::clone).collect(),
+/// The inputs that a delay or a lag of about half their sample may stand for, if they are read straight.
+fn half_a_sample(bench: &Bench, last: &Fit, late: &Proposal) -> Option<Vec<String>> {
+    let names: Vec<String> = match (late.code, late.site.kind) {
+        ("input-delay" | "input-lag", SiteKind::Input) => vec![late.site.name.clone()],
+        ("output-delay" | "output-lag", SiteKind::Output) => {
+            measured(&last.model).map(String::clone).collect()
+        }
         _ => return None,
     };
-    let late = last.parameters.iter().find(|e| e.name == delay.added[0].name)?.value;
+    let time = last.parameters.iter().find(|e| e.name == late.added[0].name)?.value;
     let half = |name: &String| {
         let mut channels = bench.recordings.iter().map(|r| r.find(name));
         channels.all(|c| {
             let straight = c.filter(|c| c.hold == Hold::Linear);
             let step = straight.and_then(Channel::median_step).unwrap_or(f64::NAN);
-            (late / step - 0.5).abs() <= FROM_ONE.0
+            (time / (0.5 * step) - 1.0).abs() <= ABOUT
         })
     };
     (!names.is_empty() && names.iter().all(half)).then_some(names)
@@ -134,8 +147,35 @@ fn measured(model: &Model) -> impl Iterator<Item = &String> {
     model.inputs.iter().map(|i| &i.name).filter(|n| !model.is_simulated(n))
 }
 
-/// Inputs that the residual shows to be held, and notes on those that it cannot tell.
-fn weighed(bench: &Bench, base: &Fit) -> Option<(Vec<String>, Vec<String>)> {
+/// How far the residual shows an input to be held, from 0 for straight to 1, and the standard deviation.
+struct Weight {
+    name: String,
+    held: f64,
+    deviation: f64,
+}
+
+impl Weight {
+    /// Whether it is held for sure.
+    fn is_sure(&self) -> bool {
+        (self.held - 1.0).abs() <= FROM_ONE.0 && self.deviation <= FROM_ONE.1
+    }
+
+    /// Whether it may be held.
+    fn may_be(&self) -> bool {
+        self.deviation < BLIND && (self.held - 1.0).abs() <= OPEN * self.deviation
+    }
+
+    /// What a reader should know where it may be.
+    fn note(&self) -> String {
+        format!(
+            "{} is read as straight lines between its samples; held, it would fit as well: say `hold = \"previous\"` if it is a command that is held",
+            self.name
+        )
+    }
+}
+
+/// How far the residual shows each straight input to be held.
+fn weighed(bench: &Bench, base: &Fit) -> Option<Vec<Weight>> {
     if bench.is_trials() || base.model.states.is_empty() {
         return None;
     }
@@ -167,17 +207,13 @@ fn weighed(bench: &Bench, base: &Fit) -> Option<(Vec<String>, Vec<String>)> {
         }
     }
     let solved = screen.solve(&directions)?;
-    let (mut held, mut notes) = (Vec::new(), Vec::new());
-    for ((name, w), s) in seen.into_iter().zip(&solved.weights).zip(&solved.deviations) {
-        if (w - 1.0).abs() <= FROM_ONE.0 && *s <= FROM_ONE.1 {
-            held.push(name.clone());
-        } else if *s < BLIND && (w - 1.0).abs() <= OPEN * s {
-            notes.push(format!(
-                "{name} is read as straight lines between its samples; held, it would fit as well: say `hold = \"previous\"` if it is a command that is held"
-            ));
-        }
-    }
-    Some((held, notes))
+    let weights = solved.weights.iter().zip(&solved.deviations);
+    let of = |(name, (held, deviation)): (&String, (&f64, &f64))| Weight {
+        name: name.clone(),
+        held: *held,
+        deviation: *deviation,
+    };
+    Some(seen.into_iter().zip(weights).map(of).collect())
 }
 
 /// Reads inputs as held.

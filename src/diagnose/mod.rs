@@ -21,6 +21,7 @@ mod foretold;
 mod forgotten;
 mod free_law;
 mod hold;
+mod inert;
 mod innovations;
 #[doc(hidden)]
 pub mod laboratory;
@@ -281,7 +282,7 @@ impl Case<'_> {
         self.told.extend(held);
         self.notes.extend(notes);
         let found = self.named(base.clone())?;
-        let held = hold::in_place_of_delays(&mut self.bench, &mut self.separate, &found);
+        let held = hold::in_place_of_findings(&mut self.bench, &mut self.separate, &found);
         if held.is_empty() || self.bench.budget.cut().is_some() {
             return Ok((found, is_cut));
         }

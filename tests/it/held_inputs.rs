@@ -24,8 +24,8 @@ const MOTOR: &str = r#"
 const STEP: f64 = 0.02;
 
 /// Speed of the motor with T = 0.25 s and K = 2.2 rad/s/V, by the exact solution between samples: of a held voltage,
-/// or of one that runs straight, so many samples late.
-fn answer(is_held: bool, late: usize, seed: u64) -> Answer {
+/// or of one that runs straight, so many samples late, or early.
+fn answer(is_held: bool, late: isize, seed: u64) -> Answer {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
     let (count, time_constant, gain) = (3000, 0.25, 2.2);
@@ -36,7 +36,7 @@ fn answer(is_held: bool, late: usize, seed: u64) -> Answer {
     let decay = f64::exp(-STEP / time_constant);
     let mut w = vec![0.0; count];
     for i in 1..count {
-        let at = |i: usize| if i < late { 0.0 } else { u[i - late] };
+        let at = |i: usize| i.checked_add_signed(-late).and_then(|i| u.get(i)).copied().unwrap_or(0.0);
         let (from, to) = (at(i - 1), if is_held { at(i - 1) } else { at(i) });
         // w(h) = (w − K u₀ + K s T) e^(−h/T) + K u₀ + K s (h − T) for u = u₀ + s t
         let ramp = gain * (to - from) / STEP;
@@ -84,6 +84,20 @@ fn a_delay_of_two_samples_is_no_hold() {
     assert!((late.value - 2.0 * STEP).abs() < 0.2 * STEP, "{}", told.says);
 }
 
+#[test]
+fn an_output_that_answers_before_its_input_has_rows_that_are_shifted() {
+    for (early, seed) in [(1, 5), (3, 6)] {
+        let told = answer(false, -early, seed);
+        let finding = &told.findings[0];
+        assert_eq!((told.verdict, finding.code.as_str()), (Verdict::Named, "clock-offset"), "{}", told.says);
+        assert_eq!((told.findings.len(), finding.site.name.as_str()), (1, "u"));
+        let offset = &finding.parameters[0];
+        let true_one = early as f64 * STEP;
+        assert!((offset.value - true_one).abs() < 0.05 * STEP, "{}", told.says);
+        assert!(offset.low < true_one && true_one < offset.high, "{}", told.says);
+    }
+}
+
 /// M q″ = F − b q′ − k q.
 pub const AXIS: &str = r#"
     name = "axis"
@@ -100,19 +114,16 @@ pub const AXIS: &str = r#"
     position = { equals = "q", unit = "m" }
 "#;
 
-/// The axis with M = 2.2, b = 2.5, k = 70 and a spring that stiffens by 400 q³, so much that the reading of the force
-/// cannot be told before that is known; solved by Runge and Kutta's method at a tenth of a sample, the force held.
-fn stiffening(seed: u64) -> Answer {
+/// The axis with M = 2.2, b = 2.5, k = 70 and a force of q and v that opposes it, so large that the reading of the
+/// input cannot be told before that is known; solved by Runge and Kutta's method at a tenth of a sample, the input held.
+fn opposed(input: fn(f64) -> f64, by: fn(f64, f64) -> f64, seed: u64) -> Answer {
     let (count, h) = (3000, STEP / 10.0);
-    let force: Vec<f64> = (0..count)
-        .map(|i| STEP * f64::from(i))
-        .map(|t| 30.0 * (1.3 * t).sin() + 20.0 * (4.1 * t + 1.0).sin())
-        .collect();
+    let force: Vec<f64> = (0..count).map(|i| input(STEP * f64::from(i))).collect();
     let add = |[q, v]: [f64; 2], h: f64, [a, b]: [f64; 2]| [q + h * a, v + h * b];
     let (mut state, mut position) = ([0.0, 0.0], Vec::new());
     for force in &force {
         position.push(state[0]);
-        let rate = |[q, v]: [f64; 2]| [v, (force - 2.5 * v - 70.0 * q - 400.0 * q * q * q) / 2.2];
+        let rate = |[q, v]: [f64; 2]| [v, (force - 2.5 * v - 70.0 * q - by(q, v)) / 2.2];
         for _ in 0..10 {
             let a = rate(state);
             let b = rate(add(state, h / 2.0, a));
@@ -136,12 +147,18 @@ fn stiffening(seed: u64) -> Answer {
 }
 
 #[test]
-fn a_hold_behind_something_larger_is_no_delay_beside_it() {
-    let told = stiffening(5);
-    let codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
-    assert_eq!((told.verdict, codes.as_slice()), (Verdict::Named, &["cubic-stiffness"][..]), "{}", told.says);
-    assert_eq!(told.faults[0].finding.code, "input-hold", "{}", told.says);
-    assert!(told.faults[0].finding.evidence.as_ref().is_some_and(|e| e.log_likelihood_ratio > 3.0));
+fn a_hold_behind_something_larger_is_nothing_beside_it() {
+    let two = |t: f64| 30.0 * (1.3 * t).sin() + 20.0 * (4.1 * t + 1.0).sin();
+    let many = |t: f64| (1..=25).map(f64::from).map(|k| 12.0 * (0.7 * k * t + k * k).sin()).sum::<f64>();
+    for (told, code) in [
+        (opposed(two, |q, _| 400.0 * q * q * q, 5), "cubic-stiffness"),
+        (opposed(many, |_, v| 12.0 * v * v.abs(), 6), "quadratic-damping"),
+    ] {
+        let codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
+        assert_eq!((told.verdict, codes.as_slice()), (Verdict::Named, &[code][..]), "{}", told.says);
+        assert_eq!(told.faults[0].finding.code, "input-hold", "{}", told.says);
+        assert!(told.faults[0].finding.evidence.as_ref().is_some_and(|e| e.log_likelihood_ratio > 3.0));
+    }
 }
 
 /// A cell with an ohmic part and a store, under a held current: each sample has the current of its own row.

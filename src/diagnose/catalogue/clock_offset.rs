@@ -1,5 +1,6 @@
 //! # What it is
-//! The time stamps of one table are off by a constant, early or late, against those of the others.
+//! The time stamps of one table are off by a constant, early or late, against those of the others; or what a logger
+//! writes into one row of a table was not taken at one time, so that an output seems to answer before its input.
 //!
 //! # Signature in a recording
 //! The residual is proportional to the rate of change of what the table holds; a shift of the
@@ -8,6 +9,7 @@
 //! # Equation
 //! ```text
 //!     u(t) -> u(t + offset) for each channel of the table
+//!     u(t) -> u(t + offset), offset >= 0, for an input or all of them in a table with an output: late is input-delay
 //! ```
 //!
 //! # What else looks like this
@@ -19,6 +21,7 @@
 //! # Example
 //! Two gyrocompasses against a satellite compass whose stamps are late.
 
+use super::draft::Limits;
 use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
@@ -33,31 +36,53 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 .shifting_time();
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    if scene.trials || scene.tables.len() < 2 {
+    if scene.trials {
         return Vec::new();
     }
-    scene.tables.iter().filter_map(|t| at(scene, t)).collect()
+    let of_tables = scene.clocks().iter().filter_map(|names| of_table(scene, names)).collect::<Vec<_>>();
+    of_tables.into_iter().chain(in_rows(scene).iter().filter_map(|names| of_rows(scene, names))).collect()
 }
 
-fn at(scene: &Scene, table: &[String]) -> Option<Proposal> {
-    let model = scene.model;
-    let inputs: Vec<&str> =
-        model.inputs.iter().map(|i| i.name.as_str()).filter(|n| table.iter().any(|c| c == n)).collect();
-    let holds_outputs = model.outputs.iter().any(|o| table.contains(&o.name));
-    let first = *inputs.first()?;
-    if holds_outputs || inputs.len() < model.inputs.len() && model.inputs.is_empty() {
-        return None;
-    }
-    let mut d = Draft::new(scene, "clock-offset", SiteKind::Input, first);
+/// Inputs that stand in the rows of an output: each, and all that the model has.
+fn in_rows(scene: &Scene) -> Vec<Vec<String>> {
+    let (inputs, outputs) = (&scene.model.inputs, &scene.model.outputs);
+    let has_output = |t: &&Vec<String>| outputs.iter().any(|o| t.contains(&o.name));
+    let tables: Vec<&Vec<String>> = scene.tables.iter().filter(has_output).collect();
+    let names = inputs.iter().map(|i| i.name.clone()).filter(|n| tables.iter().any(|t| t.contains(n)));
+    let all: Vec<String> = names.collect();
+    let together = (all.len() > 1 && all.len() == inputs.len()).then(|| all.clone());
+    all.into_iter().map(|n| vec![n]).chain(together).collect()
+}
+
+/// All that one table holds, against the others.
+fn of_table(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
+    let first = inputs.first()?;
     let reach = 0.1 * scene.length();
-    let offset =
-        d.amplitude("offset", &Unit::parse("s").ok()?, (-reach, reach), "time by which the stamps are late");
-    for input in &inputs {
-        d.replace(input, &format!("delay({input}, -{offset})"), |_| true);
-    }
+    let mut d = Draft::new(scene, "clock-offset", SiteKind::Input, first);
+    shift(&mut d, inputs, (-reach, reach))?;
     d.start(&[10.0 * scene.step]);
     d.done(&format!(
         "the stamps of {} are {{0}} late (negative: early) against the others",
         scene.words(first)
     ))
+}
+
+/// Inputs against the outputs of the same rows.
+fn of_rows(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "clock-offset", SiteKind::Input, inputs.first()?);
+    shift(&mut d, inputs, (0.0, 0.1 * scene.length()))?;
+    for start in scene.delays() {
+        d.start(&[start]);
+    }
+    let words: Vec<String> = inputs.iter().map(|n| scene.words(n)).collect();
+    d.done(&format!("{} stands {{0}} too late in its rows: the output answers before it", words.join(", ")))
+}
+
+/// Takes inputs from a later time.
+fn shift(d: &mut Draft<'_>, inputs: &[String], limits: Limits) -> Option<()> {
+    let offset = d.amplitude("offset", &Unit::parse("s").ok()?, limits, "time by which the stamps are late");
+    for input in inputs {
+        d.replace(input, &format!("delay({input}, -{offset})"), |_| true);
+    }
+    Some(())
 }

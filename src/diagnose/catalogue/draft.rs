@@ -63,6 +63,8 @@ pub struct Proposal {
     pub model: Model,
     /// What it adds to the fitted parameters.
     pub added: Vec<Added>,
+    /// Names of the states that it adds.
+    pub states: Vec<String>,
     /// Names of the parameters that it adds with a fixed value.
     pub constants: Vec<String>,
     /// Values of the added parameters to start from; each has a visible effect.
@@ -167,6 +169,7 @@ impl<'a> Draft<'a> {
             site: Site { kind, name: name.to_string() },
             model: scene.model.clone(),
             added: Vec::new(),
+            states: Vec::new(),
             constants: Vec::new(),
             starts: Vec::new(),
             amplitudes: Vec::new(),
@@ -252,6 +255,7 @@ impl<'a> Draft<'a> {
             initial,
             meaning: Some(meaning.to_string()),
         });
+        self.proposal.states.push(name.clone());
         name
     }
 
@@ -285,11 +289,16 @@ impl<'a> Draft<'a> {
         read
     }
 
-    /// Sets the rate of a state that was added.
+    /// Sets the rate of a state.
     pub fn rate(&mut self, state: &str, text: &str) {
         let Some(e) = self.read(text) else { return };
         match self.proposal.model.states.iter_mut().find(|s| s.name == state) {
-            Some(s) => s.rate = e,
+            Some(s) => {
+                let old = std::mem::replace(&mut s.rate, e.clone());
+                if !self.proposal.states.contains(&s.name) {
+                    self.proposal.replaced.push((e, old));
+                }
+            }
             None => self.failed = true,
         }
     }

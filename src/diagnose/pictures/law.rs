@@ -18,9 +18,9 @@
 
 use super::bins::{self, Sample, WILD};
 use super::probe::{Accused, Probe};
-use super::rest::Rest;
 use super::{Assembly, Law, Point};
 use crate::diagnose::catalogue::{Proposal, SiteKind, edit};
+use crate::diagnose::inert::{self, Inert};
 use crate::estimate::Fit;
 use crate::estimate::fit::seen::{Seen, seen_states};
 use crate::estimate::fit::{Effort, setup};
@@ -167,19 +167,19 @@ fn direct(assembly: &Assembly<'_>, p: &Proposal) -> Option<Law> {
     let (bench, fit) = (&assembly.bench, &assembly.found.last);
     let model = &fit.model;
     let target = target(model, p)?;
-    let without = Rest::of(p)?;
+    let without = Inert::of(p)?;
     let accused = Accused::of(model, p, &clock(assembly));
     let mut probe = Probe::of(model);
     let rest = match &without {
-        Rest::Replaced(_) => probe.variant(&target.whole, &|e| without.without(e, &|_| None)),
-        Rest::Values(values) => {
+        Inert::Passed(_) => probe.variant(&target.whole, &|e| without.expression(e, &|_| None)),
+        Inert::Values(values) => {
             let mut at_rest: Vec<(&str, Expr)> = Vec::new();
             for a in &p.added {
                 let value = *values.get(a.name.as_str())?;
                 at_rest.push((&a.name, probe.constant(value, &a.unit)));
             }
             let named = |n: &str| at_rest.iter().find(|(own, _)| *own == n).map(|(_, e)| e.clone());
-            probe.variant(&target.whole, &|e| without.without(e, &named))
+            probe.variant(&target.whole, &|e| without.expression(e, &named))
         }
     };
     for e in [accused.along.clone(), target.factor.clone(), rest, target.whole.clone()] {
@@ -248,10 +248,10 @@ fn most_moved(assembly: &Assembly<'_>, p: &Proposal) -> Option<Moved> {
     let residuals = |model: &Model| -> Option<Vec<Vec<f64>>> {
         let record = setup::record(model, recording, 0, &spans, &options).ok()?;
         let parameters: Vec<f64> = model.parameters.iter().map(|q| q.value).collect();
-        let run = record.run(&parameters, initials, &[]).ok()?;
+        let run = record.run(&parameters, &inert::kept(model, &last.model, initials), &[]).ok()?;
         Some(record.tracks.iter().zip(&run.predictions).map(|(t, y)| t.residual(y)).collect())
     };
-    let pairs = residuals(&Rest::of(p)?.model(&last.model))?.into_iter().zip(residuals(&last.model)?);
+    let pairs = residuals(&Inert::of(p)?.model(&last.model, p)?)?.into_iter().zip(residuals(&last.model)?);
     let all = record.tracks.iter().zip(pairs).map(|(track, (without, with))| Moved {
         output: track.output,
         time: track.time.clone(),

@@ -12,7 +12,6 @@ pub mod closer;
 mod course;
 mod law;
 mod probe;
-mod rest;
 mod sites;
 
 use super::answer::{Band, SiteName, Stretch};
