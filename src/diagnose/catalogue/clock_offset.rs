@@ -21,7 +21,6 @@
 //! # Example
 //! Two gyrocompasses against a satellite compass whose stamps are late.
 
-use super::draft::Limits;
 use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
@@ -59,7 +58,9 @@ fn of_table(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     let first = inputs.first()?;
     let reach = 0.1 * scene.length();
     let mut d = Draft::new(scene, "clock-offset", SiteKind::Input, first);
-    shift(&mut d, inputs, (-reach, reach))?;
+    let meaning = "time by which the stamps are late";
+    let offset = d.amplitude("offset", &Unit::parse("s").ok()?, (-reach, reach), meaning);
+    shift(&mut d, inputs, &offset);
     d.start(&[10.0 * scene.step]);
     d.done(&format!(
         "the stamps of {} are {{0}} late (negative: early) against the others",
@@ -70,7 +71,9 @@ fn of_table(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
 /// Inputs against the outputs of the same rows.
 fn of_rows(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     let mut d = Draft::new(scene, "clock-offset", SiteKind::Input, inputs.first()?);
-    shift(&mut d, inputs, (0.0, 0.1 * scene.length()))?;
+    let meaning = "time by which they are late";
+    let offset = d.parameter("offset", &Unit::parse("s").ok()?, (0.0, 0.1 * scene.length()), meaning);
+    shift(&mut d, inputs, &offset);
     for start in scene.delays() {
         d.start(&[start]);
     }
@@ -79,10 +82,8 @@ fn of_rows(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
 }
 
 /// Takes inputs from a later time.
-fn shift(d: &mut Draft<'_>, inputs: &[String], limits: Limits) -> Option<()> {
-    let offset = d.amplitude("offset", &Unit::parse("s").ok()?, limits, "time by which the stamps are late");
+fn shift(d: &mut Draft<'_>, inputs: &[String], offset: &str) {
     for input in inputs {
         d.replace(input, &format!("delay({input}, -{offset})"), |_| true);
     }
-    Some(())
 }
