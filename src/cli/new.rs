@@ -1,5 +1,6 @@
 //! `gyrospec new`: files to start from.
 
+mod log;
 mod recording;
 
 use super::Outcome;
@@ -12,7 +13,8 @@ pub const MODEL: &str = include_str!("new/model.toml");
 const HELP: &str = "\
 Examples:
   gyrospec new model > my.toml
-  gyrospec new recording ship.csv > ship.toml";
+  gyrospec new recording ship.csv > ship.toml
+  gyrospec new recording ship.nmea > ship.toml";
 
 /// Prints a file to start from.
 #[derive(clap::Args)]
@@ -26,9 +28,9 @@ pub struct Call {
 enum What {
     /// A commented model file that simulates as it stands.
     Model,
-    /// A recording file for a CSV; every guess is marked with a comment.
+    /// A recording file for a CSV or an NMEA 0183 log; every guess is marked with a comment.
     Recording {
-        /// The CSV file, plain or .gz; - is standard input.
+        /// The CSV file (.csv, .csv.gz) or log; - is standard input.
         csv: PathBuf,
     },
 }

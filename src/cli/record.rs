@@ -26,7 +26,7 @@ A TOML recording joins tables of different rates and gives units where headers d
   [tables.channels]
   heading_gyro = { column = "heading_deg", unit = "deg", wraps = true }
   [[tables]]
-  file = "ship.nmea"                           # a time stamp, then a sentence, line by line
+  file = "ship.nmea"                           # a time stamp, then a sentence, line by line; or no stamps, but ZDA
   format = "nmea0183"
   time = { start = "2018-12-06T00:00:00Z" }    # the zero of time
   [tables.channels]

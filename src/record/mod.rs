@@ -31,6 +31,8 @@ pub use csv::{Raw, columns};
 pub(crate) use input::Input;
 #[cfg(feature = "cli")]
 pub(crate) use label::label;
+#[cfg(feature = "cli")]
+pub(crate) use nmea::{Contents, Listed};
 pub use recording::{Channel, Constant, Hold, Kind, LeftOut, Note, Origin, Recording, Source};
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 #[cfg(feature = "cli")]
@@ -40,14 +42,14 @@ pub use wrap::{principal, unwrap};
 #[cfg(feature = "diagnose")]
 pub(crate) use zero::Zero;
 
+use crate::Result;
 use crate::text::in_line;
-use crate::{Error, Result};
 use std::path::Path;
 
 impl Recording {
     /// Reads a recording: a TOML file that names its tables, one CSV file (plain or gzip) whose
     /// header carries units and whose first column is time, or an NMEA 0183 log by itself, whose
-    /// first stamp is then the zero of time. What a file is, its first bytes tell; `-` is standard
+    /// first stamp (or ZDA sentence, where lines have no stamp) is then the zero of time. What a file is, its first bytes tell; `-` is standard
     /// input. A pipe is read once; files that a TOML recording from a pipe names are relative to the
     /// working folder.
     ///
@@ -72,10 +74,6 @@ impl Recording {
             return file::parse(&text, source);
         }
         let name = stem(path);
-        if nmea::lacks_stamps(input.start()) {
-            return Err(Error::bad_input("this is a log of NMEA 0183 without time stamps")
-                .with_hint("each line of a log is a time stamp, a space, and a sentence with its checksum"));
-        }
         let table = if nmea::looks_like_log(input.start()) {
             nmea::read(input, &nmea::Request { zero: None, wanted: Vec::new(), table: 0 })?
         } else {
@@ -122,6 +120,15 @@ fn stem(path: &Path) -> String {
     }
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     in_line(name.split('.').next().unwrap_or_default()).into_owned()
+}
+
+/// What an NMEA 0183 log holds.
+///
+/// # Errors
+/// As [`Recording::read`].
+#[cfg(feature = "cli")]
+pub(crate) fn contents_of_log(path: &Path) -> Result<Contents> {
+    nmea::contents(Input::open(path)?)
 }
 
 /// Whether a file is an NMEA 0183 log.

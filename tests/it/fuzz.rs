@@ -153,11 +153,20 @@ const LOG: &str = "2020-01-01T00:00:00.5Z $HEHDT,359.5,T*2B\n2020-01-01T00:00:01
     2020-01-01T00:00:04Z $GPGGA,000000.69,4812.030845,N,12307.411216,W,2,08,1.1,-1.44,M,-18.40,M,1.2,0001*59\n\
     2020-01-01T00:00:05Z $TIROT,-0003.0,A*25\n2020-01-01T00:00:06Z $GPZDA,000000.69,06,12,2018,,*67\n";
 
+const LOG_WITHOUT_STAMPS: &str = "$GPZDA,235959.00,31,12,2019,,*6C\n\
+    $HEHDT,359.5,T*25\n\
+    $HEHDT,0.5,T*2A\n\
+    $GPGGA,235959.50,4812.300000,S,12330.600000,W,2,08,1.1,-1.44,M,-18.40,M,1.2,0001*45\n\
+    $GPZDA,000000.00,01,01,2020,,*66\n\
+    $HEHDT,1.5,T*2B\n\
+    $TIROT,-0003.0,A*25\n\
+    $GPZDA,000001.00,01,01,2020,,*67\n";
+
 #[test]
 fn damaged_logs() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.nmea");
-    fuzz(&[LOG], |bytes| {
+    fuzz(&[LOG, LOG_WITHOUT_STAMPS], |bytes| {
         fs::write(&path, bytes).unwrap();
         keeps_promises(Recording::read(&path));
     });

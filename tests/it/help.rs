@@ -30,6 +30,7 @@ fn prepare(folder: &Path) {
         "relations = [\"b^2 = mu^2 + eps^2\"]",
     ];
     write("request.toml", &request.join("\n"));
+    write("ship.nmea", "2018-12-06T00:00:00Z $HEHDT,092.34,T*13\n2018-12-06T00:00:01Z $HEHDT,092.34,T*13\n");
 }
 
 /// The examples that a help text gives.

@@ -5,6 +5,7 @@ mod absent;
 mod angular;
 mod apart;
 mod audit;
+mod bare_log;
 mod card;
 mod chained;
 mod circles;

@@ -1,8 +1,9 @@
-//! A recording file guessed from a CSV.
+//! A recording file guessed from a CSV, or written for an NMEA 0183 log.
 //!
 //! The record room looks at the table; this guesses what its columns mean, writes that down, and has the
 //! record room read the result: what comes out is a recording, or the reason why it is none.
 
+use super::log;
 use crate::cli::input::Held;
 use crate::cli::record::tell_notes;
 use crate::record::{self, Raw, Recording};
@@ -26,7 +27,7 @@ struct Guess {
 /// The text of a recording file; every guess is marked.
 ///
 /// # Errors
-/// What the record room says of a table that it cannot read, with file, line and column.
+/// What the record room says of a table or log that it cannot read, with file, line and column.
 pub fn guessed(csv: &Path) -> Result<String> {
     let held = Held::of(csv)?;
     guessed_of(&held).map_err(|e| held.place(e))
@@ -35,9 +36,7 @@ pub fn guessed(csv: &Path) -> Result<String> {
 fn guessed_of(held: &Held) -> Result<String> {
     let csv = held.path();
     if record::is_log(csv)? {
-        return Err(Error::bad_input("this is an NMEA 0183 log, not a CSV file").with_file(csv).with_hint(
-            "`gyrospec record FILE` reads it as it is; its help shows how a recording file names it",
-        ));
+        return written(held, log::HEAD, &log::body(&record::contents_of_log(csv)?));
     }
     let columns = record::columns(csv)?;
     let time = time_of(&columns);
@@ -47,29 +46,38 @@ fn guessed_of(held: &Held) -> Result<String> {
     for (i, c) in columns.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
         out += &channel(i, c, &mut taken);
     }
-    out.push_str("\n# What is held out; without this the last 40 % of the time.\n# [spans]\n# fit = [[0.0, 600.0]]\n# holdout = [[600.0, 1000.0]]\n");
     if taken.is_empty() {
         return Err(Error::bad_input("no column beside the time holds numbers")
             .with_file(csv)
             .with_line(1)
             .with_hint("channels need numbers below their names"));
     }
-    let read = Recording::parse(&(head(csv, "") + &out), "recording.toml")?;
+    written(held, HEAD, &out)
+}
+
+/// The first line of a file for a table.
+const HEAD: &str = "Guessed from the header and the rows: look at every line marked GUESS.";
+const SPANS: &str = "\n# What is held out; without this the last 40 % of the time.\n# [spans]\n# fit = [[0.0, 600.0]]\n# holdout = [[600.0, 1000.0]]\n";
+
+/// The whole file, once it was read for a trial.
+fn written(held: &Held, first: &str, table: &str) -> Result<String> {
+    let text = |file: &Path, comment: &str| head(first, file, comment) + table + SPANS;
+    let read = Recording::parse(&text(held.path(), ""), "recording.toml")?;
     tell_notes([&held.named(read)]);
-    if csv == held.given() {
-        return Ok(head(csv, "") + &out);
+    if held.path() == held.given() {
+        return Ok(text(held.path(), ""));
     }
     let save = "  # GUESS: what came through a pipe has no name; save it under this one, or set another";
-    Ok(head(Path::new("recording.csv"), save) + &out)
+    Ok(text(Path::new("recording.csv"), save))
 }
 
 /// The first lines of the file, which name the table.
-fn head(csv: &Path, comment: &str) -> String {
-    let stem = csv.file_name().unwrap_or_default().to_string_lossy();
+fn head(first: &str, file: &Path, comment: &str) -> String {
+    let stem = file.file_name().unwrap_or_default().to_string_lossy();
     format!(
-        "# Guessed from the header and the rows: look at every line marked GUESS.\nname = {}\n\n[[tables]]\nfile = {}{comment}\n",
+        "# {first}\nname = {}\n\n[[tables]]\nfile = {}{comment}\n",
         toml_string(stem.split('.').next().unwrap_or_default()),
-        toml_string(&csv.display().to_string())
+        toml_string(&file.display().to_string())
     )
 }
 
@@ -206,7 +214,7 @@ fn is_held(values: &[f64]) -> bool {
 }
 
 /// A name that expressions can use, and that none before has.
-fn identifier(name: &str, taken: &mut BTreeSet<String>) -> String {
+pub(super) fn identifier(name: &str, taken: &mut BTreeSet<String>) -> String {
     let plain: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     let plain = plain.trim_matches('_');
     let starts_well = plain.starts_with(|c: char| c.is_ascii_alphabetic());

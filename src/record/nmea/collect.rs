@@ -1,54 +1,24 @@
 //! Lines of a log gathered into one series for each sort of sentence.
 
 use super::super::input::Sink;
-use super::known::{self, Known};
-use super::mixed::{self, Talkers};
-use super::request::{Request, Selection};
+use super::clock::{Clock, Moment};
+use super::group::{Count, Group, selection};
+use super::known;
+use super::request::Request;
 use super::sentence::{self, Fault, Sentence};
 use super::stamp::why_no_stamp;
 use crate::error::nearest;
-use crate::record::Hold;
-use crate::record::request::Wanted;
-use crate::units::{Unit, figure};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 
 /// First line and words of what was noticed.
 type Notes = Vec<(Option<usize>, String)>;
 
-/// The sentences of one name and number.
-pub(super) struct Group {
-    sentence: String,
-    id: Option<u32>,
-    pub selections: Vec<Selection>,
-    pub time: Vec<f64>,
-    pub values: Vec<Vec<f64>>,
-    /// For each selection, the fields that held text, and the first of them.
-    texts: Vec<Count>,
-    invalid: Count,
-    talkers: Talkers,
-}
-
-/// How often, and the first line and its text.
-#[derive(Default, Clone)]
-struct Count {
-    number: usize,
-    first: usize,
-    text: String,
-}
-
-impl Count {
-    fn add(&mut self, line: usize, text: &str) {
-        if self.number == 0 {
-            (self.first, self.text) = (line, text.chars().take(40).collect());
-        }
-        self.number += 1;
-    }
-}
-
 pub(super) struct Collector {
+    clock: Clock,
     zero: Option<i128>,
+    /// The first moment in words of the log.
+    first: Option<String>,
     /// Whether every known field is wanted.
     all: bool,
     groups: Vec<Group>,
@@ -76,7 +46,7 @@ impl Sink for Collector {
 }
 
 impl Collector {
-    pub(super) fn new(request: &Request) -> Self {
+    pub(super) fn new(request: &Request, clock: Clock) -> Self {
         let mut groups: Vec<Group> = Vec::new();
         for selection in &request.wanted {
             let (name, id) = (&selection.wanted.column, selection.id);
@@ -87,7 +57,9 @@ impl Collector {
             groups[at].add(selection.clone());
         }
         Self {
+            clock,
             zero: request.zero,
+            first: None,
             all: request.wanted.is_empty(),
             groups,
             line: 0,
@@ -102,26 +74,50 @@ impl Collector {
         self.zero
     }
 
+    /// The first moment in words of the log, once a sentence was read.
+    #[cfg(feature = "cli")]
+    pub(super) fn first(&self) -> Option<&str> {
+        self.first.as_deref()
+    }
+
     fn take_line(&mut self, line: &str) -> Result<()> {
-        let sentence = match sentence::parse(line) {
-            Ok(sentence) => sentence,
+        let (sentence, moment) = match self.timed(line)? {
+            Ok(timed) => timed,
             Err(fault) => {
-                let at = Fault::ALL.iter().position(|f| *f == fault).unwrap_or_default();
-                self.faults[at].add(self.line, line);
+                self.faults[fault as usize].add(self.line, line);
                 return Ok(());
             }
         };
         self.sentences += 1;
         *self.seen.entry(sentence.address.to_owned()).or_default() += 1;
-        let zero = *self.zero.get_or_insert(sentence.stamp);
-        let time = (sentence.stamp - zero) as f64 / 1e9;
+        if let (Moment::At(nano, text), None) = (&moment, &self.first) {
+            self.zero.get_or_insert(*nano);
+            self.first = Some(text.clone().into_owned());
+        }
         if self.all {
             self.discover(&sentence)?;
         }
+        let zero = self.zero.unwrap_or_default();
         for group in self.groups.iter_mut().filter(|g| sentence.is(&g.sentence, g.id)) {
-            group.take(&sentence, time, self.line)?;
+            match moment {
+                Moment::At(nano, _) => group.take(&sentence, (nano - zero) as f64 / 1e9, self.line)?,
+                Moment::After(tick) => {
+                    group.after.push(tick);
+                    group.take(&sentence, f64::NAN, self.line)?;
+                }
+            }
         }
         Ok(())
+    }
+
+    /// The sentence of a line and its moment, or why there is none.
+    fn timed<'a>(&mut self, line: &'a str) -> Result<std::result::Result<(Sentence<'a>, Moment<'a>), Fault>> {
+        let sentence = match sentence::parse(line) {
+            Ok(sentence) => sentence,
+            Err(fault) => return Ok(Err(fault)),
+        };
+        let moment = self.clock.moment(&sentence, self.line)?;
+        Ok(moment.map(|moment| (sentence, moment)))
     }
 
     /// Makes a group of a known sentence that comes for the first time.
@@ -139,7 +135,10 @@ impl Collector {
     }
 
     /// The groups and what was noticed.
-    pub(super) fn finish(self) -> Result<(Vec<Group>, Notes)> {
+    pub(super) fn finish(mut self) -> Result<(Vec<Group>, Notes)> {
+        if let Clock::Ticks(ticks) = &self.clock {
+            self.faults[Fault::NoClock as usize].add_all(ticks.silent());
+        }
         let mut notes = Vec::new();
         for (fault, count) in Fault::ALL.iter().zip(&self.faults).filter(|(_, c)| c.number > 0) {
             let why = if *fault == Fault::NoStamp { why_no_stamp(&count.text) } else { None };
@@ -149,9 +148,7 @@ impl Collector {
             notes.push((Some(count.first), says));
         }
         if self.sentences == 0 {
-            let why = notes.first().map_or("the file is empty".to_owned(), |n| n.1.clone());
-            return Err(Error::bad_input(format!("there is no sentence of a log in the file: {why}"))
-                .with_hint("each line is a time stamp, a space, and a sentence with its checksum"));
+            return Err(self.no_sentence(&notes));
         }
         for group in &self.groups {
             self.judge(group, &mut notes)?;
@@ -162,11 +159,33 @@ impl Collector {
         if self.groups.is_empty() {
             return Err(Error::bad_input("no sentence is known here").with_hint(self.there()));
         }
+        self.set_times(&mut notes)?;
         Ok((self.groups, notes))
     }
 
+    fn no_sentence(&self, notes: &Notes) -> Error {
+        if let Clock::Ticks(_) = self.clock {
+            return Error::bad_input(
+                "this is a log of NMEA 0183 without time stamps, and no \
+                 ZDA sentence in it tells a date and a time",
+            )
+            .with_hint("log ZDA beside the rest, or write a time stamp and a space before each sentence");
+        }
+        let why = notes.first().map_or("the file is empty".to_owned(), |n| n.1.clone());
+        Error::bad_input(format!("there is no sentence of a log in the file: {why}"))
+            .with_hint("each line is a time stamp, a space, and a sentence with its checksum")
+    }
+
+    /// Gives times to what stands between the ticks of the log's clock, and leaves out what has none.
+    fn set_times(&mut self, notes: &mut Notes) -> Result<()> {
+        let Clock::Ticks(ticks) = &self.clock else { return Ok(()) };
+        notes.extend(ticks.note().map(|says| (None, says)));
+        let zero = self.zero.unwrap_or_default();
+        self.groups.iter_mut().try_for_each(|group| group.set_times(ticks, zero))
+    }
+
     /// The sentences that nothing is known of.
-    fn left_out(&self) -> Option<(Option<usize>, String)> {
+    pub(super) fn left_out(&self) -> Option<(Option<usize>, String)> {
         let known = |a: &str| self.groups.iter().any(|g| g.sentence == a || g.sentence == sentence::kind(a));
         let others: Vec<(&String, &usize)> = self.seen.iter().filter(|(a, _)| !known(a)).collect();
         let (first, _) = others.first()?;
@@ -241,89 +260,4 @@ impl Collector {
         let list = self.seen.iter().map(|(address, n)| format!("{address} ({n})"));
         format!("the log holds {}", list.take(20).collect::<Vec<_>>().join(", "))
     }
-}
-
-impl Group {
-    fn new(sentence: String, id: Option<u32>) -> Self {
-        let (selections, time, values) = (Vec::new(), Vec::new(), Vec::new());
-        Self {
-            sentence,
-            id,
-            selections,
-            time,
-            values,
-            texts: Vec::new(),
-            invalid: Count::default(),
-            talkers: Talkers::default(),
-        }
-    }
-
-    fn add(&mut self, selection: Selection) {
-        self.selections.push(selection);
-        self.values.push(Vec::new());
-        self.texts.push(Count::default());
-    }
-
-    fn label(&self) -> String {
-        self.id.map_or_else(|| self.sentence.clone(), |id| format!("{} {id}", self.sentence))
-    }
-
-    /// Whether an address counts as this sentence by its kind alone.
-    fn mixes(&self, address: &str) -> bool {
-        address != self.sentence && sentence::kind(address) == self.sentence
-    }
-
-    /// How far apart two instruments are that one talker sends in turn, with its unit; angles alone are asked.
-    fn apart(&self) -> Option<String> {
-        let mut angles = self.selections.iter().zip(&self.values).filter(|(s, _)| s.wanted.wraps);
-        angles.find_map(|(s, values)| {
-            let apart = mixed::in_turn(values, Some(s.unit.from_si(TAU)))?;
-            Some(format!("{} {}", figure(apart), s.unit))
-        })
-    }
-
-    fn take(&mut self, sentence: &Sentence, time: f64, line: usize) -> Result<()> {
-        let other = self.talkers.take(sentence.address);
-        if let Some(previous) = self.time.last().copied().filter(|p| *p >= time) {
-            let what = if previous == time { "occurs twice" } else { "runs backwards" };
-            let whose = if other {
-                format!("where two talkers send it, name one, such as {}", sentence.address)
-            } else {
-                format!("where two instruments send {}, give one of them another talker", sentence.address)
-            };
-            return Err(Error::bad_input(format!(
-                "the time stamp of {} {what}: {previous} s, then {time} s",
-                self.label()
-            ))
-            .with_line(line)
-            .with_column(1)
-            .with_hint(format!("split the log where its clock was set; {whose}")));
-        }
-        self.time.push(time);
-        let invalid = known::marked_invalid(sentence);
-        if invalid {
-            self.invalid.add(line, "");
-        }
-        for ((s, values), texts) in self.selections.iter().zip(&mut self.values).zip(&mut self.texts) {
-            let value = s.form.read(sentence, s.field);
-            if value.is_none() {
-                texts.add(line, sentence.field(s.field));
-            }
-            values.push(value.filter(|_| !invalid).unwrap_or(f64::NAN));
-        }
-        Ok(())
-    }
-}
-
-/// A known field as a channel of its own, such as `HEHDT_heading` or `PSXN23_roll`.
-fn selection(address: &str, id: Option<u32>, known: &Known) -> Result<Selection> {
-    let number = id.map_or_else(String::new, |id| id.to_string());
-    let wanted = Wanted {
-        name: format!("{address}{number}_{}", known.name),
-        column: address.to_owned(),
-        unit: None,
-        wraps: known.wraps,
-        hold: Hold::Linear,
-    };
-    Ok(Selection { wanted, unit: Unit::parse(known.unit)?, field: known.field, id, form: known.form })
 }

@@ -178,6 +178,12 @@ pub(super) fn fields(sentence: &Sentence) -> Option<(Option<u32>, &'static [Know
     Some((own.1, own.2))
 }
 
+/// The time of day (hhmmss.ss) of a sentence that carries one, as it stands there.
+pub(super) fn time_of_day<'a>(sentence: &Sentence<'a>) -> Option<&'a str> {
+    let clock = fields(sentence)?.1.iter().find(|k| k.form == Form::TimeOfDay)?;
+    Some(sentence.field(clock.field))
+}
+
 /// Whether the instrument itself says that the sentence is not valid.
 pub(super) fn marked_invalid(sentence: &Sentence) -> bool {
     let own = SENTENCES.iter().find(|e| sentence.is(e.0, e.1));

@@ -1,4 +1,5 @@
-//! NMEA 0183 logs as they come from a ship: a time stamp, then a sentence, line by line.
+//! NMEA 0183 logs as they come from a ship: a time stamp, then a sentence, line by line; or sentences alone, ZDA among
+//! them, which is then the clock.
 //!
 //! Fields count from 1 after the sentence's name, as they stand between the commas; the number
 //! of a PSXN sentence is its field 1. Positions (ddmm.mmmm, N/S/E/W) are read as signed degrees,
@@ -8,7 +9,11 @@
 //! Reference: IEC 61162-1 (HDT, THS, ROT, VTG, GGA, ZDA, RMC); the PSXN of Seatex and the PASHR
 //! attitude sentence as those makers print them.
 
+mod clock;
 mod collect;
+#[cfg(feature = "cli")]
+mod contents;
+mod group;
 mod known;
 mod mixed;
 mod request;
@@ -18,29 +23,36 @@ mod stamp;
 use super::input::{self, Input};
 use super::request::{Table, finished};
 use super::zero::Zero;
-use super::{Note, Origin};
+use super::{Note, Origin, Source};
 use crate::{Error, Result};
-use collect::{Collector, Group};
+use clock::{Clock, Ticks};
+use collect::Collector;
+#[cfg(feature = "cli")]
+pub(crate) use contents::{Contents, Listed};
+use group::Group;
 pub(super) use request::{Request, Selection};
+use sentence::Fault;
 pub(super) use stamp::{stamp, why_no_stamp};
 use std::sync::Arc;
+
+/// Lines that tell whether a file is a log.
+const LOOKED_AT: usize = 5;
 
 /// Reads a log.
 ///
 /// # Errors
-/// `BadInput` where a wanted sentence is not there, a wanted field holds no numbers, or the
-/// stamps of a wanted sentence do not rise.
+/// `BadInput` where a wanted sentence is not there, a wanted field holds no numbers, the
+/// stamps of a wanted sentence do not rise, or there is neither a stamp nor a ZDA sentence.
 pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     let path = &input.path().to_owned();
-    let mut collector = Collector::new(request);
     let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };
-    let (source, note) = input::read_lines(input, &mut collector).map_err(place)?;
+    let (collector, source, note) = collected(input, request).map_err(place)?;
     let zero = collector.zero().map(|nano| Zero {
         nano,
         is_dated: true,
         zoned: None,
         is_open: false,
-        text: "its first stamp".into(),
+        text: "its first time".into(),
     });
     let (groups, mut notes) = collector.finish().map_err(place)?;
     notes.extend(note.map(|text| (None, text)));
@@ -54,25 +66,57 @@ pub(super) fn read(input: Input, request: &Request) -> Result<Table> {
     Ok(Table { channels, origin, notes, left_out: Vec::new(), zero, time_unit: None })
 }
 
+/// All lines of a log.
+fn collected(input: Input, request: &Request) -> Result<(Collector, Source, Option<String>)> {
+    let clock = if lacks_stamps(input.start()) { Clock::Ticks(Ticks::default()) } else { Clock::Stamps };
+    let mut collector = Collector::new(request, clock);
+    let (source, note) = input::read_lines(input, &mut collector)?;
+    Ok((collector, source, note))
+}
+
+/// What a log holds.
+///
+/// # Errors
+/// As [`read`] of all that is known.
+#[cfg(feature = "cli")]
+pub(super) fn contents(input: Input) -> Result<Contents> {
+    let path = &input.path().to_owned();
+    let request = Request { zero: None, wanted: Vec::new(), table: 0 };
+    let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };
+    let (collector, ..) = collected(input, &request).map_err(place)?;
+    let start = collector.first().unwrap_or_default().to_owned();
+    let unknown = collector.left_out().map(|(_, says)| says);
+    let (groups, _) = collector.finish().map_err(place)?;
+    let fields = groups.iter().flat_map(Group::contents).collect();
+    Ok(Contents { start, fields, unknown })
+}
+
 fn finish_group(group: Group, table: usize) -> Vec<super::Channel> {
     let time: Arc<[f64]> = group.time.into();
     let columns = group.selections.into_iter().zip(group.values);
     columns.map(|(s, values)| finished(&s.wanted, s.unit, table, &time, values)).collect()
 }
 
-/// Whether a file holds sentences alone, without a time stamp before them.
-pub(super) fn lacks_stamps(start: &[u8]) -> bool {
+/// Whether a file holds sentences alone, without a time stamp before them: one of its first lines begins with a sentence,
+/// which a checksum ends, and none has something before.
+fn lacks_stamps(start: &[u8]) -> bool {
     let text = String::from_utf8_lossy(start);
-    let mut lines = text.lines().map(str::trim).filter(|l| !l.is_empty()).take(5).peekable();
-    let bare = |l: &str| {
-        let sum = l.rsplit_once('*').is_some_and(|(_, sum)| u8::from_str_radix(sum, 16).is_ok());
-        l.starts_with(['$', '!']) && sum
-    };
-    lines.peek().is_some() && lines.all(bare)
+    let mut lines = text.lines().take(LOOKED_AT).filter_map(has_something_before).peekable();
+    lines.peek().is_some() && lines.all(|has| !has)
 }
 
-/// Whether the first lines of a file look like such a log.
+/// Whether something stands before the sentence of a line, if there is one.
+fn has_something_before(line: &str) -> Option<bool> {
+    match sentence::parse(line) {
+        Ok(sentence) => Some(!sentence.stamp().is_empty()),
+        Err(Fault::WrongChecksum) => Some(!line.trim_start().starts_with(['$', '!'])),
+        Err(_) => None,
+    }
+}
+
+/// Whether the first lines of a file look like a log.
 pub(super) fn looks_like_log(start: &[u8]) -> bool {
     let text = String::from_utf8_lossy(start);
-    text.lines().take(5).any(|line| sentence::parse(line).is_ok())
+    let has_stamp = |line: &str| sentence::parse(line).is_ok_and(|s| stamp(s.stamp()).is_some());
+    lacks_stamps(start) || text.lines().take(LOOKED_AT).any(has_stamp)
 }

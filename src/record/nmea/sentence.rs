@@ -2,7 +2,8 @@
 
 /// A sentence whose checksum is right.
 pub(super) struct Sentence<'a> {
-    pub stamp: i128,
+    /// What stands before it in its line.
+    before: &'a str,
     /// Talker and kind (`HEHDT`), or the proprietary name (`PSXN`).
     pub address: &'a str,
     /// The fields after the address.
@@ -14,19 +15,23 @@ pub(super) struct Sentence<'a> {
 pub(super) enum Fault {
     NoSentence,
     NoStamp,
+    NoClock,
     NoChecksum,
     WrongChecksum,
 }
 
 impl Fault {
-    pub(super) const ALL: [Self; 4] =
-        [Self::NoSentence, Self::NoStamp, Self::NoChecksum, Self::WrongChecksum];
+    pub(super) const ALL: [Self; 5] =
+        [Self::NoSentence, Self::NoStamp, Self::NoClock, Self::NoChecksum, Self::WrongChecksum];
 
     /// What a number of such lines "have".
     pub(super) fn says(self) -> &'static str {
         match self {
             Self::NoSentence => "hold no sentence",
             Self::NoStamp => "have no time stamp before the sentence, or none of a time that there was",
+            Self::NoClock => {
+                "stand where no ZDA sentence gives them a time, or tell no valid time of their own"
+            }
             Self::NoChecksum => "have no checksum, or are cut short",
             Self::WrongChecksum => "have a wrong checksum",
         }
@@ -47,15 +52,19 @@ pub(super) fn parse(line: &str) -> Result<Sentence<'_>, Fault> {
     if body.bytes().fold(0, |x, byte| x ^ byte) != sum {
         return Err(Fault::WrongChecksum);
     }
-    let stamp = super::stamp(before.trim_end_matches([' ', '\t', ',', ';'])).ok_or(Fault::NoStamp)?;
     let mut fields = body.split(',');
     let address = fields.next().filter(|a| a.len() >= 3).ok_or(Fault::NoSentence)?;
-    Ok(Sentence { stamp, address, fields: fields.collect() })
+    Ok(Sentence { before, address, fields: fields.collect() })
 }
 
-impl Sentence<'_> {
+impl<'a> Sentence<'a> {
+    /// What should be a time stamp.
+    pub(super) fn stamp(&self) -> &'a str {
+        self.before.trim_end_matches([' ', '\t', ',', ';']).trim_start()
+    }
+
     /// The field of a number, counted from 1 after the address.
-    pub(super) fn field(&self, number: usize) -> &str {
+    pub(super) fn field(&self, number: usize) -> &'a str {
         self.fields.get(number - 1).map_or("", |f| f.trim())
     }
 
@@ -83,11 +92,11 @@ mod tests {
     fn checksum_by_hand() {
         // 'A' ^ 'B' ^ 'C' = 0x40.
         let fine = parse("1970-01-01T00:00:01Z $ABC*40").unwrap();
-        assert_eq!((fine.stamp, fine.address), (1_000_000_000, "ABC"));
+        assert_eq!((fine.stamp(), fine.address), ("1970-01-01T00:00:01Z", "ABC"));
         assert_eq!(parse("1970-01-01T00:00:01Z $ABC*41").err(), Some(Fault::WrongChecksum));
         assert_eq!(parse("1970-01-01T00:00:01Z $ABC").err(), Some(Fault::NoChecksum));
         assert_eq!(parse("1970-01-01T00:00:01Z $ABC*4").err(), Some(Fault::NoChecksum));
-        assert_eq!(parse("$ABC*40").err(), Some(Fault::NoStamp));
+        assert_eq!(parse("$ABC*40").unwrap().stamp(), "");
         assert_eq!(parse("1970-01-01T00:00:01Z").err(), Some(Fault::NoSentence));
     }
 
