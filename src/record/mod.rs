@@ -19,6 +19,7 @@ mod parquet;
 pub mod quality;
 mod recording;
 mod request;
+mod slower;
 mod spans;
 mod stream;
 mod summary;
@@ -34,6 +35,7 @@ pub(crate) use label::label;
 #[cfg(feature = "cli")]
 pub(crate) use nmea::{Contents, Listed};
 pub use recording::{Channel, Constant, Hold, Kind, LeftOut, Note, Origin, Recording, Source};
+pub use slower::at_its_pace;
 pub use spans::{DEFAULT_FIT_SHARE, Span, Spans};
 #[cfg(feature = "cli")]
 pub(crate) use stream::{is_stream, read_once};
@@ -49,9 +51,10 @@ use std::path::Path;
 impl Recording {
     /// Reads a recording: a TOML file that names its tables, one CSV file (plain or gzip) whose
     /// header carries units and whose first column is time, or an NMEA 0183 log by itself, whose
-    /// first stamp (or ZDA sentence, where lines have no stamp) is then the zero of time. What a file is, its first bytes tell; `-` is standard
-    /// input. A pipe is read once; files that a TOML recording from a pipe names are relative to the
-    /// working folder.
+    /// first stamp (or ZDA sentence, where lines have no stamp) is then the zero of time. What a file
+    /// is, its first bytes tell; `-` is standard input. A pipe is read once; files that a TOML
+    /// recording from a pipe names are relative to the working folder. A column with blanks at a pace
+    /// of two rows or more becomes a slower channel ([`at_its_pace`]).
     ///
     /// # Errors
     /// `BadInput` or `Units` with file, line and column and what to do; `Io`.

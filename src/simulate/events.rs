@@ -6,7 +6,8 @@
 //! guard must still agree with its sign; where one does not, the earliest crossing is located on
 //! the cubic through the step, the step is repeated up to it, and the switch changes there. A sign
 //! whose both sides push towards the surface slides (Filippov): it takes the value between -1 and
-//! 1 for which its guard stands still, until that value leaves the interval. Dry friction sticks so.
+//! 1 for which its guard stands still, until that value leaves the interval. Dry friction sticks so. A guard that
+//! jumps, with a held input or another switch, leaves its surface without an event of its own.
 //!
 //! # References
 //! A. F. Filippov, Differential Equations with Discontinuous Righthand Sides, Kluwer 1988, §4.
@@ -97,8 +98,7 @@ impl<T: Scalar> Machine<'_, T> {
         let motion = self.r[usize::from(self.program.watches[k].motion)];
         let delta = -tangents_only(self.guard(k)) / motion;
         let before: Vec<T> = self.program.rates.iter().map(|r| self.r[usize::from(*r)]).collect();
-        let was_sliding = self.sliding.contains(&k);
-        let old = self.sign(k);
+        let (was_sliding, old, guards) = (self.sliding.contains(&k), self.sign(k), self.guards());
         self.sliding.retain(|other| *other != k);
         if was_sliding {
             self.set_sign(k, old.signum());
@@ -111,12 +111,35 @@ impl<T: Scalar> Machine<'_, T> {
             self.set_sign(k, -old);
         }
         self.forget_time();
+        self.follow_jumps(t, x, &guards, Some(k));
         self.rates(t, x, rates);
         if T::TANGENTS > 0 && !was_sliding && motion.value() != 0.0 {
             for i in 0..x.len() {
                 x[i] += (before[i] - rates[i]) * delta;
             }
             self.rates(t, x, rates);
+        }
+    }
+
+    /// The values of all guards at the loaded time and state.
+    pub fn guards(&self) -> Vec<f64> {
+        (0..self.program.watches.len()).map(|k| self.guard(k).value()).collect()
+    }
+
+    /// Sets the switches whose guards jumped at a time, since an input or the switch `but` did: what slid no longer
+    /// lies on its surface, and what has the wrong sign has passed its surface without being on it.
+    pub fn follow_jumps(&mut self, t: f64, x: &[T], before: &[f64], but: Option<usize>) {
+        for _ in 0..before.len() {
+            self.load(t, x);
+            let now = self.guards();
+            let jumped = (0..now.len()).find(|k| {
+                let may = Some(*k) != but && !self.program.watches[*k].timed && now[*k] != 0.0;
+                may && now[*k] != before[*k] && (self.sliding.contains(k) || self.margin(*k) < 0.0)
+            });
+            let Some(k) = jumped else { return };
+            self.sliding.retain(|other| *other != k);
+            self.set_sign(k, now[k].signum());
+            self.forget_time();
         }
     }
 

@@ -211,13 +211,16 @@ impl<T: Scalar> Runner<'_, T> {
     }
 
     fn enter(&mut self, interval: usize, from: f64, to: f64) {
+        let jumps = interval > 0 && self.m.jumps(interval);
+        let guards =
+            if jumps && !self.m.program.watches.is_empty() { self.guards_at(from) } else { Vec::new() };
         self.m.enter(interval);
         let followed = self.m.follow_inputs(from, to);
-        if interval > 0 && self.m.jumps(interval) {
+        if jumps {
+            self.m.follow_jumps(from, &self.x, &guards, None);
             self.carry_delay_tangents(from);
         }
         let bends = self.m.tangents_bend() || !self.m.sliding.is_empty();
-        let jumps = interval > 0 && self.m.jumps(interval);
         if followed || bends || jumps {
             self.m.rates(from, &self.x, &mut self.k);
         }
@@ -225,6 +228,11 @@ impl<T: Scalar> Runner<'_, T> {
             // a held input has its new value from the moment of its sample on
             self.record_here(from);
         }
+    }
+
+    fn guards_at(&mut self, t: f64) -> Vec<f64> {
+        self.m.load(t, &self.x);
+        self.m.guards()
     }
 
     /// A held input that jumps some delay later: the moment of the jump moves with the delay.

@@ -74,6 +74,7 @@ mod simulate;
 mod simulated;
 mod site;
 mod skipped;
+mod slower_rows;
 mod steady_tone;
 mod strapdown;
 mod strapdown_command;

@@ -149,6 +149,8 @@ fn channel((name, unit, values, wraps, previous): &Column<'_>, time: &Arc<[f64]>
 
 fn made(name: String, kind: Kind, channels: Vec<Channel>, known: Known) -> Result<record::Recording> {
     let source = Source { file: PathBuf::from(format!("<{name}>")), sha256: hash(&channels) };
+    let at_pace = |c| if kind == Kind::Trials { c } else { record::at_its_pace(c) };
+    let channels = channels.into_iter().map(at_pace).collect();
     let mut recording = record::Recording::from_channels(name, channels)?.with_kind(kind);
     recording.sources.push(source);
     if !(known.fit.is_empty() && known.holdout.is_empty()) {

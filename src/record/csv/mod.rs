@@ -13,7 +13,7 @@ mod translate;
 
 use super::input::{self, Input, Sink};
 use super::request::{Clock, Request, Table, finished};
-use super::{Channel, LeftOut, Note, Origin};
+use super::{Channel, LeftOut, Note, Origin, at_its_pace};
 use crate::units::Unit;
 use crate::{Error, Result};
 use dialect::Dialect;
@@ -177,7 +177,9 @@ impl<'a> Reader<'a> {
         };
         let pairs = header.channels.iter().zip(columns);
         let table = self.request.table;
-        let channels = pairs.map(|(c, v)| finished(&c.wanted, c.unit.clone(), table, &time, v)).collect();
+        let channels = pairs.map(|(c, v)| finished(&c.wanted, c.unit.clone(), table, &time, v));
+        let are_trials = matches!(self.request.clock, Clock::RowNumbers);
+        let channels = channels.map(|c| if are_trials { c } else { at_its_pace(c) }).collect();
         Ok((channels, header.left_out, notes))
     }
 }

@@ -3,6 +3,7 @@
 mod closed_forms;
 mod curves;
 mod faults;
+mod jumps;
 mod memory;
 mod sensitivities;
 mod spent;
