@@ -1,5 +1,6 @@
 //! `gyrospec new`: files to start from.
 
+mod identifier;
 mod log;
 mod recording;
 

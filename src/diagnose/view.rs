@@ -116,8 +116,10 @@ impl AtRest<'_> {
     }
 }
 
-/// The fit's residuals and sensitivities, cut to the screened parts, with which it begins.
+/// The fit's residuals and its sensitivities to what is inside its bounds, cut to the screened parts, with which it
+/// begins. What is pressed against a bound cannot make up for anything.
 pub fn own_tracks(fit: &Fit, plain: &[Track]) -> Result<Vec<Track>> {
+    let free: Vec<bool> = fit.unknowns.iter().map(|name| !fit.is_at_bound(name)).collect();
     let series = fit.records.iter().flat_map(|r| &r.series);
     series
         .zip(plain)
@@ -133,7 +135,13 @@ pub fn own_tracks(fit: &Fit, plain: &[Track]) -> Result<Vec<Track>> {
                 stretches: t.stretches.clone(),
                 time: t.time.clone(),
                 residual: s.residual[..n].to_vec(),
-                sensitivities: s.sensitivities.iter().map(|c| c[..n].to_vec()).collect(),
+                sensitivities: s
+                    .sensitivities
+                    .iter()
+                    .zip(&free)
+                    .filter(|(_, free)| **free)
+                    .map(|(c, _)| c[..n].to_vec())
+                    .collect(),
             })
         })
         .collect()

@@ -1,6 +1,6 @@
 //! The recording file of an NMEA 0183 log: a channel for each field that is known.
 
-use super::recording::identifier;
+use super::identifier::identifier;
 use crate::record::{Contents, Listed};
 use crate::text::{in_line, toml_string};
 use std::collections::BTreeSet;

@@ -3,6 +3,7 @@
 //! The record room looks at the table; this guesses what its columns mean, writes that down, and has the
 //! record room read the result: what comes out is a recording, or the reason why it is none.
 
+use super::identifier::identifier;
 use super::log;
 use crate::cli::input::Held;
 use crate::cli::record::tell_notes;
@@ -211,24 +212,6 @@ fn is_held(values: &[f64]) -> bool {
     let (least, usual) = (leaps[0], leaps[leaps.len() / 2]);
     let (low, high) = known.iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(*v), h.max(*v)));
     usual >= LEAPS.0 * least || usual >= LEAPS.1 * (high - low)
-}
-
-/// A name that expressions can use, and that none before has.
-pub(super) fn identifier(name: &str, taken: &mut BTreeSet<String>) -> String {
-    let plain: String = name.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
-    let plain = plain.trim_matches('_');
-    let starts_well = plain.starts_with(|c: char| c.is_ascii_alphabetic());
-    let base = if starts_well { plain.to_string() } else { format!("channel_{plain}") };
-    let reserved =
-        ["t", "pi"].contains(&base.as_str()) || crate::expression::Function::named(&base).is_some();
-    let base = if reserved { format!("{base}_signal") } else { base };
-    let mut free = base.clone();
-    let mut number = 2;
-    while !taken.insert(free.clone()) {
-        free = format!("{base}_{number}");
-        number += 1;
-    }
-    free
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     q -> backlash(q, gap): moves only while q pushes it
+//!     k (a - b) -> k (x - clamp(x, -gap/2, gap/2)), x = a - b, where a spring stands between two bodies
 //! ```
 //!
 //! # What else looks like this
@@ -21,6 +22,7 @@
 //! # Example
 //! A resolver driven by a worn gear.
 
+use super::between::{self, Between, Of};
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, SignalKind, SiteKind, edit::Place};
 
 /// Play that remembers its side.
@@ -38,6 +40,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     }
     let mut all: Vec<Proposal> =
         scene.motions().iter().flat_map(|m| [own(scene, m), used(scene, m)]).flatten().collect();
+    all.extend(
+        between::all(scene).iter().filter(|b| b.of == Of::Positions).filter_map(|b| coupled(scene, b)),
+    );
     all.extend(scene.model.outputs.iter().filter_map(|o| seen(scene, &o.name)));
     all.extend(scene.moving(&[SignalKind::Input]).filter_map(|u| fed(scene, &u.name)));
     all
@@ -84,4 +89,15 @@ fn fed(scene: &Scene, input: &str) -> Option<Proposal> {
     let gap = widths(&mut d, scene, input)?;
     d.replace(input, &format!("backlash({input}, {gap})"), |_| true);
     d.done(&format!("there is play of {{0}} between {} and the system", scene.words(input)))
+}
+
+/// Play in what couples two bodies: within it their spring bears nothing.
+fn coupled(scene: &Scene, b: &Between) -> Option<Proposal> {
+    let mut d = b.draft(scene, "backlash");
+    let gap = d.parameter("gap", &b.unit, (0.0, 6.0 * b.size), "full width of the play");
+    b.obeys(&mut d, &|q| format!("{}*({q} - clamp({q}, -{gap}/2, {gap}/2))", b.parameter));
+    for fraction in [0.02, 0.08, 0.3, 1.0] {
+        d.start(&[fraction * b.size]);
+    }
+    d.done(&format!("there is play of {{0}} in what {} joins, {}", scene.words(&b.parameter), b.difference))
 }

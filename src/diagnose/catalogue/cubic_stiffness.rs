@@ -7,6 +7,7 @@
 //! # Equation
 //! ```text
 //!     M v' = … - k3 q^3
+//!     k (q - p) -> k (q - p) + k3 (q - p)^3 of a spring between two bodies
 //! ```
 //!
 //! # What else looks like this
@@ -18,6 +19,7 @@
 //! # Example
 //! The righting arm of a ship rolled beyond ten degrees.
 
+use super::between::{self, Between, Of};
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, field};
 use crate::units::Unit;
 
@@ -32,6 +34,9 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
+    all.extend(
+        between::all(scene).iter().filter(|b| b.of == Of::Positions).filter_map(|b| stiffens(scene, b)),
+    );
     all.extend(scene.richer_lag("cubic-stiffness").and_then(|(mut d, lag)| {
         let (w, a) = (&lag.frequency, lag.amplitude.as_ref()?);
         let unit = Unit::one().over(&scene.unit(a).times(&scene.unit(w).power(2.0)).power(2.0));
@@ -53,4 +58,22 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.start(&[m.size / scene.size(q).powi(3)]);
     let back = field::words(m).back;
     d.done(&format!("{back} grows with the third power of {}, {{0}}", scene.words(q)))
+}
+
+/// A spring between two bodies.
+fn stiffens(scene: &Scene, b: &Between) -> Option<Proposal> {
+    let mut d = b.draft(scene, "cubic-stiffness");
+    let k = d.amplitude(
+        "k3",
+        &b.force.over(&b.unit.power(3.0)),
+        ANY,
+        "cubic stiffness, positive where it hardens",
+    );
+    b.obeys(&mut d, &|q| format!("{}*{q} + {k}*{q}^3", b.parameter));
+    d.start(&[b.force_size(scene) / b.size.powi(3)]);
+    d.done(&format!(
+        "the force of {} grows with the third power of {}, {{0}}",
+        scene.words(&b.parameter),
+        b.difference
+    ))
 }

@@ -10,6 +10,7 @@
 //! # Equation
 //! ```text
 //!     M v' = … - Fc sign(v),  Fc >= 0
+//!     c (v - w) -> c (v - w) + Fc sign(v - w) of a damper between two bodies
 //! ```
 //!
 //! # What else looks like this
@@ -23,6 +24,7 @@
 //! # Example
 //! A positioning axis modelled with viscous friction alone; 20 N of dry friction in its guides.
 
+use super::between::{self, Between, Of};
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 
 /// Dry (Coulomb) friction.
@@ -36,6 +38,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
+    all.extend(between::all(scene).iter().filter(|b| b.of == Of::Speeds).filter_map(|b| rubs(scene, b)));
     all.extend(scene.richer_lag("dry-friction").and_then(|(mut d, lag)| {
         let f = d.amplitude("Fc_T", &lag.acceleration_unit(scene), POSITIVE, "dry friction over stiffness");
         let (w, a) = (&lag.frequency, lag.amplitude.as_ref()?);
@@ -53,4 +56,13 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.force(&m.state, &format!("-{f}*sign({v})"));
     d.start(&[m.size]);
     d.done(&format!("dry friction of {{0}} acts against {}", scene.words(v)))
+}
+
+/// Friction between two bodies.
+fn rubs(scene: &Scene, b: &Between) -> Option<Proposal> {
+    let mut d = b.draft(scene, "dry-friction");
+    let f = d.amplitude("Fc", &b.force, POSITIVE, "dry friction between the two");
+    b.obeys(&mut d, &|v| format!("{}*{v} + {f}*sign({v})", b.parameter));
+    d.start(&[b.force_size(scene)]);
+    d.done(&format!("dry friction of {{0}} acts against {}", b.difference))
 }

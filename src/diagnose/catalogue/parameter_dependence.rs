@@ -11,6 +11,7 @@
 //!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
 //!     p -> p exp(a (u - mean u))
 //!     and the same with an output that is no state, as its expression stands
+//!     c -> c (1 + a sign(v))             with the speed, or the difference of two, that a damper c multiplies
 //! ```
 //!
 //! # What else looks like this
@@ -25,6 +26,7 @@
 //! The lag of a gyrosphere's liquid that grows as it cools; the force factor of a loudspeaker, which falls as its coil
 //! leaves the gap; an inductance whose iron saturates with the current.
 
+use super::between::{self, Of};
 use super::terms::has_factor;
 use super::{
     Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, draft::POSITIVE, edit,
@@ -59,6 +61,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             }
             all.extend(scene.model.outputs.iter().filter_map(|o| on_output(scene, p, o)));
         }
+        all.extend(dampers(scene).iter().filter_map(|(p, speed)| each_way(scene, p, speed)));
     }
     all
 }
@@ -166,4 +169,30 @@ fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
     d.replace(p, &format!("({p}*(1 + {a}*({} - {mean})))", signal.name), |_| true);
     d.start(&[0.3 / signal.spread]);
     d.done(&format!("{} varies with {}, relatively by {{0}}", scene.words(p), scene.words(&signal.name)))
+}
+
+/// The dampers of a model: a parameter, and the speed, or the difference of two, that it multiplies.
+fn dampers(scene: &Scene) -> Vec<(String, Expr)> {
+    let alone = scene.motions().into_iter().filter_map(|m| m.speed).flat_map(|v| {
+        let own = scene.acting_parameters().into_iter().filter(|p| stands_alone(scene, p, &v));
+        own.map(|p| (p, Expr::name(&v))).collect::<Vec<_>>()
+    });
+    let between = between::all(scene).into_iter().filter(|b| b.of == Of::Speeds);
+    alone.chain(between.map(|b| (b.parameter, b.difference))).collect()
+}
+
+/// A damper that is harder one way than the other.
+fn each_way(scene: &Scene, p: &str, speed: &Expr) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
+    let a = d.amplitude(
+        "a",
+        &Unit::one(),
+        (-1.0, 1.0),
+        "half the difference of both ways, as a share of the mean",
+    );
+    speed.names().iter().for_each(|n| d.uses(n));
+    d.replace(p, &format!("({p}*(1 + {a}*sign({speed})))"), |place| !matches!(place, edit::Place::Output(_)));
+    d.start(&[0.3]);
+    let words = if let Expr::Name(n) = speed { scene.words(n) } else { speed.to_string() };
+    d.done(&format!("{} is harder one way than the other: {{0}} more of it where {words} is positive, as much less where it is negative", scene.words(p)))
 }

@@ -7,6 +7,7 @@
 //! # Equation
 //! ```text
 //!     M v' = … - c2 v |v|,  c2 >= 0
+//!     c (v - w) -> c (v - w) + c2 (v - w) |v - w| of a damper between two bodies
 //! ```
 //!
 //! # What else looks like this
@@ -20,6 +21,7 @@
 //! # Example
 //! A ship model with bilge keels in a roll decay test.
 
+use super::between::{self, Between, Of};
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 use crate::units::Unit;
 
@@ -34,6 +36,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
+    all.extend(between::all(scene).iter().filter(|b| b.of == Of::Speeds).filter_map(|b| damps(scene, b)));
     all.extend(scene.richer_lag("quadratic-damping").and_then(|(mut d, lag)| {
         let (w, a) = (&lag.frequency, lag.amplitude.as_ref()?);
         let unit = Unit::one().over(&scene.unit(a).times(&scene.unit(w).power(3.0)));
@@ -55,4 +58,18 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.force(&m.state, &format!("-{c}*{v}*abs({v})"));
     d.start(&[m.size / scene.size(v).powi(2)]);
     d.done(&format!("damping of {{0}} grows with the square of {}", scene.words(v)))
+}
+
+/// Damping between two bodies.
+fn damps(scene: &Scene, b: &Between) -> Option<Proposal> {
+    let mut d = b.draft(scene, "quadratic-damping");
+    let c = d.amplitude(
+        "c2",
+        &b.force.over(&b.unit.power(2.0)),
+        POSITIVE,
+        "damping with the square of the speed",
+    );
+    b.obeys(&mut d, &|v| format!("{}*{v} + {c}*{v}*abs({v})", b.parameter));
+    d.start(&[b.force_size(scene) / b.size.powi(2)]);
+    d.done(&format!("damping of {{0}} grows with the square of {}", b.difference))
 }

@@ -54,6 +54,28 @@ pub(super) fn with_factor(term: &Expr, factor: &Expr, new: &Expr) -> Expr {
     }
 }
 
+/// A product without one of its factors, a name; none where that is all there is.
+pub(super) fn without_factor(term: &Expr, name: &str) -> Option<Expr> {
+    let is_it = |e: &Expr| matches!(e, Expr::Name(n) if n == name);
+    match term {
+        Expr::Neg(a) => Some(Expr::Neg(Box::new(without_factor(a, name)?))),
+        Expr::Binary(BinaryOp::Mul, a, b) if is_it(a) => Some((**b).clone()),
+        Expr::Binary(BinaryOp::Mul, a, b) if is_it(b) => Some((**a).clone()),
+        Expr::Binary(BinaryOp::Mul, a, b) => {
+            let of = |a: Expr, b: Expr| Expr::Binary(BinaryOp::Mul, Box::new(a), Box::new(b));
+            match without_factor(a, name) {
+                Some(left) => Some(of(left, (**b).clone())),
+                None => Some(of((**a).clone(), without_factor(b, name)?)),
+            }
+        }
+        Expr::Binary(BinaryOp::Div, a, b) => {
+            let left = if is_it(a) { Expr::Number(1.0) } else { without_factor(a, name)? };
+            Some(Expr::Binary(BinaryOp::Div, Box::new(left), b.clone()))
+        }
+        _ => None,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -73,5 +95,15 @@ mod tests {
         assert_eq!(of("(u - mu*S)/M"), "(u - mu*(S/(1 + a*S)))/M");
         assert_eq!(of("mu*(S - X)"), "mu*(S - X)");
         assert_eq!(of("S*k/mu"), "S*k/mu");
+    }
+
+    #[test]
+    fn a_factor_is_taken_out_of_a_product() {
+        let of = |text: &str| without_factor(&e(text), "c").map(|e| e.to_string());
+        assert_eq!(of("c*(a - b)").as_deref(), Some("a - b"));
+        assert_eq!(of("-c*(a - b)/m").as_deref(), Some("-(a - b)/m"));
+        assert_eq!(of("c/m*(a - b)").as_deref(), Some("1/m*(a - b)"));
+        assert_eq!(of("2*(a - b)*c").as_deref(), Some("2*(a - b)"));
+        assert_eq!((of("c"), of("k*(c - b)"), of("k/c")), (None, None, None));
     }
 }
