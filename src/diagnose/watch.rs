@@ -1,7 +1,7 @@
 //! The signals of a model while it runs: their sizes, spreads and paces.
 
-use super::catalogue::edit;
 use super::catalogue::{Signal, SignalKind};
+use super::catalogue::{between, edit};
 use crate::expression::{Expr, Function};
 use crate::model::{Model, Output};
 use crate::record::{Kind, Recording};
@@ -15,12 +15,15 @@ pub struct Looks {
     pub signals: Vec<Signal>,
     /// The sizes, by state.
     pub sizes: Vec<f64>,
+    /// Differences that are factors in the model, and their root mean square.
+    pub differences: Vec<(Expr, f64)>,
 }
 
 /// What the probing run watches.
 pub struct Watched {
     names: Vec<(String, SignalKind)>,
     terms: Vec<(usize, Expr)>,
+    differences: Vec<Expr>,
 }
 
 impl Watched {
@@ -42,6 +45,7 @@ impl Watched {
         Self {
             names: states.chain(definitions).chain(outputs).chain(inputs).collect(),
             terms: terms.collect(),
+            differences: between::differences(model),
         }
     }
 
@@ -59,7 +63,7 @@ impl Watched {
             meaning: None,
         };
         let named = self.names.iter().map(|(n, kind)| Self::expression(model, n, *kind));
-        let all = named.chain(self.terms.iter().map(|t| t.1.clone()));
+        let all = named.chain(self.terms.iter().map(|t| t.1.clone())).chain(self.differences.iter().cloned());
         all.enumerate().map(|(i, e)| of(e, i)).collect()
     }
 
@@ -98,7 +102,9 @@ impl Watched {
             s.is_turned = takes_sine(model, &s.name);
         }
         let sizes = (0..model.states.len()).map(|i| Some(size_of(i)).filter(|s| *s > 0.0).unwrap_or(1.0));
-        Looks { signals, sizes: sizes.collect() }
+        let between = self.differences.iter().zip(&values[self.names.len() + self.terms.len()..]);
+        let differences = between.map(|(e, v)| (e.clone(), rms(v))).collect();
+        Looks { signals, sizes: sizes.collect(), differences }
     }
 }
 

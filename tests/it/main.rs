@@ -6,6 +6,7 @@ mod angular;
 mod apart;
 mod audit;
 mod bare_log;
+mod between;
 mod card;
 mod chained;
 mod circles;

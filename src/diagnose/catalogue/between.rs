@@ -4,6 +4,7 @@
 use super::terms::{factors, has_factor, rewritten, with_factor, without_factor};
 use super::{Draft, Motion, Scene, draft::SiteKind, edit};
 use crate::expression::{BinaryOp, Expr};
+use crate::model::Model;
 use crate::units::Unit;
 use std::cell::RefCell;
 
@@ -31,7 +32,7 @@ pub struct Between {
     pub force: Unit,
     /// Unit of the difference.
     pub unit: Unit,
-    /// Root mean square of the difference, or of its larger side where the model does not give it.
+    /// Root mean square of the difference.
     pub size: f64,
 }
 
@@ -73,11 +74,23 @@ fn turned(e: &Expr) -> Option<Expr> {
     Some(Expr::Binary(BinaryOp::Sub, b.clone(), a.clone()))
 }
 
-/// The elements of a model, each once.
-pub fn all(scene: &Scene) -> Vec<Between> {
+/// The differences of two names that are factors in a model, and the definitions that are one.
+pub fn differences(model: &Model) -> Vec<Expr> {
+    let mut found: Vec<Expr> = Vec::new();
+    for term in terms(model) {
+        for f in factors(&term).into_iter().filter(|f| names(model, f).is_some()) {
+            if !found.contains(f) {
+                found.push(f.clone());
+            }
+        }
+    }
+    found
+}
+
+/// The products in all rates and definitions, and what they are made of.
+fn terms(model: &Model) -> Vec<Expr> {
     let terms = RefCell::new(Vec::new());
-    let mut model = scene.model.clone();
-    edit::for_each(&mut model, |place, e| {
+    edit::for_each(&mut model.clone(), |place, e| {
         if !matches!(place, edit::Place::Output(_)) {
             rewritten(e, &|term| {
                 terms.borrow_mut().push(term.clone());
@@ -85,9 +98,14 @@ pub fn all(scene: &Scene) -> Vec<Between> {
             });
         }
     });
+    terms.into_inner()
+}
+
+/// The elements of a model, each once.
+pub fn all(scene: &Scene) -> Vec<Between> {
     let motions = scene.motions();
     let mut found: Vec<Between> = Vec::new();
-    for term in terms.into_inner() {
+    for term in terms(scene.model) {
         let new = element(scene, &motions, &term);
         found.extend(
             new.filter(|n| found.iter().all(|b| b.parameter != n.parameter || b.stands_in(&term).is_none())),
@@ -124,7 +142,7 @@ fn element(scene: &Scene, motions: &[Motion], term: &Expr) -> Option<Between> {
         force: scene
             .unit_of(&Expr::Binary(BinaryOp::Mul, Box::new(parameter), Box::new(difference.clone())))
             .usual(),
-        size: size(scene, difference, &sides),
+        size: scene.differences.iter().find(|(e, _)| e == difference)?.1,
         parameter: name,
         difference: difference.clone(),
         of,
@@ -132,24 +150,19 @@ fn element(scene: &Scene, motions: &[Motion], term: &Expr) -> Option<Between> {
     })
 }
 
-/// The two signals of a difference, or of the definition that is one.
+/// The two signals of a difference, where both move.
 fn sides(scene: &Scene, difference: &Expr) -> Option<[String; 2]> {
+    let moves = |n: &String| scene.signal(n).is_some_and(|s| s.varies());
+    names(scene.model, difference).filter(|sides| sides.iter().all(moves))
+}
+
+/// The two names of a difference, or of the definition that is one.
+fn names(model: &Model, difference: &Expr) -> Option<[String; 2]> {
     let opened = match difference {
-        Expr::Name(n) => &scene.model.definitions.iter().find(|d| d.name == *n)?.equals,
+        Expr::Name(n) => &model.definitions.iter().find(|d| d.name == *n)?.equals,
         other => other,
     };
     let Expr::Binary(BinaryOp::Sub, a, b) = opened else { return None };
     let (Expr::Name(a), Expr::Name(b)) = (&**a, &**b) else { return None };
-    let moves = |n: &String| scene.signal(n).is_some_and(|s| s.varies());
-    (moves(a) && moves(b)).then(|| [a.clone(), b.clone()])
-}
-
-fn size(scene: &Scene, difference: &Expr, sides: &[String; 2]) -> f64 {
-    let is_it = |e: &Expr| e == difference || turned(e).as_ref() == Some(difference);
-    let output = scene.model.outputs.iter().find(|o| is_it(&o.equals)).map(|o| o.name.as_str());
-    let given = if let Expr::Name(n) = difference { Some(n.as_str()) } else { output };
-    match given.and_then(|n| scene.signal(n)) {
-        Some(s) => s.size(),
-        None => sides.iter().map(|n| scene.size(n)).fold(0.0, f64::max),
-    }
+    Some([a.clone(), b.clone()])
 }

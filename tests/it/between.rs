@@ -1,0 +1,117 @@
+//! What stands between two bodies: a coupling with play, a damper with friction or harder one way, a spring that hardens.
+
+use crate::diagnose::{diagnosed, noise};
+use gyrospec::diagnose::answer::{Finding, Verdict};
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Recording};
+use gyrospec::units::Unit;
+
+const DRIVE: &str = r#"
+name = "drive"
+[inputs]
+M = { unit = "N*m" }
+[parameters]
+Jm = { value = 0.02, unit = "kg*m^2" }
+Jl = { value = 0.1, unit = "kg*m^2", fit = true, min = 0.01, max = 1 }
+k = { value = 60, unit = "N*m/rad", fit = true, min = 5, max = 1000 }
+c = { value = 0.3, unit = "N*m*s/rad", fit = true, min = 0.01, max = 10 }
+b = { value = 0.1, unit = "N*m*s/rad", fit = true, min = 0, max = 10 }
+[definitions]
+slip = { equals = "wm - wl", unit = "rad/s" }
+[states]
+qm = { rate = "wm", unit = "rad", initial = 0 }
+wm = { rate = "(M - b*wm - k*(qm - ql) - c*slip)/Jm", unit = "rad/s", initial = 0 }
+ql = { rate = "wl", unit = "rad", initial = 0 }
+wl = { rate = "(c*slip - k*(ql - qm))/Jl", unit = "rad/s", initial = 0 }
+[outputs]
+motor = { equals = "wm", unit = "rad/s" }
+load = { equals = "wl", unit = "rad/s" }
+"#;
+
+const STEP: f64 = 0.01;
+const COUNT: usize = 3000;
+const NOISE: f64 = 0.02;
+
+fn torque(t: f64) -> f64 {
+    let lines = [(0.31, 0.2), (0.83, 1.7), (1.37, 4.0), (2.21, 0.9), (3.13, 2.8), (3.77, 5.1)];
+    lines.iter().map(|(f, p)| 0.7 * (6.283 * f * t + p).sin()).sum()
+}
+
+/// The drive with a torque of twist and slip between motor and load, by the rule of Runge and Kutta with twenty steps a
+/// sample; the torque of the motor is straight between its samples.
+fn recorded(between: impl Fn(f64, f64) -> f64) -> Recording {
+    let rates = |x: [f64; 4], m: f64| {
+        let through = between(x[0] - x[2], x[1] - x[3]);
+        [x[1], (m - 0.13 * x[1] - through) / 0.02, x[3], through / 0.13]
+    };
+    let ahead = |x: [f64; 4], k: [f64; 4], h: f64| std::array::from_fn(|i| x[i] + h * k[i]);
+    let time: Vec<f64> = (0..COUNT).map(|i| STEP * i as f64).collect();
+    let m: Vec<f64> = time.iter().map(|t| torque(*t)).collect();
+    let (mut x, mut motor, mut load) = ([0.0; 4], Vec::new(), Vec::new());
+    let h = STEP / 20.0;
+    for i in 0..COUNT {
+        motor.push(x[1]);
+        load.push(x[3]);
+        for s in 0..20 {
+            let at = |share: f64| m[i] + (m[(i + 1).min(COUNT - 1)] - m[i]) * (f64::from(s) + share) / 20.0;
+            let k1 = rates(x, at(0.0));
+            let k2 = rates(ahead(x, k1, 0.5 * h), at(0.5));
+            let k3 = rates(ahead(x, k2, 0.5 * h), at(0.5));
+            let k4 = rates(ahead(x, k3, h), at(1.0));
+            x = std::array::from_fn(|j| x[j] + h / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]));
+        }
+    }
+    let noisy = |v: Vec<f64>, seed| v.iter().zip(noise(COUNT, seed)).map(|(v, e)| v + NOISE * e).collect();
+    let channel = |name, unit, v| Channel::new(name, Unit::parse(unit).unwrap(), time.clone(), v);
+    let channels = vec![
+        channel("M", "N*m", m.clone()),
+        channel("motor", "rad/s", noisy(motor, 5)),
+        channel("load", "rad/s", noisy(load, 6)),
+    ];
+    Recording::from_channels("drive", channels).unwrap()
+}
+
+/// The one finding, with what is held out down to the noise.
+fn named(between: impl Fn(f64, f64) -> f64) -> Finding {
+    let found = diagnosed(&Model::parse(DRIVE).unwrap(), recorded(between)).answer;
+    assert_eq!((found.verdict, found.findings.len()), (Verdict::Named, 1), "{}", found.says);
+    assert!(found.proof.iter().all(|p| p.holdout_after < 1.1 * NOISE), "{}", found.says);
+    found.findings[0].clone()
+}
+
+fn is(found: &Finding, code: &str, place: &str, value: f64, within: f64) {
+    assert_eq!((found.code.as_str(), found.site.name.as_str()), (code, place), "{}", found.says);
+    let got = found.parameters[0].value;
+    assert!((got - value).abs() < within, "{got}: {}", found.says);
+}
+
+#[test]
+fn play_in_a_coupling() {
+    let free = |x: f64| x - x.clamp(-0.01, 0.01);
+    is(&named(|twist, slip| 80.0 * free(twist) + 0.2 * slip), "backlash", "wm", 0.02, 2e-4);
+}
+
+#[test]
+fn a_shaft_that_stiffens() {
+    let found = named(|twist, slip| 50.0 * twist + 30_000.0 * twist.powi(3) + 0.2 * slip);
+    is(&found, "cubic-stiffness", "wm", 30_000.0, 1500.0);
+}
+
+#[test]
+fn friction_between_two_bodies() {
+    let found = named(|twist, slip| 80.0 * twist + 0.1 * slip + 0.15 * (slip / 0.003).tanh());
+    is(&found, "dry-friction", "wm", 0.15, 0.01);
+}
+
+#[test]
+fn a_damper_that_is_harder_one_way() {
+    let found = named(|twist, slip| 80.0 * twist + 0.9 * (1.0 + 0.5 * slip.signum()) * slip);
+    is(&found, "parameter-dependence", "c", 0.5, 0.05);
+}
+
+#[test]
+fn a_shaft_as_the_model_has_it() {
+    let found =
+        diagnosed(&Model::parse(DRIVE).unwrap(), recorded(|twist, slip| 80.0 * twist + 0.2 * slip)).answer;
+    assert_eq!(found.verdict, Verdict::NothingMissing, "{}", found.says);
+}
