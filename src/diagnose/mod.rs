@@ -45,6 +45,7 @@ mod stray;
 mod twins;
 mod verdict;
 mod view;
+mod walk;
 mod watch;
 mod words;
 
@@ -294,7 +295,7 @@ impl Case<'_> {
     /// What the search finds and what of it stands.
     fn named(&self, base: Fit) -> Result<Found> {
         let given: Vec<f64> = self.request.model.parameters.iter().map(|p| p.value).collect();
-        let mut found = search::search(&self.bench, &self.separate, base, &given, self.request.progress)?;
+        let mut found = walk::search(&self.bench, &self.separate, base, &given, self.request.progress)?;
         backward::stand(&self.bench, &self.separate, &mut found);
         Ok(found)
     }

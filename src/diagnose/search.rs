@@ -1,23 +1,10 @@
-//! The search: add one mechanism, look again, drop what became needless.
-//!
-//! # Purpose
-//! From a fitted model and the catalogue to the few mechanisms that the recordings call for.
-//!
-//! # Method
-//! Every proposal is screened by a score test; the most promising are fitted inside the model by
-//! simulation. One is taken if its likelihood ratio stands after Holm's correction for all that was
-//! tried, if it lowers the free-run error over blocks left out in turn by more than a floor, and if
-//! none of like gain is likelier. Alternatives that fit as well are kept as ties. When no more can be
-//! added, those that the others make needless are dropped.
-//!
-//! # References
-//! N. R. Kristensen, H. Madsen, S. B. Jorgensen, Computers & Chemical Engineering 28 (2004) 1431;
-//! S. Holm, Scand. J. Statist. 6 (1979) 65.
+//! One round of the search: every proposal is screened by a score test, and the most promising are fitted inside the
+//! model by simulation.
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::{self, Choice, choose, floor, gain, mends};
-use super::compared::{patiently, same_samples};
+use super::choose::{self, floor, gain, mends};
+use super::compared::same_samples;
 use super::measure::{Measure, Scale};
 use super::propose::{Screened, Screening, screen, worth_fitting};
 use super::twins::twins;
@@ -29,9 +16,6 @@ use crate::estimate::fit::Progress;
 use crate::record::Recording;
 use crate::simulate::Early;
 use rayon::prelude::*;
-
-/// Mechanisms that are added at most.
-const MOST: usize = 3;
 
 /// The best of a round whose shapes are looked for again.
 const SCANNED: usize = 4;
@@ -160,20 +144,24 @@ impl Round {
 }
 
 /// What a round is judged against.
-struct State<'a> {
+pub struct State<'a> {
     /// How good the model is so far.
-    now: &'a Measure,
+    pub now: &'a Measure,
     /// The scale of comparison.
-    scale: &'a Scale,
+    pub scale: &'a Scale,
     /// Gains of what was taken before.
-    gains: f64,
+    pub gains: f64,
     /// What was taken before.
-    taken: &'a [Taken],
+    pub taken: &'a [Taken],
     /// Whether no more may be added, so that it only looks.
-    is_last: bool,
+    pub is_last: bool,
 }
 
-fn round(
+/// Screens, fits the best, and judges them.
+///
+/// # Errors
+/// Where the model cannot be run.
+pub fn round(
     bench: &Bench,
     (current, view): (&Fit, &View),
     state: &State<'_>,
@@ -230,115 +218,9 @@ fn round(
     Ok(Round { screening, fitted, notes, fallen: None })
 }
 
-/// Searches from a fitted model.
-///
-/// # Errors
-/// Where the fitted model itself cannot be run.
-pub fn search(
-    bench: &Bench,
-    separate: &[Recording],
-    base: Fit,
-    given: &[f64],
-    progress: &dyn Progress,
-) -> Result<Found> {
-    let start = Measure::of(&base, &Scale::of(&base, bench.is_trials()));
-    let mut current = base.clone();
-    let mut taken: Vec<Taken> = Vec::new();
-    let mut gains = 0.0;
-    let mut first: Option<Screening> = None;
-    let mut given = given.to_vec();
-    let mut view = patiently(bench, || View::of(bench, &base))?;
-    loop {
-        let scale = Scale::of(&current, bench.is_trials());
-        let now = Measure::of(&current, &scale);
-        let mut round = patiently(bench, || {
-            let is_last = taken.len() >= MOST || is_over(bench);
-            let state = State { now: &now, scale: &scale, gains, taken: &taken, is_last };
-            round(bench, (&current, &view), &state, &given, progress)
-        })?;
-        trace(bench, &round, &now);
-        bench.budget.begin("choice");
-        let Some((choice, next)) = standing(bench, separate, &mut round, &now) else {
-            let is_trace = taken.is_empty() && choose::is_trace(&round, &now);
-            let rest = round.screening;
-            let (first, rest) = match first {
-                Some(f) => (f, rest),
-                None => (
-                    Screening { screened: rest.screened.clone(), free: Vec::new(), p_value: rest.p_value },
-                    rest,
-                ),
-            };
-            let scale = Scale::of(&base, bench.is_trials());
-            let measures = (start, Measure::of(&current, &scale));
-            let (notes, fallen) = (round.notes, round.fallen.filter(|_| taken.is_empty()));
-            let (last, without) = (current, Vec::new());
-            return Ok(Found {
-                base,
-                last,
-                taken,
-                without,
-                first,
-                rest,
-                scale,
-                measures,
-                notes,
-                fallen,
-                is_trace,
-            });
-        };
-        let Choice { best, ties, elsewhere, rival, .. } = choice;
-        let fits = |i: usize| (round.fitted[best].fit.clone(), round.fitted[i].fit.clone());
-        let rivals = rival.map(|i| Box::new(fits(i)));
-        let r = round.fitted.swap_remove(best);
-        gains += gain(&now, &r.measure);
-        let names = r.proposal.model.parameters.len();
-        given.extend(r.fit.model.parameters[given.len()..names].iter().map(|p| p.value));
-        (current, view) = (r.fit, next);
-        taken.push(Taken {
-            proposal: r.proposal,
-            p_value: r.p_value,
-            tried: r.tried,
-            ties,
-            elsewhere,
-            rivals,
-        });
-        first.get_or_insert(round.screening);
-    }
-}
-
 /// Whether the search must end with the best so far.
 pub fn is_over(bench: &Bench) -> bool {
     bench.budget.over().is_some() || bench.budget.cut() == Some(Early::Time)
-}
-
-/// The best extension of a round, with what the next one sees of it. Those that cannot be run, there or over
-/// what is held out, fall out, and so do those that fit as well as it; then nothing that gains far less may
-/// stand for them.
-fn standing(
-    bench: &Bench,
-    separate: &[Recording],
-    round: &mut Round,
-    now: &Measure,
-) -> Option<(Choice, View)> {
-    loop {
-        let choice = choose(round, now)?;
-        let best = &round.fitted[choice.best];
-        if round.fallen.as_ref().is_some_and(|fallen| !choose::rivals(best, fallen, now)) {
-            return None;
-        }
-        let runs = |i: &usize| prove::runs(bench, &round.fitted[*i].fit, separate);
-        let ahead = ahead(bench, separate, &round.fitted[choice.best].fit);
-        let fallen =
-            if ahead.is_none() { Some(choice.best) } else { choice.near.iter().copied().find(|i| !runs(i)) };
-        match (fallen, ahead) {
-            (Some(i), None) => {
-                let best = round.fitted.remove(i);
-                round.fallen.get_or_insert_with(|| Box::new(best));
-            }
-            (Some(i), _) => drop(round.fitted.remove(i)),
-            (None, ahead) => return ahead.map(|view| (choice, view)),
-        }
-    }
 }
 
 /// What a next round would see of a fitted model; none where it cannot be run there, or over what is held out.
@@ -349,7 +231,7 @@ pub fn ahead(bench: &Bench, separate: &[Recording], fit: &Fit) -> Option<View> {
 }
 
 /// Tells the developer what a round saw, where GYROSPEC_TRACE is set.
-fn trace(bench: &Bench, round: &Round, now: &Measure) {
+pub fn trace(bench: &Bench, round: &Round, now: &Measure) {
     if std::env::var_os("GYROSPEC_TRACE").is_none() {
         return;
     }

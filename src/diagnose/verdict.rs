@@ -67,8 +67,7 @@ impl Evidence<'_> {
         if is_in(&self.found.taken) {
             return Verdict::Unknown;
         }
-        let doubtful = self.is_pressed() || is_wave(&first.proposal);
-        if self.outweighs() || self.is_left() && doubtful {
+        if self.outweighs() || self.is_pressed() || self.is_left() && is_wave(&first.proposal) {
             Verdict::Unknown
         } else if first.ties.is_empty() {
             Verdict::Named

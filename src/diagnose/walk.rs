@@ -1,0 +1,245 @@
+//! The search: add one mechanism, look again, drop what became needless.
+//!
+//! # Purpose
+//! From a fitted model and the catalogue to the few mechanisms that the recordings call for.
+//!
+//! # Method
+//! Every round screens and fits extensions. One is taken if its likelihood ratio stands after Holm's
+//! correction for all that was tried, if it lowers the free-run error over blocks left out in turn by
+//! more than a floor, and if none of like gain is likelier. Alternatives that fit as well are kept as
+//! ties. When no more can be added, those that the others make needless are dropped.
+//!
+//! Of two effects the one may hide the other from the likelihood: what the second leaves has a colour that would
+//! follow the first as well. So where something is missing for sure, nothing stands by itself, and one extension takes
+//! most of the error of blocks left out, it is added on trial. If a second then stands beside it, and both together
+//! against the model without either, both are taken; else it is as if there had been no trial.
+//!
+//! # References
+//! N. R. Kristensen, H. Madsen, S. B. Jorgensen, Computers & Chemical Engineering 28 (2004) 1431;
+//! S. Holm, Scand. J. Statist. 6 (1979) 65.
+
+use super::bench::Bench;
+use super::choose::{self, Choice, choose, gain};
+use super::compared::patiently;
+use super::measure::{Measure, Scale};
+use super::propose::Screening;
+use super::prove;
+use super::search::{Found, Refitted, Round, State, Taken, ahead, is_over, round, trace};
+use super::view::View;
+use crate::Result;
+use crate::estimate::Fit;
+use crate::estimate::fit::Progress;
+use crate::record::Recording;
+
+/// Mechanisms that are added at most.
+const MOST: usize = 3;
+/// Gain from which on an extension is added on trial: the error of blocks left out falls to six tenths.
+const TRIAL: f64 = 1.0;
+
+/// A search on its way.
+struct Walk<'a> {
+    bench: &'a Bench,
+    separate: &'a [Recording],
+    base: Fit,
+    start: Measure,
+    current: Fit,
+    view: View,
+    given: Vec<f64>,
+    gains: f64,
+    taken: Vec<Taken>,
+    first: Option<Screening>,
+    trial: Option<Trial>,
+}
+
+/// Where the search stood when it added an extension on trial.
+struct Trial {
+    round: Round,
+    now: Measure,
+    scale: Scale,
+    current: Fit,
+}
+
+/// Searches from a fitted model.
+///
+/// # Errors
+/// Where the fitted model itself cannot be run.
+pub fn search(
+    bench: &Bench,
+    separate: &[Recording],
+    base: Fit,
+    given: &[f64],
+    progress: &dyn Progress,
+) -> Result<Found> {
+    let mut walk = Walk {
+        bench,
+        separate,
+        start: Measure::of(&base, &Scale::of(&base, bench.is_trials())),
+        current: base.clone(),
+        view: patiently(bench, || View::of(bench, &base))?,
+        base,
+        given: given.to_vec(),
+        gains: 0.0,
+        taken: Vec::new(),
+        first: None,
+        trial: None,
+    };
+    loop {
+        let (mut round, now) = walk.round(progress)?;
+        let standing = standing(bench, separate, &mut round, &now);
+        if let Some((choice, next)) = standing.filter(|(choice, _)| walk.bears(&round.fitted[choice.best])) {
+            walk.takes(round, choice, next, &now);
+        } else if let Some(trial) = walk.trial.take() {
+            return Ok(walk.returns(trial));
+        } else if let Some((i, next)) = walk.hopeful(&round, &now) {
+            walk.tries(round, i, next, now);
+        } else {
+            return Ok(walk.ends(round, &now));
+        }
+    }
+}
+
+impl Walk<'_> {
+    fn round(&self, progress: &dyn Progress) -> Result<(Round, Measure)> {
+        let bench = self.bench;
+        let scale = Scale::of(&self.current, bench.is_trials());
+        let now = Measure::of(&self.current, &scale);
+        let found = patiently(bench, || {
+            let is_last = self.taken.len() >= MOST || is_over(bench);
+            let state = State { now: &now, scale: &scale, gains: self.gains, taken: &self.taken, is_last };
+            round(bench, (&self.current, &self.view), &state, &self.given, progress)
+        })?;
+        trace(bench, &found, &now);
+        bench.budget.begin("choice");
+        Ok((found, now))
+    }
+
+    /// The chance of an extension together with the one on trial.
+    fn joint(&self, r: &Refitted) -> Option<f64> {
+        let (trial, first) = (self.trial.as_ref()?, self.taken.last()?);
+        let added = first.proposal.added.len() + r.proposal.added.len();
+        let chance = Measure::of(&r.fit, &trial.scale).chance_over(trial.now.likelihood, added);
+        Some((first.tried * r.tried * chance).min(1.0))
+    }
+
+    /// Whether an extension that stands beside one on trial bears it too.
+    fn bears(&self, r: &Refitted) -> bool {
+        self.joint(r).is_none_or(|chance| chance < choose::CHANCE)
+    }
+
+    fn takes(&mut self, mut round: Round, choice: Choice, next: View, now: &Measure) {
+        let Choice { best, ties, elsewhere, rival, .. } = choice;
+        let fits = |i: usize| (round.fitted[best].fit.clone(), round.fitted[i].fit.clone());
+        let rivals = rival.map(|i| Box::new(fits(i)));
+        let joint = self.joint(&round.fitted[best]);
+        let r = round.fitted.swap_remove(best);
+        if let (Some(chance), Some(first)) = (joint, self.taken.last_mut()) {
+            first.p_value = chance;
+        }
+        if let Some(trial) = self.trial.take() {
+            self.first.get_or_insert(trial.round.screening);
+        }
+        self.adds(r, next, now);
+        if let Some(last) = self.taken.last_mut() {
+            (last.ties, last.elsewhere, last.rivals) = (ties, elsewhere, rivals);
+        }
+        self.first.get_or_insert(round.screening);
+    }
+
+    fn adds(&mut self, r: Refitted, next: View, now: &Measure) {
+        self.gains += gain(now, &r.measure);
+        let names = r.proposal.model.parameters.len();
+        self.given.extend(r.fit.model.parameters[self.given.len()..names].iter().map(|p| p.value));
+        (self.current, self.view) = (r.fit, next);
+        self.taken.push(Taken {
+            proposal: r.proposal,
+            p_value: r.p_value,
+            tried: r.tried,
+            ties: Vec::new(),
+            elsewhere: Vec::new(),
+            rivals: None,
+        });
+    }
+
+    /// An extension that is worth a trial, with what the next round would see of it.
+    fn hopeful(&self, round: &Round, now: &Measure) -> Option<(usize, View)> {
+        let is_sure = round.screening.p_value < choose::CHANCE && round.fallen.is_none();
+        if !is_sure || self.bench.is_trials() || self.taken.len() + 1 >= MOST || is_over(self.bench) {
+            return None;
+        }
+        let (i, best) = round.fitted.iter().enumerate().find(|(_, r)| !r.is_pressed() && !r.is_cut)?;
+        let view =
+            (gain(now, &best.measure) > TRIAL).then(|| ahead(self.bench, self.separate, &best.fit))??;
+        Some((i, view))
+    }
+
+    fn tries(&mut self, round: Round, i: usize, next: View, now: Measure) {
+        let current = self.current.clone();
+        self.adds(round.fitted[i].clone(), next, &now);
+        let scale = Scale::of(&current, self.bench.is_trials());
+        self.trial = Some(Trial { round, now, scale, current });
+    }
+
+    /// Ends where the trial began.
+    fn returns(mut self, trial: Trial) -> Found {
+        self.taken.pop();
+        self.current = trial.current;
+        self.ends(trial.round, &trial.now)
+    }
+
+    fn ends(self, round: Round, now: &Measure) -> Found {
+        let is_trace = self.taken.is_empty() && choose::is_trace(&round, now);
+        let rest = round.screening;
+        let (first, rest) = match self.first {
+            Some(f) => (f, rest),
+            None => {
+                (Screening { screened: rest.screened.clone(), free: Vec::new(), p_value: rest.p_value }, rest)
+            }
+        };
+        let scale = Scale::of(&self.base, self.bench.is_trials());
+        let measures = (self.start, Measure::of(&self.current, &scale));
+        let (notes, fallen) = (round.notes, round.fallen.filter(|_| self.taken.is_empty()));
+        Found {
+            base: self.base,
+            last: self.current,
+            taken: self.taken,
+            without: Vec::new(),
+            first,
+            rest,
+            scale,
+            measures,
+            notes,
+            fallen,
+            is_trace,
+        }
+    }
+}
+
+/// The best extension of a round, with what the next one sees of it. Those that cannot be run, there or over
+/// what is held out, fall out, and so do those that fit as well as it; then nothing that gains far less may
+/// stand for them.
+fn standing(
+    bench: &Bench,
+    separate: &[Recording],
+    round: &mut Round,
+    now: &Measure,
+) -> Option<(Choice, View)> {
+    loop {
+        let choice = choose(round, now)?;
+        let best = &round.fitted[choice.best];
+        if round.fallen.as_ref().is_some_and(|fallen| !choose::rivals(best, fallen, now)) {
+            return None;
+        }
+        let runs = |i: &usize| prove::runs(bench, &round.fitted[*i].fit, separate);
+        let ahead = ahead(bench, separate, &round.fitted[choice.best].fit);
+        let fallen =
+            if ahead.is_none() { Some(choice.best) } else { choice.near.iter().copied().find(|i| !runs(i)) };
+        match (fallen, ahead) {
+            (Some(i), None) => {
+                let best = round.fitted.remove(i);
+                round.fallen.get_or_insert_with(|| Box::new(best));
+            }
+            (Some(i), _) => drop(round.fitted.remove(i)),
+            (None, ahead) => return ahead.map(|view| (choice, view)),
+        }
+    }
+}
