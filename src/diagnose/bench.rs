@@ -313,6 +313,7 @@ impl Bench {
             step: if step.is_finite() { step } else { 1.0 },
             from,
             to,
+            whole: self.whole((from, to)),
             tables: self.tables(),
             measured: self.measured(model),
             peaks: Vec::new(),
@@ -320,6 +321,12 @@ impl Bench {
             shifts: Vec::new(),
             own_parameters: self.own_parameters,
         })
+    }
+
+    /// First and last time of the first recording, or what is fitted of it.
+    fn whole(&self, fitted: (f64, f64)) -> (f64, f64) {
+        let ranges = self.recordings.iter().take(1).flat_map(|r| &r.channels).filter_map(Channel::range);
+        ranges.fold(fitted, |(from, to), r| (from.min(r.from), to.max(r.to)))
     }
 
     /// Names of the channels of each clock: of a table, and of each instrument of a log, whose sentences were stamped

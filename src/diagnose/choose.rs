@@ -106,16 +106,16 @@ pub fn mends(p: &Proposal, taken: &[Taken]) -> bool {
 }
 
 /// Families whose members are the same thing in a linear model with one input and one output.
-const FAMILIES: [&[&str]; 4] = [
-    &["input-delay", "output-delay"],
-    &["input-lag", "output-lag"],
-    &["constant-force", "input-offset", "output-offset"],
-    &["drift-force", "output-drift"],
-];
+const LATE: [&[&str]; 2] = [&["input-delay", "output-delay"], &["input-lag", "output-lag"]];
+/// Families whose members are the same thing in a linear model, whatever else acts on it.
+const STEADY: [&[&str]; 2] =
+    [&["constant-force", "input-offset", "output-offset"], &["drift-force", "output-drift"]];
 
 /// Whether two mechanisms commute where the model is linear.
-fn commute(a: &str, b: &str) -> bool {
-    a != b && FAMILIES.iter().any(|f| f.contains(&a) && f.contains(&b))
+fn commute(p: &Proposal, q: &Proposal) -> bool {
+    let both = |families: &[&[&str]]| families.iter().any(|f| f.contains(&p.code) && f.contains(&q.code));
+    let is_one_way = p.model.inputs.len() == 1 && p.model.outputs.len() == 1;
+    p.code != q.code && (both(&STEADY) || is_one_way && both(&LATE))
 }
 
 /// Whether an extension may stand for a better one that has fallen out: it gains nearly as much.
@@ -177,16 +177,15 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
         let (r, t) = (&round.fitted[i], &round.fitted[to]);
         let likelier = t.measure.likelihood - now.likelihood;
         let elsewhere = r.proposal.code == t.proposal.code && r.proposal.site != t.proposal.site;
-        let same = commute(r.proposal.code, t.proposal.code) || elsewhere;
+        let same = commute(&r.proposal, &t.proposal) || elsewhere;
         let tolerance = if same { TIE.max(COMMUTES * likelier) } else { TIE };
-        let by_start_alone = commute(r.proposal.code, t.proposal.code) && fall(r) > (1.0 - STARTS) * fall(t);
+        let by_start_alone = commute(&r.proposal, &t.proposal) && fall(r) > (1.0 - STARTS) * fall(t);
         (by_start_alone || worth(r) > worth(t) - tolerance)
             && r.proposal.added.len() <= t.proposal.added.len()
     };
     // Of parts that commute, the thing stands before its sensor.
     let place = |i: usize| catalogue::ALL.iter().position(|m| m.code == round.fitted[i].proposal.code);
-    let commuting =
-        |i: &usize| commute(round.fitted[*i].proposal.code, round.fitted[likeliest].proposal.code);
+    let commuting = |i: &usize| commute(&round.fitted[*i].proposal, &round.fitted[likeliest].proposal);
     let first =
         rivals.iter().copied().filter(|i| commuting(i) && alike(*i, likeliest)).min_by_key(|i| place(*i));
     // Among those that fit alike the one with the fewest parameters stands first.

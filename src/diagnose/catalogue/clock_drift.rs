@@ -31,6 +31,9 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 )
 .shifting_time();
 
+/// Parts of the recording, over which the shift is straight.
+const PARTS: u32 = 8;
+
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
@@ -43,25 +46,23 @@ fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     let mut d = Draft::new(scene, "clock-drift", SiteKind::Input, first);
     let rate = d.amplitude("rate", &Unit::one(), (-0.2, 0.2), "relative error of the clock's rate");
     d.term(&format!("{first} on a clock of another rate"));
-    let start = d.constant("t0", &Unit::parse("s").ok()?, scene.from, "beginning of the recording");
-    let parts = 8;
-    let width = d.constant(
-        "part",
-        &Unit::parse("s").ok()?,
-        scene.length() / f64::from(parts),
-        "an eighth of the fitted part",
-    );
+    let second = Unit::parse("s").ok()?;
+    // The shift goes on growing in what is held out.
+    let (from, to) = scene.whole;
+    let start = d.constant("t0", &second, from, "beginning of the recording");
+    let part = (to - from) / f64::from(PARTS);
+    let width = d.constant("part", &second, part, "an eighth of the recording");
     for input in inputs {
         // Between its grid points the shift is interpolated.
         let copy = |i: u32| {
-            let weight = if i == parts {
-                format!("clamp((t - {start})/{width} - {}, 0, 1)", parts - 1)
+            let weight = if i == PARTS {
+                format!("clamp((t - {start})/{width} - {}, 0, 1)", PARTS - 1)
             } else {
                 format!("max(0, 1 - abs((t - {start})/{width} - {i}))")
             };
             format!("delay({input}, -{rate}*{i}*{width})*{weight}")
         };
-        let copies: Vec<String> = (0..=parts).map(copy).collect();
+        let copies: Vec<String> = (0..=PARTS).map(copy).collect();
         d.replace(input, &format!("({})", copies.join(" + ")), |_| true);
     }
     d.term(&format!("{first}(t + {rate}*(t - {start}))"));

@@ -19,6 +19,8 @@
 //! A roll sensor mounted with two degrees of yaw shows some pitch.
 
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit};
+use crate::expression::Expr;
+use crate::model::Output;
 
 /// A sensor that feels another motion.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -42,8 +44,30 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
                 all.extend(at(scene, &o.name, s, &factor));
             }
         }
+        all.extend(scene.model.outputs.iter().filter_map(|other| beside(scene, o, other)));
     }
     all
+}
+
+/// What another sensor feels, where that is no signal by itself.
+fn beside(scene: &Scene, o: &Output, other: &Output) -> Option<Proposal> {
+    let felt = scene.signal(&other.name).filter(|s| s.varies() && !s.is_heading())?;
+    let is_plain = |e: &Expr| e.names().len() < 2;
+    if o.name == other.name || is_plain(&other.equals) || o.equals == other.equals {
+        return None;
+    }
+    let mut d = Draft::new(scene, "output-cross-axis", SiteKind::Output, &o.name);
+    let c = d.amplitude(
+        "c",
+        &scene.unit(&o.name).over(&scene.unit(&other.name)),
+        ANY,
+        "part of the other motion",
+    );
+    scene.model.states.iter().filter(|s| other.equals.mentions(&s.name)).for_each(|s| d.uses(&s.name));
+    d.output(&o.name, &format!("{{}} + {c}*({})", other.equals));
+    d.start(&[scene.signal(&o.name)?.spread / felt.spread]);
+    let [own, felt] = [o, other].map(|o| scene.words(&o.name));
+    d.done(&format!("the sensor of {own} also feels what that of {felt} feels, {{0}}"))
 }
 
 fn at(scene: &Scene, output: &str, s: &Signal, factor: &str) -> Option<Proposal> {

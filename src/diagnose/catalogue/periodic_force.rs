@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     M v' = … + A sin(w t) + B cos(w t)    or    + A sin(n q) + B cos(n q)
+//!     y -> y + A sin(w t) + B cos(w t)      hum of a sensor
 //! ```
 //!
 //! # What else looks like this
@@ -20,7 +21,7 @@
 //! # Example
 //! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, field};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, SiteKind, draft::ANY, field};
 use crate::units::Unit;
 use std::f64::consts::TAU;
 
@@ -37,6 +38,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
     let timed = motions.iter().flat_map(|m| scene.peaks.iter().map(move |w| (m, *w)));
     let mut all: Vec<Proposal> = timed.filter_map(|(m, w)| with_time(scene, m, w)).collect();
+    let seen = scene.model.outputs.iter().flat_map(|o| scene.peaks.iter().map(move |w| (o, *w)));
+    all.extend(seen.filter(|_| !scene.trials).filter_map(|(o, w)| on_output(scene, &o.name, w)));
     for m in motions.iter().filter(|m| m.speed.is_some()) {
         all.extend(with_place(scene, m));
         let lines = scene.lines.get(&m.state).into_iter().flatten();
@@ -49,17 +52,33 @@ fn with_time(scene: &Scene, m: &Motion, peak: f64) -> Option<Proposal> {
     let mut d = Draft::at(scene, "periodic-force", m);
     let a = d.amplitude("A_sin", &m.force, ANY, "sine part of the periodic force");
     let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
-    let width = 6.0 / scene.length();
-    let w = d.parameter(
-        "w",
-        &Unit::parse("rad/s").ok()?,
-        ((peak - width).max(0.0), peak + width),
-        "angular frequency",
-    );
+    let w = frequency(&mut d, scene, peak)?;
     d.force(&m.state, &format!("{a}*sin({w}*t) + {b}*cos({w}*t)"));
     d.start(&[m.size, m.size, peak]);
     let what = field::words(m).acts;
     d.done(&format!("{what} of {{0}} and {{1}} (sine and cosine) acts on {} at {{2}}", scene.words(&m.state)))
+}
+
+/// Hum that the sensor alone has.
+fn on_output(scene: &Scene, output: &str, peak: f64) -> Option<Proposal> {
+    let (size, unit) = (scene.signal(output)?.spread, scene.unit(output));
+    let mut d = Draft::new(scene, "periodic-force", SiteKind::Output, output);
+    let a = d.amplitude("A_sin", &unit, ANY, "sine part of the hum");
+    let b = d.amplitude("A_cos", &unit, ANY, "cosine part of the hum");
+    let w = frequency(&mut d, scene, peak)?;
+    d.output(output, &format!("{{}} + {a}*sin({w}*t) + {b}*cos({w}*t)"));
+    d.start(&[size, size, peak]);
+    d.done(&format!(
+        "the sensor of {} hums with {{0}} and {{1}} (sine and cosine) at {{2}}",
+        scene.words(output)
+    ))
+}
+
+/// The frequency of a line that was read from the residual, about as exactly as it can be told there.
+fn frequency(d: &mut Draft, scene: &Scene, peak: f64) -> Option<String> {
+    let width = 6.0 / scene.length();
+    let limits = ((peak - width).max(0.0), peak + width);
+    Some(d.parameter("w", &Unit::parse("rad/s").ok()?, limits, "angular frequency"))
 }
 
 fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {

@@ -111,6 +111,8 @@ pub struct Scene<'a> {
     pub from: f64,
     /// Last fitted time, s.
     pub to: f64,
+    /// First and last time of all that was recorded, held out or not, s.
+    pub whole: (f64, f64),
     /// Names of the channels of each clock: a table, or an instrument of a log.
     pub tables: Vec<Vec<String>>,
     /// Least and largest measured value of each output, SI.

@@ -277,6 +277,7 @@ fn copy<'a>(scene: &Scene<'a>) -> Scene<'a> {
         step: scene.step,
         from: scene.from,
         to: scene.to,
+        whole: scene.whole,
         tables: scene.tables.clone(),
         measured: scene.measured.clone(),
         peaks: scene.peaks.clone(),
