@@ -48,9 +48,13 @@ pub fn floor(before: f64) -> f64 {
     (-2.0 * (1.0 - FLOOR).ln()).max(FURTHER * before)
 }
 
-/// Likelihood less the price of its parameters.
 fn worth(r: &Refitted) -> f64 {
-    r.measure.likelihood - 0.5 * r.proposal.added.len() as f64 * r.measure.samples.max(2.0).ln()
+    worth_of(&r.proposal, &r.measure)
+}
+
+/// Likelihood less the price of what a proposal adds.
+pub fn worth_of(p: &Proposal, measure: &Measure) -> f64 {
+    measure.likelihood - 0.5 * p.added.len() as f64 * measure.samples.max(2.0).ln()
 }
 
 /// Whether a mechanism is tied to moments of one recording, so that another cannot confirm it.

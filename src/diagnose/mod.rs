@@ -41,6 +41,7 @@ mod rest;
 mod scan;
 mod screen;
 mod search;
+mod simpler;
 mod stray;
 mod twins;
 mod verdict;
@@ -297,6 +298,7 @@ impl Case<'_> {
         let given: Vec<f64> = self.request.model.parameters.iter().map(|p| p.value).collect();
         let mut found = walk::search(&self.bench, &self.separate, base, &given, self.request.progress)?;
         backward::stand(&self.bench, &self.separate, &mut found);
+        simpler::settle(&self.bench, &mut found, self.request.progress);
         Ok(found)
     }
 }

@@ -130,7 +130,7 @@ fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Propos
     let state = scene.model.states.iter().find(|s| s.name == m.state)?;
     let kinematic = m.position.as_ref() == Some(&signal.name) || m.speed.as_ref() == Some(&signal.name);
     let there = match signal.kind {
-        SignalKind::Input => edit::has_term_in(scene.model, &state.rate, &signal.name),
+        SignalKind::Input => edit::has_free_term_in(scene.model, &state.rate, &signal.name),
         _ => edit::reaches(scene.model, &state.rate, &signal.name),
     };
     if factor.is_empty() && (kinematic || there) {

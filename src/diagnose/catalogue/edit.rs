@@ -1,7 +1,7 @@
 //! Edits of a model: where forces enter, how a signal is replaced, which unit an expression has.
 
 use crate::expression::{BinaryOp, Expr, Function};
-use crate::model::{Definition, Model};
+use crate::model::{Definition, Model, Parameter};
 use crate::units::{Dimension, Unit};
 use std::collections::BTreeSet;
 
@@ -144,9 +144,32 @@ pub fn terms_of(model: &Model, sum: &Expr) -> Vec<Expr> {
 
 /// Whether the sum in a rate has a term that is a signal times parameters and numbers.
 pub fn has_term_in(model: &Model, rate: &Expr, signal: &str) -> bool {
-    let constant = |n: &str| n == signal || model.parameters.iter().any(|p| p.name == n);
-    let linear = |t: &Expr| is_product_with(t, signal) && t.names().iter().all(|n| constant(n));
-    terms_of(model, sum_of(model, rate)).iter().any(linear)
+    coefficients(model, rate, signal).next().is_some()
+}
+
+/// Whether it has one of any size that a recording may ask for: one of its parameters is fitted and inside its bounds, or
+/// it has none.
+pub fn has_free_term_in(model: &Model, rate: &Expr, signal: &str) -> bool {
+    let is_free = |p: &&Parameter| p.fit && !is_pressed(p);
+    coefficients(model, rate, signal).any(|all| all.is_empty() || all.iter().any(is_free))
+}
+
+/// The parameters of each term that is a signal times parameters and numbers.
+fn coefficients<'m>(model: &'m Model, rate: &Expr, signal: &str) -> impl Iterator<Item = Vec<&'m Parameter>> {
+    let of = |t: &Expr| -> Option<Vec<&'m Parameter>> {
+        let others = t.names().into_iter().filter(|n| *n != signal);
+        let known = others.map(|n| model.parameters.iter().find(|p| p.name == n)).collect::<Option<_>>()?;
+        is_product_with(t, signal).then_some(known)
+    };
+    let found: Vec<_> = terms_of(model, sum_of(model, rate)).iter().filter_map(of).collect();
+    found.into_iter()
+}
+
+/// Whether a parameter lies at one of its bounds.
+fn is_pressed(p: &Parameter) -> bool {
+    let at =
+        |bound: Option<f64>| bound.is_some_and(|b| (p.value - b).abs() <= 1e-9 * p.value.abs().max(b.abs()));
+    at(p.min) || at(p.max)
 }
 
 /// Whether an expression is a product or quotient with a name as one of its factors.
