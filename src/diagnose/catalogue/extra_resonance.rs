@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     z'' + 2 zeta W z' + W^2 z = W^2 q,  M v' = … - c (q - z)    or    q -> z where it is used
+//!     z'' + 2 zeta W z' + W^2 z = W^2 v,  M v' = … - c z'         where the model has a speed and no position
 //! ```
 //!
 //! # What else looks like this
@@ -35,13 +36,14 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
     for m in scene.motions() {
-        all.extend([beside(scene, &m), after(scene, &m)].into_iter().flatten());
+        all.extend([beside(scene, &m), carried(scene, &m), after(scene, &m)].into_iter().flatten());
     }
     all
 }
 
 struct Absorber {
     shift: String,
+    rate: String,
     frequency: String,
 }
 
@@ -54,7 +56,7 @@ fn absorber(d: &mut Draft, scene: &Scene, q: &str) -> Option<Absorber> {
     let r = d.state("zr_rate", &scene.unit(q).times(&turn), Initial::Number(0.0), "its rate");
     d.rate(&z, &r);
     d.rate(&r, &format!("{w}^2*({q} - {z}) - 2*{zeta}*{w}*{r}"));
-    Some(Absorber { shift: z, frequency: w })
+    Some(Absorber { shift: z, rate: r, frequency: w })
 }
 
 fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
@@ -70,11 +72,28 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.done(&format!("a second part is attached to {} and swings at {{1}}", scene.words(q)))
 }
 
+/// A part behind an elastic joint, where the model has the speed alone: it takes c z' of the force.
+fn carried(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let v = m.speed.as_ref().filter(|_| m.position.is_none())?;
+    let mut d = Draft::at(scene, "extra-resonance", m);
+    let per_second = scene.unit(v).over(&Unit::parse("s").ok()?);
+    let c = d.amplitude("c", &m.force.over(&per_second), POSITIVE, "inertia of the second part");
+    let part = absorber(&mut d, scene, v)?;
+    d.force(&m.state, &format!("-{c}*{}", part.rate));
+    for w in scene.frequencies() {
+        d.start(&[m.size / (w * scene.size(v)), w, 0.1]);
+    }
+    d.done(&format!(
+        "{} carries a second part through an elastic joint, which swings at {{1}}",
+        scene.words(v)
+    ))
+}
+
 fn after(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let s = &m.state;
     let mut d = Draft::at(scene, "extra-resonance", m);
     let part = absorber(&mut d, scene, s)?;
-    let own = [part.shift.clone(), format!("{}_rate", "zr")];
+    let own = [part.shift.clone(), part.rate.clone()];
     d.replace(s, &part.shift, |p| {
         p != Place::Rate(s) && !matches!(p, Place::Output(_)) && !own.iter().any(|n| p == Place::Rate(n))
     });

@@ -134,7 +134,7 @@ mechanisms! {
     cross_coupling, parameter_dependence, parameter_change, parameter_drift,
     input_delay, input_lag, input_square, input_saturation, input_dead_zone, input_rate_limit,
     input_offset, misalignment,
-    output_offset, output_scale, output_delay, output_lag, output_drift, output_saturation,
+    output_offset, output_scale, output_square, output_delay, output_lag, output_drift, output_saturation,
     output_cross_axis, clock_offset, clock_drift, clock_jump,
     frozen_channel, outliers, quantisation, gap, wrapped_angle, wrong_sign, wrong_unit, input_hold, free_law,
 }
