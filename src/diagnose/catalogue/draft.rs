@@ -289,6 +289,12 @@ impl<'a> Draft<'a> {
         read
     }
 
+    /// The rate of a state as it stands, in parentheses.
+    pub fn rate_of(&self, state: &str) -> String {
+        let own = self.proposal.model.states.iter().find(|s| s.name == state);
+        own.map_or_else(String::new, |s| format!("({})", s.rate))
+    }
+
     /// Sets the rate of a state.
     pub fn rate(&mut self, state: &str, text: &str) {
         let Some(e) = self.read(text) else { return };

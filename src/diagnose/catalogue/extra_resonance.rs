@@ -8,7 +8,7 @@
 //! # Equation
 //! ```text
 //!     z'' + 2 zeta W z' + W^2 z = W^2 q,  M v' = … - c (q - z)    or    q -> z where it is used
-//!     z'' + 2 zeta W z' + W^2 z = W^2 v,  M v' = … - c z'         where the model has a speed and no position
+//!     M v' = … - c p,  p = W^2 z + 2 zeta W z',  z'' = v' - p     where the model has a speed and no position
 //! ```
 //!
 //! # What else looks like this
@@ -49,9 +49,7 @@ struct Absorber {
 
 fn absorber(d: &mut Draft, scene: &Scene, q: &str) -> Option<Absorber> {
     let turn = Unit::parse("rad/s").ok()?;
-    let fastest = std::f64::consts::PI / scene.step;
-    let w = d.parameter("Wr", &turn, (1.0 / scene.length(), fastest), "angular frequency of the resonance");
-    let zeta = d.parameter("zr", &Unit::one(), (1e-4, 3.0), "damping ratio of the resonance");
+    let (w, zeta) = swing(d, scene)?;
     let z = d.state("zr_shift", &scene.unit(q), Initial::Number(0.0), "shift of the second part");
     let r = d.state("zr_rate", &scene.unit(q).times(&turn), Initial::Number(0.0), "its rate");
     d.rate(&z, &r);
@@ -72,14 +70,23 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.done(&format!("a second part is attached to {} and swings at {{1}}", scene.words(q)))
 }
 
-/// A part behind an elastic joint, where the model has the speed alone: it takes c z' of the force.
+/// A part behind an elastic joint, where the model has the speed alone. What swings are the twist of the joint and its
+/// rate, the slip, so that both parts start with one speed.
 fn carried(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let v = m.speed.as_ref().filter(|_| m.position.is_none())?;
+    let second = Unit::parse("s").ok()?;
     let mut d = Draft::at(scene, "extra-resonance", m);
-    let per_second = scene.unit(v).over(&Unit::parse("s").ok()?);
-    let c = d.amplitude("c", &m.force.over(&per_second), POSITIVE, "inertia of the second part");
-    let part = absorber(&mut d, scene, v)?;
-    d.force(&m.state, &format!("-{c}*{}", part.rate));
+    let unit = m.force.over(&scene.unit(v).over(&second));
+    let c = d.amplitude("c", &unit, POSITIVE, "inertia of the second part");
+    let (w, zeta) = swing(&mut d, scene)?;
+    let twist =
+        d.state("zr_shift", &scene.unit(v).times(&second), Initial::Number(0.0), "twist of the joint");
+    let slip = d.state("zr_rate", &scene.unit(v), Initial::Number(0.0), "its rate");
+    let pull = format!("({w}^2*{twist} + 2*{zeta}*{w}*{slip})");
+    d.force(&m.state, &format!("-{c}*{pull}"));
+    let own = d.rate_of(&m.state);
+    d.rate(&twist, &slip);
+    d.rate(&slip, &format!("{own} - {pull}"));
     for w in scene.frequencies() {
         d.start(&[m.size / (w * scene.size(v)), w, 0.1]);
     }
@@ -87,6 +94,14 @@ fn carried(scene: &Scene, m: &Motion) -> Option<Proposal> {
         "{} carries a second part through an elastic joint, which swings at {{1}}",
         scene.words(v)
     ))
+}
+
+/// Frequency and damping ratio of a resonance.
+fn swing(d: &mut Draft, scene: &Scene) -> Option<(String, String)> {
+    let turn = Unit::parse("rad/s").ok()?;
+    let fastest = std::f64::consts::PI / scene.step;
+    let w = d.parameter("Wr", &turn, (1.0 / scene.length(), fastest), "angular frequency of the resonance");
+    Some((w, d.parameter("zr", &Unit::one(), (1e-4, 3.0), "damping ratio of the resonance")))
 }
 
 fn after(scene: &Scene, m: &Motion) -> Option<Proposal> {

@@ -8,7 +8,7 @@
 //!
 //! # Equation
 //! ```text
-//!     u -> u + a u^2    or    u -> u |u|/u_ref
+//!     u -> u + a u^2    or    u -> u |u|/u_ref    or    u -> u + a u^3
 //! ```
 //!
 //! # What else looks like this
@@ -34,15 +34,17 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());
-    inputs.flat_map(|u| [part(scene, u), whole(scene, u)]).flatten().collect()
+    inputs.flat_map(|u| [part(scene, u, 2), whole(scene, u), part(scene, u, 3)]).flatten().collect()
 }
 
-fn part(scene: &Scene, u: &Signal) -> Option<Proposal> {
+fn part(scene: &Scene, u: &Signal, power: i32) -> Option<Proposal> {
     let mut d = Draft::new(scene, "input-square", SiteKind::Input, &u.name);
-    let a = d.amplitude("a", &Unit::one().over(&u.unit), ANY, "share of the square");
-    d.replace(&u.name, &format!("({} + {a}*{}^2)", u.name, u.name), |_| true);
-    d.start(&[1.0 / u.size()]);
-    d.done(&format!("the effect of {} has a part with its square, {{0}}", scene.words(&u.name)))
+    let unit = Unit::one().over(&u.unit.power(f64::from(power - 1)));
+    let a = d.amplitude("a", &unit, ANY, "size of the part that is not straight");
+    d.replace(&u.name, &format!("({} + {a}*{}^{power})", u.name, u.name), |_| true);
+    d.start(&[1.0 / u.size().powi(power - 1)]);
+    let how = if power == 2 { "square" } else { "third power" };
+    d.done(&format!("the effect of {} has a part with its {how}, {{0}}", scene.words(&u.name)))
 }
 
 fn whole(scene: &Scene, u: &Signal) -> Option<Proposal> {
