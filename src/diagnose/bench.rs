@@ -259,7 +259,7 @@ impl Bench {
 
     /// How many proposals are worth a fit in one round: fewer where one simulation is long.
     pub fn patience(&self, model: &Model) -> usize {
-        if self.is_long(model) { 20 } else { 24 }
+        if self.is_long(model) { 22 } else { 28 }
     }
 
     /// Steps of a fit from a near start: fewer where one simulation is long.
