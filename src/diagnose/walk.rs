@@ -11,7 +11,7 @@
 //!
 //! Of two effects the one may hide the other from the likelihood: what the second leaves has a colour that would
 //! follow the first as well. So where something is missing for sure, nothing stands by itself, and one extension takes
-//! most of the error of blocks left out, it is added on trial. If a second then stands beside it, and both together
+//! most of the error of blocks left out and is no less likely, it is added on trial. If a second then stands beside it, and both together
 //! against the model without either, both are taken; else it is as if there had been no trial.
 //!
 //! # References
@@ -166,10 +166,12 @@ impl Walk<'_> {
         if !is_sure || self.bench.is_trials() || self.taken.len() + 1 >= MOST || is_over(self.bench) {
             return None;
         }
-        let (i, best) = round.fitted.iter().enumerate().find(|(_, r)| !r.is_pressed() && !r.is_cut)?;
-        let view =
-            (gain(now, &best.measure) > TRIAL).then(|| ahead(self.bench, self.separate, &best.fit))??;
-        Some((i, view))
+        let is_hopeful = |r: &Refitted| {
+            let as_likely = r.measure.likelihood > now.likelihood - choose::TIE;
+            gain(now, &r.measure) > TRIAL && as_likely && !r.is_pressed() && !r.is_cut
+        };
+        let i = round.fitted.iter().position(is_hopeful)?;
+        Some((i, ahead(self.bench, self.separate, &round.fitted[i].fit)?))
     }
 
     fn tries(&mut self, round: Round, i: usize, next: View, now: Measure) {
