@@ -5,6 +5,7 @@ use gyrospec::diagnose::answer::{Finding, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};
 use gyrospec::units::Unit;
+use std::f64::consts::TAU;
 
 const DRIVE: &str = r#"
 name = "drive"
@@ -34,7 +35,7 @@ const NOISE: f64 = 0.02;
 
 fn torque(t: f64) -> f64 {
     let lines = [(0.31, 0.2), (0.83, 1.7), (1.37, 4.0), (2.21, 0.9), (3.13, 2.8), (3.77, 5.1)];
-    lines.iter().map(|(f, p)| 0.7 * (6.283 * f * t + p).sin()).sum()
+    lines.iter().map(|(f, p)| 0.7 * (TAU * f * t + p).sin()).sum()
 }
 
 /// The drive with a torque of twist and slip between motor and load, by the rule of Runge and Kutta with twenty steps a

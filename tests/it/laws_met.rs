@@ -6,6 +6,7 @@ use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};
 use gyrospec::units::Unit;
+use std::f64::consts::TAU;
 
 const STEP: f64 = 0.02;
 const COUNT: usize = 3000;
@@ -14,7 +15,7 @@ const FINE: usize = 10;
 
 fn input(t: f64) -> f64 {
     let lines = [(0.05, 0.3), (0.13, 0.2), (0.33, 1.7), (0.71, 4.0), (1.21, 0.9), (2.3, 2.8)];
-    lines.iter().map(|(f, p)| (6.283 * f * t + p).sin()).sum()
+    lines.iter().map(|(f, p)| (TAU * f * t + p).sin()).sum()
 }
 
 /// Another input: the same 37.3 s later.

@@ -34,7 +34,7 @@ fn course() -> Vec<(f64, f64, f64)> {
     let (mut room, mut noise, mut on) = (8.0, 0.0, false);
     let mut rows = Vec::new();
     for row in 0..ROWS {
-        if row % 3 == 0 {
+        if row.is_multiple_of(3) {
             noise = 0.5 * noise + 0.05 * normal();
             on ^= row % 24 == 0 && normal() > 0.3;
         }
@@ -63,7 +63,7 @@ fn recorded(folder: &Path, own_table: bool, shown: impl Fn(usize) -> bool) -> Re
     let heating = "heating = { column = \"heating\", unit = \"W\", hold = \"previous\" }\n";
     let text = format!("name = \"room\"\n[[tables]]\nfile = \"common.csv\"\n{time}{heating}{apart}{room}");
     std::fs::write(folder.join("room.toml"), text).unwrap();
-    Recording::read(&folder.join("room.toml")).unwrap()
+    Recording::read(folder.join("room.toml")).unwrap()
 }
 
 fn told(recording: Recording) -> String {
@@ -73,7 +73,7 @@ fn told(recording: Recording) -> String {
 #[test]
 fn blanks_between_the_samples_of_a_slower_output_are_no_gap() {
     let folder = tempfile::tempdir().unwrap();
-    let third = |row: usize| row % 3 == 0;
+    let third = |row: usize| row.is_multiple_of(3);
     let common = recorded(folder.path(), false, third);
     let own = recorded(folder.path(), true, third);
     let (a, b) = (common.channel("room").unwrap(), own.channel("room").unwrap());
@@ -86,7 +86,7 @@ fn blanks_between_the_samples_of_a_slower_output_are_no_gap() {
 #[test]
 fn what_a_slower_output_lacks_beyond_its_pace_is_a_gap() {
     let folder = tempfile::tempdir().unwrap();
-    let lost = recorded(folder.path(), false, |row| row % 3 == 0 && !(900..1500).contains(&row));
+    let lost = recorded(folder.path(), false, |row| row.is_multiple_of(3) && !(900..1500).contains(&row));
     let faults = quality::faults(&lost);
     let gap = faults.iter().find(|f| f.kind.code() == "gap").expect("a gap");
     // row 897 is the last before, row 1500 the first after: 201 steps, 200 samples lost

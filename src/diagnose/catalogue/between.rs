@@ -2,7 +2,7 @@
 //! damper. A law of the difference acts on both, as the element does.
 
 use super::terms::{factors, has_factor, rewritten, with_factor, without_factor};
-use super::{Draft, Motion, Scene, draft::SiteKind, edit};
+use super::{Draft, Motion, Scene, Signal, draft::SiteKind, edit};
 use crate::expression::{BinaryOp, Expr};
 use crate::model::Model;
 use crate::units::Unit;
@@ -152,7 +152,7 @@ fn element(scene: &Scene, motions: &[Motion], term: &Expr) -> Option<Between> {
 
 /// The two signals of a difference, where both move.
 fn sides(scene: &Scene, difference: &Expr) -> Option<[String; 2]> {
-    let moves = |n: &String| scene.signal(n).is_some_and(|s| s.varies());
+    let moves = |n: &String| scene.signal(n).is_some_and(Signal::varies);
     names(scene.model, difference).filter(|sides| sides.iter().all(moves))
 }
 

@@ -10,7 +10,7 @@ const END: f64 = 14.0;
 
 /// A staircase; the limit of 1.7 V/s ends some of its stairs on the way.
 fn stairs(t: f64) -> f64 {
-    [0.0, 4.0, 4.0, -1.0, 2.5, 2.5, 3.0][((t + 1e-9) / 2.0) as usize % 7]
+    [0.0, 4.0, 4.0, -1.0, 2.5, 2.5, 3.0][(0.5 * (t + 1e-9)) as usize % 7]
 }
 
 fn held(u: impl Fn(f64) -> f64) -> Recording {
