@@ -157,7 +157,7 @@ impl Paragraph<'_> {
                     format!(" Nearest in shape: {} at {}.", s.proposal.code, s.proposal.site.name)
                 });
                 format!(
-                    "Something is missing, but nothing in the catalogue lowers the error by 2 %, too little for a name.{nearest}"
+                    "Something is missing, but nothing in the catalogue passed every test of a name.{nearest}"
                 )
             }
             ("", Some(law)) => {

@@ -60,6 +60,9 @@ pub(super) fn without_factor(term: &Expr, name: &str) -> Option<Expr> {
     match term {
         Expr::Neg(a) => Some(Expr::Neg(Box::new(without_factor(a, name)?))),
         Expr::Binary(BinaryOp::Mul, a, b) if is_it(a) => Some((**b).clone()),
+        Expr::Binary(BinaryOp::Mul, a, b) if matches!(&**a, Expr::Neg(x) if is_it(x)) => {
+            Some(Expr::Neg(b.clone()))
+        }
         Expr::Binary(BinaryOp::Mul, a, b) if is_it(b) => Some((**a).clone()),
         Expr::Binary(BinaryOp::Mul, a, b) => {
             let of = |a: Expr, b: Expr| Expr::Binary(BinaryOp::Mul, Box::new(a), Box::new(b));
