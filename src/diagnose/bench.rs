@@ -8,7 +8,7 @@ use crate::estimate::fit::setup;
 use crate::estimate::fit::{Effort, ascertain};
 use crate::estimate::noise::robust_deviation;
 use crate::estimate::{Fit, FitOptions, Stopping, fit};
-use crate::model::Model;
+use crate::model::{Initial, Model};
 use crate::record::{Channel, Kind, Recording, Span};
 use crate::simulate::{Budget, Planned};
 use crate::{Error, Result};
@@ -379,6 +379,10 @@ impl Bench {
             for o in &probes.outputs {
                 let zero = vec![0.0; times.len()];
                 wider.channels.push(Channel::new(o.name.clone(), o.unit.clone(), times.clone(), zero));
+            }
+            // what is watched measures nothing from which a state could start
+            for (s, start) in probes.states.iter_mut().zip(&stand.initials[k]) {
+                s.initial = if start.is_nan() { s.initial } else { Initial::Number(*start) };
             }
             let record = setup::record(&probes, &wider, k, &spans, &self.options(Effort::Near, 0))?;
             let run = record.run(&stand.parameters, &stand.initials[k], &[])?;

@@ -220,3 +220,32 @@ fn an_effect_that_hides_another_is_found_with_it() {
         assert!((f.parameters[0].value - wanted).abs() < 0.03, "{}", answer.says);
     }
 }
+
+#[test]
+fn a_model_that_divides_by_a_state_starts_where_that_is_measured() {
+    // water that flows through a vessel whose level is a state: V′ = 0.2 + 0.05 u − k V, V T′ = (0.2 + 0.05 u) (60 − T)
+    let model = r#"
+        name = "vessel"
+        [inputs]
+        flow = { unit = "l/s" }
+        [parameters]
+        k = { value = 0.08, unit = "1/s", fit = true, min = 0.01, max = 1 }
+        hot = { value = 50, unit = "degC", fit = true }
+        [states]
+        V = { rate = "flow - k*V", unit = "l", initial = "fit" }
+        T = { rate = "flow*(hot - T)/V", unit = "K", initial = "fit" }
+        [outputs]
+        volume = { equals = "V", unit = "l" }
+        temperature = { equals = "T", unit = "degC" }
+    "#;
+    let flow = |u: f64| 0.2 + 0.05 * u;
+    let states = run(|[v, t], u| [flow(u) - 0.1 * (2.0 + v), flow(u) * (60.0 - 20.0 - t) / (2.0 + v)]);
+    let columns = [
+        ("flow", "l/s", inputs().iter().map(|u| flow(*u)).collect(), 0.0),
+        ("volume", "l", states.iter().map(|x| 2.0 + x[0]).collect(), 0.002),
+        ("temperature", "degC", states.iter().map(|x| 20.0 + x[1]).collect(), 0.05),
+    ];
+    let answer = told(model, &columns);
+    assert_eq!(answer.verdict, Verdict::NothingMissing, "{}", answer.says);
+    assert!((answer.parameters[0].after - 0.1).abs() < 1e-3, "{}", answer.parameters[0].after);
+}

@@ -39,7 +39,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let timed = motions.iter().flat_map(|m| scene.peaks.iter().map(move |w| (m, *w)));
     let mut all: Vec<Proposal> = timed.filter_map(|(m, w)| with_time(scene, m, w)).collect();
     let seen = scene.model.outputs.iter().flat_map(|o| scene.peaks.iter().map(move |w| (o, *w)));
-    all.extend(seen.filter(|_| !scene.trials).filter_map(|(o, w)| on_output(scene, &o.name, w)));
+    // a model without motion follows its inputs at once, with every line that they have
+    let moves = !motions.is_empty();
+    all.extend(seen.filter(|_| moves).filter_map(|(o, w)| on_output(scene, &o.name, w)));
     for m in motions.iter().filter(|m| m.speed.is_some()) {
         all.extend(with_place(scene, m));
         let lines = scene.lines.get(&m.state).into_iter().flatten();
