@@ -18,7 +18,7 @@
 use super::answer::Evidence;
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::{CHANCE, FLOOR, MUCH, gain};
+use super::choose::{CHANCE, FLOOR, MUCH, gain, price};
 use super::inert::{self, Inert};
 use super::measure::{Measure, Scale};
 use super::prove::{Held, held_out, leaves_levels_out};
@@ -104,8 +104,7 @@ fn each(bench: &Bench, found: &Found) -> Vec<Option<Without>> {
 
 /// Log-likelihood that a finding adds, less the price of its parameters.
 fn worth(last: &Measure, without: &Without, taken: &Taken) -> f64 {
-    let price = 0.5 * taken.proposal.added.len() as f64 * last.samples.max(2.0).ln();
-    last.likelihood - without.1.likelihood - price
+    last.likelihood - without.1.likelihood - price(&taken.proposal, last.samples)
 }
 
 /// Whether a finding does not stand. Alone it stands by the choice that took it.

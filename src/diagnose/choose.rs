@@ -54,7 +54,12 @@ fn worth(r: &Refitted) -> f64 {
 
 /// Likelihood less the price of what a proposal adds.
 pub fn worth_of(p: &Proposal, measure: &Measure) -> f64 {
-    measure.likelihood - 0.5 * p.added.len() as f64 * measure.samples.max(2.0).ln()
+    measure.likelihood - price(p, measure.samples)
+}
+
+/// What the parameters of a proposal cost in log-likelihood, by Schwarz's criterion.
+pub fn price(p: &Proposal, samples: f64) -> f64 {
+    0.5 * p.added.len() as f64 * samples.max(2.0).ln()
 }
 
 /// Whether a mechanism is tied to moments of one recording, so that another cannot confirm it.

@@ -11,8 +11,8 @@
 //!
 //! Of two effects the one may hide the other from the likelihood: what the second leaves has a colour that would
 //! follow the first as well. So where something is missing for sure, nothing stands by itself, and one extension takes
-//! most of the error of blocks left out and is no less likely, it is added on trial. If a second then stands beside it, and both together
-//! against the model without either, both are taken; else it is as if there had been no trial.
+//! most of the error of blocks left out and is no less likely, it is added on trial. If a second then stands beside it,
+//! and both together against the model without either, both are taken; else it is as if there had been no trial.
 //!
 //! # References
 //! N. R. Kristensen, H. Madsen, S. B. Jorgensen, Computers & Chemical Engineering 28 (2004) 1431;

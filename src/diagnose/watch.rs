@@ -1,7 +1,6 @@
 //! The signals of a model while it runs: their sizes, spreads and paces.
 
-use super::catalogue::{Signal, SignalKind};
-use super::catalogue::{between, edit};
+use super::catalogue::{Signal, SignalKind, between, edit};
 use crate::expression::{Expr, Function};
 use crate::model::{Model, Output};
 use crate::record::{Kind, Recording};

@@ -1,6 +1,7 @@
 //! What stands between two bodies: a coupling with play, a damper with friction or harder one way, a spring that hardens.
 
 use crate::diagnose::{diagnosed, noise};
+use crate::laws_met::runge_kutta;
 use gyrospec::diagnose::answer::{Finding, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};
@@ -38,34 +39,20 @@ fn torque(t: f64) -> f64 {
     lines.iter().map(|(f, p)| 0.7 * (TAU * f * t + p).sin()).sum()
 }
 
-/// The drive with a torque of twist and slip between motor and load, by the rule of Runge and Kutta with twenty steps a
-/// sample; the torque of the motor is straight between its samples.
+/// The drive with a torque of twist and slip between motor and load.
 fn recorded(between: impl Fn(f64, f64) -> f64) -> Recording {
-    let rates = |x: [f64; 4], m: f64| {
+    let rates = |x: [f64; 4], [m]: [f64; 1]| {
         let through = between(x[0] - x[2], x[1] - x[3]);
         [x[1], (m - 0.13 * x[1] - through) / 0.02, x[3], through / 0.13]
     };
-    let ahead = |x: [f64; 4], k: [f64; 4], h: f64| std::array::from_fn(|i| x[i] + h * k[i]);
+    let states = runge_kutta((STEP, COUNT, 20), |t| [torque(t)], rates);
     let time: Vec<f64> = (0..COUNT).map(|i| STEP * i as f64).collect();
-    let m: Vec<f64> = time.iter().map(|t| torque(*t)).collect();
-    let (mut x, mut motor, mut load) = ([0.0; 4], Vec::new(), Vec::new());
-    let h = STEP / 20.0;
-    for i in 0..COUNT {
-        motor.push(x[1]);
-        load.push(x[3]);
-        for s in 0..20 {
-            let at = |share: f64| m[i] + (m[(i + 1).min(COUNT - 1)] - m[i]) * (f64::from(s) + share) / 20.0;
-            let k1 = rates(x, at(0.0));
-            let k2 = rates(ahead(x, k1, 0.5 * h), at(0.5));
-            let k3 = rates(ahead(x, k2, 0.5 * h), at(0.5));
-            let k4 = rates(ahead(x, k3, h), at(1.0));
-            x = std::array::from_fn(|j| x[j] + h / 6.0 * (k1[j] + 2.0 * k2[j] + 2.0 * k3[j] + k4[j]));
-        }
-    }
+    let of = |k: usize| states.iter().map(|x| x[k]).collect();
+    let (motor, load) = (of(1), of(3));
     let noisy = |v: Vec<f64>, seed| v.iter().zip(noise(COUNT, seed)).map(|(v, e)| v + NOISE * e).collect();
     let channel = |name, unit, v| Channel::new(name, Unit::parse(unit).unwrap(), time.clone(), v);
     let channels = vec![
-        channel("M", "N*m", m.clone()),
+        channel("M", "N*m", time.iter().map(|t| torque(*t)).collect()),
         channel("motor", "rad/s", noisy(motor, 5)),
         channel("load", "rad/s", noisy(load, 6)),
     ];

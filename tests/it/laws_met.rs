@@ -10,8 +10,6 @@ use std::f64::consts::TAU;
 
 const STEP: f64 = 0.02;
 const COUNT: usize = 3000;
-/// Steps of the rule of Runge and Kutta in a sample.
-const FINE: usize = 10;
 
 fn input(t: f64) -> f64 {
     let lines = [(0.05, 0.3), (0.13, 0.2), (0.33, 1.7), (0.71, 4.0), (1.21, 0.9), (2.3, 2.8)];
@@ -29,15 +27,26 @@ fn run<const N: usize>(rates: impl Fn([f64; N], f64) -> [f64; N]) -> Vec<[f64; N
 }
 
 fn run_with_two<const N: usize>(rates: impl Fn([f64; N], [f64; 2]) -> [f64; N]) -> Vec<[f64; N]> {
+    runge_kutta((STEP, COUNT, 10), |t| [input(t), second(t)], rates)
+}
+
+/// The states of a system from rest at so many samples a step apart, by the rule of Runge and Kutta with so many steps
+/// in each; inputs are straight between the samples.
+pub fn runge_kutta<const N: usize, const M: usize>(
+    (step, count, fine): (f64, usize, usize),
+    inputs: impl Fn(f64) -> [f64; M],
+    rates: impl Fn([f64; N], [f64; M]) -> [f64; N],
+) -> Vec<[f64; N]> {
     let ahead = |x: [f64; N], k: [f64; N], h: f64| std::array::from_fn(|i| x[i] + h * k[i]);
-    let h = STEP / FINE as f64;
+    let h = step / fine as f64;
     let (mut x, mut all) = ([0.0; N], Vec::new());
-    for i in 0..COUNT {
+    for i in 0..count {
         all.push(x);
-        let [from, to] = [i, i + 1].map(|i| [input(STEP * i as f64), second(STEP * i as f64)]);
-        for s in 0..FINE {
-            let u =
-                |share: f64| [0, 1].map(|k| from[k] + (to[k] - from[k]) * (s as f64 + share) / FINE as f64);
+        let [from, to] = [i, i + 1].map(|i| inputs(step * i as f64));
+        for s in 0..fine {
+            let u = |share: f64| -> [f64; M] {
+                std::array::from_fn(|k| from[k] + (to[k] - from[k]) * (s as f64 + share) / fine as f64)
+            };
             let k1 = rates(x, u(0.0));
             let k2 = rates(ahead(x, k1, 0.5 * h), u(0.5));
             let k3 = rates(ahead(x, k2, 0.5 * h), u(0.5));

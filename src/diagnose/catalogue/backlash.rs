@@ -40,9 +40,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     }
     let mut all: Vec<Proposal> =
         scene.motions().iter().flat_map(|m| [own(scene, m), used(scene, m)]).flatten().collect();
-    all.extend(
-        between::all(scene).iter().filter(|b| b.of == Of::Positions).filter_map(|b| coupled(scene, b)),
-    );
+    all.extend(between::all(scene, Of::Positions).iter().filter_map(|b| coupled(scene, b)));
     all.extend(scene.model.outputs.iter().filter_map(|o| seen(scene, &o.name)));
     all.extend(scene.moving(&[SignalKind::Input]).filter_map(|u| fed(scene, &u.name)));
     all

@@ -101,12 +101,12 @@ fn terms(model: &Model) -> Vec<Expr> {
     terms.into_inner()
 }
 
-/// The elements of a model, each once.
-pub fn all(scene: &Scene) -> Vec<Between> {
+/// The elements of a model that feel positions or speeds, each once.
+pub fn all(scene: &Scene, of: Of) -> Vec<Between> {
     let motions = scene.motions();
     let mut found: Vec<Between> = Vec::new();
     for term in terms(scene.model) {
-        let new = element(scene, &motions, &term);
+        let new = element(scene, &motions, &term).filter(|b| b.of == of);
         found.extend(
             new.filter(|n| found.iter().all(|b| b.parameter != n.parameter || b.stands_in(&term).is_none())),
         );

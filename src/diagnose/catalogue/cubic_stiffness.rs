@@ -34,9 +34,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
-    all.extend(
-        between::all(scene).iter().filter(|b| b.of == Of::Positions).filter_map(|b| stiffens(scene, b)),
-    );
+    all.extend(between::all(scene, Of::Positions).iter().filter_map(|b| stiffens(scene, b)));
     all.extend(scene.richer_lag("cubic-stiffness").and_then(|(mut d, lag)| {
         let (w, a) = (&lag.frequency, lag.amplitude.as_ref()?);
         let unit = Unit::one().over(&scene.unit(a).times(&scene.unit(w).power(2.0)).power(2.0));

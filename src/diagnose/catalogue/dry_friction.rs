@@ -38,7 +38,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
-    all.extend(between::all(scene).iter().filter(|b| b.of == Of::Speeds).filter_map(|b| rubs(scene, b)));
+    all.extend(between::all(scene, Of::Speeds).iter().filter_map(|b| rubs(scene, b)));
     all.extend(scene.richer_lag("dry-friction").and_then(|(mut d, lag)| {
         let f = d.amplitude("Fc_T", &lag.acceleration_unit(scene), POSITIVE, "dry friction over stiffness");
         let (w, a) = (&lag.frequency, lag.amplitude.as_ref()?);

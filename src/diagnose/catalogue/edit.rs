@@ -1,5 +1,6 @@
 //! Edits of a model: where forces enter, how a signal is replaced, which unit an expression has.
 
+use crate::estimate::Range;
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::model::{Definition, Model, Parameter};
 use crate::units::{Dimension, Unit};
@@ -167,9 +168,8 @@ fn coefficients<'m>(model: &'m Model, rate: &Expr, signal: &str) -> impl Iterato
 
 /// Whether a parameter lies at one of its bounds.
 fn is_pressed(p: &Parameter) -> bool {
-    let at =
-        |bound: Option<f64>| bound.is_some_and(|b| (p.value - b).abs() <= 1e-9 * p.value.abs().max(b.abs()));
-    at(p.min) || at(p.max)
+    let (min, max) = (p.min.unwrap_or(f64::NEG_INFINITY), p.max.unwrap_or(f64::INFINITY));
+    Range { min, max }.at_bound(p.value).is_some()
 }
 
 /// Whether an expression is a product or quotient with a name as one of its factors.

@@ -177,7 +177,7 @@ fn dampers(scene: &Scene) -> Vec<(String, Expr)> {
         let own = scene.acting_parameters().into_iter().filter(|p| stands_alone(scene, p, &v));
         own.map(|p| (p, Expr::name(&v))).collect::<Vec<_>>()
     });
-    let between = between::all(scene).into_iter().filter(|b| b.of == Of::Speeds);
+    let between = between::all(scene, Of::Speeds).into_iter();
     alone.chain(between.map(|b| (b.parameter, b.difference))).collect()
 }
 

@@ -36,7 +36,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
-    all.extend(between::all(scene).iter().filter(|b| b.of == Of::Speeds).filter_map(|b| damps(scene, b)));
+    all.extend(between::all(scene, Of::Speeds).iter().filter_map(|b| damps(scene, b)));
     all.extend(scene.richer_lag("quadratic-damping").and_then(|(mut d, lag)| {
         let (w, a) = (&lag.frequency, lag.amplitude.as_ref()?);
         let unit = Unit::one().over(&scene.unit(a).times(&scene.unit(w).power(3.0)));
