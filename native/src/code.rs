@@ -32,8 +32,14 @@ pub enum Action {
     Two(extern "C" fn(f64, f64) -> f64, extern "C" fn(f64, f64) -> f64, extern "C" fn(f64, f64) -> f64),
     /// A function f(a, n) of a whole number n = b as a signed number, and its slope by a.
     Whole(extern "C" fn(f64, i32) -> f64, extern "C" fn(f64, i32) -> f64),
-    /// A function of a without slope.
-    Flat(extern "C" fn(f64) -> f64),
+    /// 1 where a > 0, −1 where a < 0, else 0; without slope.
+    Sign,
+    /// 1 where a ≥ 0, −1 where a < 0, else 0; without slope.
+    SignOrOne,
+    /// 1 where a ≥ 0, else 0; without slope.
+    Step,
+    /// √a, with slope 0 where a is 0
+    Sqrt,
 }
 
 /// One instruction: `to` = action(a, b, c). Registers that an action does not use may be any number.
@@ -60,7 +66,10 @@ impl Op {
             | Action::Cube
             | Action::One(..)
             | Action::Whole(..)
-            | Action::Flat(_) => 1,
+            | Action::Sign
+            | Action::SignOrOne
+            | Action::Step
+            | Action::Sqrt => 1,
             Action::Add | Action::Sub | Action::Mul | Action::Div | Action::Two(..) => 2,
             Action::MulAdd | Action::MulSub | Action::Select => 3,
         };
@@ -116,7 +125,7 @@ pub fn spread(code: &[Op], active: &mut [bool]) {
     for op in code {
         let has = |r: Register| active.get(usize::from(r)).copied().unwrap_or(false);
         let result = match op.action {
-            Action::Flat(_) => false,
+            Action::Sign | Action::SignOrOne | Action::Step => false,
             Action::Select => has(op.b) || has(op.c),
             _ => op.operands().any(has),
         };

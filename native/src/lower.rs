@@ -196,6 +196,27 @@ impl Lowering<'_, '_> {
         Num { value, tangents: Some(chosen) }
     }
 
+    /// 1 where a stands so to 0, `below` where it is below, else 0.
+    fn side(&mut self, a: &Num, above: FloatCC, below: f64) -> Num {
+        let [zero, one, below] = [0.0, 1.0, below].map(|x| self.builder.ins().f64const(x));
+        let is_below = self.builder.ins().fcmp(FloatCC::LessThan, a.value, zero);
+        let is_above = self.builder.ins().fcmp(above, a.value, zero);
+        let rest = self.builder.ins().select(is_below, below, zero);
+        Num { value: self.builder.ins().select(is_above, one, rest), tangents: None }
+    }
+
+    /// √a, whose slope is 1/(2√a), 0 where that has no end.
+    fn root(&mut self, a: &Num) -> Num {
+        let value = self.builder.ins().sqrt(a.value);
+        let slope = a.tangents.is_some().then(|| {
+            let [zero, half] = [0.0, 0.5].map(|x| self.builder.ins().f64const(x));
+            let slope = self.builder.ins().fdiv(half, value);
+            let is_level = self.builder.ins().fcmp(FloatCC::Equal, value, zero);
+            self.builder.ins().select(is_level, zero, slope)
+        });
+        Num { value, tangents: slope.and_then(|s| self.scaled(a.tangents.as_ref(), s)) }
+    }
+
     fn call(&mut self, signature: SigRef, address: usize, x: &[Value]) -> Value {
         let address = self.builder.ins().iconst(self.pointer, address as i64);
         let call = self.builder.ins().call_indirect(signature, address, x);
@@ -268,7 +289,10 @@ impl Lowering<'_, '_> {
                 let slope = a.tangents.is_some().then(|| self.call(whole, slope as usize, &[a.value, n]));
                 Num { value, tangents: slope.and_then(|s| self.scaled(a.tangents.as_ref(), s)) }
             }
-            Action::Flat(f) => Num { value: self.call(one, f as usize, &[a.value]), tangents: None },
+            Action::Sign => self.side(&a, FloatCC::GreaterThan, -1.0),
+            Action::SignOrOne => self.side(&a, FloatCC::GreaterThanOrEqual, -1.0),
+            Action::Step => self.side(&a, FloatCC::GreaterThanOrEqual, 0.0),
+            Action::Sqrt => self.root(&a),
         };
         self.held[usize::from(op.to)] = Some(result);
     }

@@ -76,8 +76,10 @@ fn swung(bench: &Bench, input: &str, factor: f64) -> Bench {
 
 /// The output at which two models part most, with the root mean square of the difference.
 fn parted(bench: &Bench, first: &Fit, other: &Fit) -> Result<Option<(usize, f64)>> {
-    let run =
-        |f: &Fit| bench::run(&bench.ready(&f.model, bench.rough(first), Vec::new())?, &Stand::of(f), &[]);
+    let run = |f: &Fit| {
+        let records = bench.ready(&f.model, f.starts(), (bench.rough(first), Vec::new()))?;
+        bench::run(&records, &Stand::of(f), &[])
+    };
     let (a, b) = (run(first)?, run(other)?);
     let mut sums = vec![(0.0, 0_usize); first.model.outputs.len()];
     for (a, b) in a.iter().zip(&b) {

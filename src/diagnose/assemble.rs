@@ -22,7 +22,8 @@ use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
 use crate::simulate::Early;
-use std::cell::OnceCell;
+use rayon::prelude::*;
+use std::sync::OnceLock;
 
 /// Mechanisms whose smallest visible size is told.
 const VISIBLE: usize = 12;
@@ -56,7 +57,7 @@ pub struct Assembly<'a> {
     /// What ended the search before it was through.
     pub ended_early: Option<Early>,
     /// What is held out, once it is asked for, of the model as given fitted to all.
-    pub joint: OnceCell<Option<Vec<Held>>>,
+    pub joint: OnceLock<Option<Vec<Held>>>,
 }
 
 impl Assembly<'_> {
@@ -233,11 +234,12 @@ impl Assembly<'_> {
             rest.trace(when);
             Ok(rest)
         };
-        let first = look(&self.found.base, "before")?;
         if self.found.taken.is_empty() {
-            return Ok((None, first));
+            return Ok((None, look(&self.found.base, "before")?));
         }
-        Ok((Some(first), look(&self.found.last, "after")?))
+        let (first, last) =
+            rayon::join(|| look(&self.found.base, "before"), || look(&self.found.last, "after"));
+        Ok((Some(first?), last?))
     }
 
     /// The last model without each finding in turn, where there are several: refitted, or all as they stand where the
@@ -255,7 +257,8 @@ impl Assembly<'_> {
     }
 
     fn findings(&self, smaller: Vec<Option<Fit>>, before: &[Held], after: &[Held]) -> Vec<Finding> {
-        let gains: Vec<f64> = smaller.into_iter().map(|fit| self.loss_without(fit, before, after)).collect();
+        let loss = |fit: Option<Fit>| self.loss_without(fit, before, after);
+        let gains: Vec<f64> = smaller.into_par_iter().with_max_len(1).map(loss).collect();
         let total: f64 = gains.iter().sum();
         let even = 1.0 / gains.len().max(1) as f64;
         let share = |g: f64| if total > 0.0 { g / total } else { even };

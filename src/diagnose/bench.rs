@@ -280,9 +280,15 @@ impl Bench {
 
     /// A model ready to run over the parts that the screening uses, to a tolerance.
     ///
-    /// The simulator chooses its steps at the values that the model holds, where no plan for them is given.
-    pub fn ready(&self, model: &Model, tolerance: f64, planned: Vec<Option<Planned>>) -> Result<Vec<Record>> {
-        let options = FitOptions { tolerance, planned, ..self.options(Effort::Near, 0) };
+    /// The simulator chooses its steps at the values that the model holds, where no plan for them is given; states that
+    /// are fitted start at the initials given, else where they are guessed.
+    pub fn ready(
+        &self,
+        model: &Model,
+        initials: Vec<Vec<f64>>,
+        (tolerance, planned): (f64, Vec<Option<Planned>>),
+    ) -> Result<Vec<Record>> {
+        let options = FitOptions { tolerance, planned, initials, ..self.options(Effort::Near, 0) };
         let one = |k: usize| {
             let spans = self.screened_spans(model, k);
             let mut record = setup::record(model, &self.recordings[k], k, &spans, &options)?;

@@ -189,7 +189,7 @@ fn weighed(bench: &Bench, base: &Fit) -> Option<Vec<Weight>> {
     }
     let (stand, tolerance) = (Stand::of(base), bench.rough(base));
     let run = |bench: &Bench| {
-        let records = bench.ready(&base.model, tolerance, Vec::new()).ok()?;
+        let records = bench.ready(&base.model, base.starts(), (tolerance, Vec::new())).ok()?;
         bench::run(&records, &stand, &[]).ok()
     };
     let plain = run(bench)?;

@@ -225,7 +225,7 @@ impl Case<'_> {
                 is_open: open,
                 notes: self.notes.clone(),
                 ended_early: None,
-                joint: std::cell::OnceCell::new(),
+                joint: std::sync::OnceLock::new(),
             }
             .finish()
         };

@@ -81,8 +81,9 @@ impl Held {
 /// Runs the model as given and the last one over what was held out, each with no number where it cannot be.
 pub fn both(bench: &Bench, found: &Found, separate: &[Recording]) -> (Vec<Held>, Vec<Held>) {
     let of = |fit: &Fit| held_out(bench, fit, separate).ok();
-    let before = of(&found.base);
-    let after = if found.taken.is_empty() { before.clone() } else { of(&found.last) };
+    let last = || (!found.taken.is_empty()).then(|| of(&found.last));
+    let (before, after) = rayon::join(|| of(&found.base), last);
+    let after = after.unwrap_or_else(|| before.clone());
     let blown_up = |other: &[Held]| other.iter().map(Held::blown_up).collect();
     match (before, after) {
         (Some(before), Some(after)) => (before, after),
@@ -158,7 +159,7 @@ fn folds(model: &Model, recording: &Recording) -> Vec<Vec<bool>> {
 fn left_levels(bench: &Bench, fitted: &Fit) -> Result<Vec<Held>> {
     let model = &fitted.model;
     let mut all = vec![Held::default(); model.outputs.len()];
-    let whole = bench.ready(model, bench.tolerance, Vec::new())?;
+    let whole = bench.ready(model, fitted.starts(), (bench.tolerance, Vec::new()))?;
     for (k, recording) in bench.recordings.iter().enumerate() {
         for fold in folds(model, recording) {
             let mut rest = bench.recordings.clone();

@@ -42,7 +42,7 @@ impl View {
     pub fn of(bench: &Bench, fit: &Fit) -> Result<Self> {
         let stand = Stand::of(fit);
         let tolerance = bench.rough(fit);
-        let records = bench.ready(&fit.model, tolerance, Vec::new())?;
+        let records = bench.ready(&fit.model, fit.starts(), (tolerance, Vec::new()))?;
         let planned = records.iter().map(|r| r.harness.planned()).collect();
         let plain = bench::run(&records, &stand, &[])?;
         let mut noise = fit.noise.clone();
@@ -80,7 +80,7 @@ impl View {
 
     /// A model that extends it, ready to run over the screened parts.
     pub fn ready(&self, bench: &Bench, model: &Model) -> Result<Vec<Record>> {
-        bench.ready(model, self.tolerance, self.planned.clone())
+        bench.ready(model, self.stand.extended(model, &[]).initials, (self.tolerance, self.planned.clone()))
     }
 
     /// A proposal at rest, to be looked at from its starts.

@@ -155,6 +155,7 @@ impl Function {
     }
 
     /// The value of a function without memory; of one with memory the value when at rest.
+    #[inline(always)] // a known function then costs what it computes
     pub fn of(self, x: &[f64]) -> f64 {
         let a = x.first().copied().unwrap_or(f64::NAN);
         let b = x.get(1).copied().unwrap_or(f64::NAN);

@@ -136,19 +136,15 @@ fn native(op: &Op) -> Option<gyrospec_native::Op> {
         Action::Pow => Native::Two(power, power_by_base, power_by_exponent),
         Action::Atan2 => Native::Two(atan2, atan2_by_y, atan2_by_x),
         Action::Whole => Native::Whole(whole, whole_slope),
-        Action::SignNow => Native::Flat(if op.b == 0 { sign } else { sign_or_one }),
+        Action::SignNow if op.b == 0 => Native::Sign,
+        Action::SignNow => Native::SignOrOne,
+        Action::One(Function::Sign) => Native::Sign,
+        Action::One(Function::Step) => Native::Step,
+        Action::One(Function::Sqrt) => Native::Sqrt,
         Action::One(f) => one(f)?,
         Action::Sign | Action::Relay | Action::Foreign | Action::ForeignSlope => return None,
     };
     Some(gyrospec_native::Op { action, to: op.to, a: op.a, b: op.b, c: op.c })
-}
-
-extern "C" fn sign(x: f64) -> f64 {
-    Function::Sign.of(&[x])
-}
-
-extern "C" fn sign_or_one(x: f64) -> f64 {
-    if x == 0.0 { 1.0 } else { sign(x) }
 }
 
 extern "C" fn power(a: f64, b: f64) -> f64 {
@@ -205,7 +201,7 @@ macro_rules! functions {
     };
 }
 
-functions!(Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh, Exp, Ln, Sqrt, Abs, Sign, Step);
+functions!(Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh, Exp, Ln, Abs);
 
 #[cfg(test)]
 mod tests {

@@ -10,6 +10,7 @@ use crate::estimate::{Fit, fit};
 use crate::model::Model;
 use crate::record::Recording;
 use crate::units::Unit;
+use rayon::prelude::*;
 
 /// Share of an output's spread from which on a misfit is bad.
 const BADLY: f64 = 0.3;
@@ -115,20 +116,18 @@ fn mends<'m>(bench: &Bench, model: &'m Model) -> (Vec<Mend<'m>>, usize) {
     let ways = channels.filter(|c| bench.moves(c.0)).flat_map(|(channel, unit, kind)| {
         factors(unit).into_iter().map(move |(factor, words)| (channel, kind, factor, words))
     });
-    let mut tried = 0;
-    let mut all = Vec::new();
-    for (channel, kind, factor, words) in ways {
-        tried += 1;
+    let ways: Vec<(&'m String, &'static str, f64, &'static str)> = ways.collect();
+    let mend = |&(channel, kind, factor, words): &(&'m String, &'static str, f64, &'static str)| {
         let mut recordings = bench.recordings.clone();
         scale(&mut recordings, channel, factor);
-        let Ok(fit) = fit(model, &recordings, &bench.options(Effort::Near, 10)) else { continue };
+        let fit = fit(model, &recordings, &bench.options(Effort::Near, 10)).ok()?;
         let shares = relative(bench, &fit, channel, factor);
         let misfit = shares.iter().copied().fold(0.0, f64::max);
         let of = |(k, share): (usize, &f64)| -share.ln() * samples_of(&fit, k);
         let likelihood = shares.iter().enumerate().map(of).sum();
-        all.push(Mend { channel, kind, factor, words, fit, misfit, likelihood });
-    }
-    (all, tried)
+        Some(Mend { channel: channel.as_str(), kind, factor, words, fit, misfit, likelihood })
+    };
+    (ways.par_iter().with_max_len(1).filter_map(mend).collect(), ways.len())
 }
 
 /// The misfit of each output as a share of its own size, one channel scaled.

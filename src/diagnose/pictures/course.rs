@@ -50,8 +50,8 @@ fn fitted(assembly: &Assembly<'_>, number: usize) -> Result<Vec<Course>> {
         Ok(series.collect())
     };
     let held: Vec<Stretch> = follows().map(|s| Stretch { from: s.from, to: s.to }).collect();
-    let (before, after) = (run(&found.base)?, run(&found.last)?);
-    Ok(pair(assembly, recording, &held, (&before, &after)))
+    let (before, after) = rayon::join(|| run(&found.base), || run(&found.last));
+    Ok(pair(assembly, recording, &held, (&before?, &after?)))
 }
 
 /// A record that is held out whole.
@@ -61,7 +61,8 @@ fn separate(assembly: &Assembly<'_>, recording: &Recording) -> Result<Vec<Course
         let held = holdout(fit, &[], std::slice::from_ref(recording), &options)?;
         Ok(held.into_iter().flat_map(|h| h.series).collect())
     };
-    let (before, after) = (run(&assembly.found.base)?, run(&assembly.found.last)?);
+    let (before, after) = rayon::join(|| run(&assembly.found.base), || run(&assembly.found.last));
+    let (before, after) = (before?, after?);
     let range = recording.range().map(|s| Stretch { from: s.from, to: s.to });
     Ok(pair(assembly, recording, &range.into_iter().collect::<Vec<_>>(), (&before, &after)))
 }

@@ -108,7 +108,8 @@ impl Response {
 
     /// The same response on all samples and at the places that the run's tracks measured.
     pub fn measured(&self, bench: &Bench, tracks: &[Track]) -> Option<Self> {
-        let records = bench.ready(&self.model, self.tolerance, Vec::new()).ok()?;
+        let records =
+            bench.ready(&self.model, self.stand.initials.clone(), (self.tolerance, Vec::new())).ok()?;
         Self::of(bench, &self.model, &self.stand, self.tolerance, &records, Places::Measured(tracks))
     }
 
@@ -303,7 +304,7 @@ mod tests {
 
     fn at_given(model: &Model) -> (Bench, Stand, Response) {
         let bench = Bench::new(model, vec![recording()], false, 1);
-        let records = bench.ready(model, 1e-5, Vec::new()).unwrap();
+        let records = bench.ready(model, Vec::new(), (1e-5, Vec::new())).unwrap();
         let stand = Stand {
             parameters: model.parameters.iter().map(|p| p.value).collect(),
             initials: vec![records[0].initials.clone()],
@@ -342,7 +343,7 @@ mod tests {
     #[test]
     fn takes_the_measured_places() {
         let (bench, stand, simulated) = at_given(&Model::parse(MODEL).unwrap());
-        let records = bench.ready(&simulated.model, 1e-5, Vec::new()).unwrap();
+        let records = bench.ready(&simulated.model, Vec::new(), (1e-5, Vec::new())).unwrap();
         let tracks = bench::run(&records, &stand, &[]).unwrap();
         let response = simulated.measured(&bench, &tracks).unwrap();
         let places = response.course("q").unwrap();
@@ -364,7 +365,7 @@ mod tests {
             let Some(swift) = response.terms(&bench, &p).and_then(|t| response.tracks(&t, start)) else {
                 continue;
             };
-            let records = bench.ready(&p.at_rest(), 1e-5, Vec::new()).unwrap();
+            let records = bench.ready(&p.at_rest(), Vec::new(), (1e-5, Vec::new())).unwrap();
             let quiet = stand.extended(&p.model, &p.quiet(start));
             let slow = bench::run(&records, &quiet, &p.amplitude_numbers()).unwrap();
             for (a, b) in swift.iter().zip(&slow) {

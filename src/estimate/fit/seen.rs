@@ -144,19 +144,25 @@ fn signals(model: &Model, recording: &Recording, unit: &Unit) -> Option<(f64, f6
     values.map(|v| (v, v)).reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
-/// The initial states that a record starts from, and which of them are free.
-pub fn initials(model: &Model, tracks: &[Track], start: f64) -> (Vec<f64>, Vec<usize>) {
-    let guessed = guess(model, tracks, start);
-    let values = model
-        .states
-        .iter()
-        .zip(guessed)
-        .map(|(s, guess)| match s.initial {
-            Initial::Number(x) => x,
-            Initial::Fit => guess,
-            Initial::Steady => f64::NAN,
-        })
-        .collect();
-    let free = (0..model.states.len()).filter(|k| model.states[*k].initial == Initial::Fit).collect();
-    (values, free)
+/// The initial states that a record starts from, and which of them are free: these where given, else where guessed.
+pub fn initials(
+    model: &Model,
+    tracks: &[Track],
+    start: f64,
+    given: Option<&Vec<f64>>,
+) -> (Vec<f64>, Vec<usize>) {
+    let free: Vec<usize> =
+        (0..model.states.len()).filter(|k| model.states[*k].initial == Initial::Fit).collect();
+    let given = given.filter(|g| g.len() == model.states.len()).cloned();
+    let starts = match given {
+        Some(given) => given,
+        None if free.is_empty() => vec![f64::NAN; model.states.len()],
+        None => guess(model, tracks, start),
+    };
+    let value = |(s, start): (&crate::model::State, f64)| match s.initial {
+        Initial::Number(x) => x,
+        Initial::Fit => start,
+        Initial::Steady => f64::NAN,
+    };
+    (model.states.iter().zip(starts).map(value).collect(), free)
 }

@@ -70,12 +70,7 @@ pub fn record_if_any(
     if tracks.iter().all(|t| t.time.is_empty()) {
         return Ok(None);
     }
-    let (mut values, free) = initials(model, &tracks, start);
-    if let Some(given) = options.initials.get(number).filter(|g| g.len() == values.len()) {
-        for k in &free {
-            values[*k] = given[*k];
-        }
-    }
+    let (mut values, free) = initials(model, &tracks, start, options.initials.get(number));
     let reach = reach(model, recording, harness.as_ref(), (&values, &free));
     for (k, range) in free.iter().zip(&reach) {
         values[*k] = range.clamp(values[*k]);
