@@ -315,7 +315,7 @@ impl Bench {
             companions: super::company::pairs(&self.recordings[0], &looks.signals),
             signals: looks.signals,
             sizes: looks.sizes,
-            differences: looks.differences,
+            arguments: looks.arguments,
             step: if step.is_finite() { step } else { 1.0 },
             from,
             to,

@@ -1,6 +1,6 @@
 //! The signals of a model while it runs: their sizes, spreads and paces.
 
-use super::catalogue::{Signal, SignalKind, between, edit};
+use super::catalogue::{Signal, SignalKind, arguments, edit};
 use crate::expression::{Expr, Function};
 use crate::model::{Model, Output};
 use crate::record::{Kind, Recording};
@@ -14,15 +14,15 @@ pub struct Looks {
     pub signals: Vec<Signal>,
     /// The sizes, by state.
     pub sizes: Vec<f64>,
-    /// Differences that are factors in the model, and their root mean square.
-    pub differences: Vec<(Expr, f64)>,
+    /// What parameters multiply, and its root mean square.
+    pub arguments: Vec<(Expr, f64)>,
 }
 
 /// What the probing run watches.
 pub struct Watched {
     names: Vec<(String, SignalKind)>,
     terms: Vec<(usize, Expr)>,
-    differences: Vec<Expr>,
+    arguments: Vec<Expr>,
 }
 
 impl Watched {
@@ -44,7 +44,7 @@ impl Watched {
         Self {
             names: states.chain(definitions).chain(outputs).chain(inputs).collect(),
             terms: terms.collect(),
-            differences: between::differences(model),
+            arguments: arguments::arguments(model),
         }
     }
 
@@ -62,7 +62,7 @@ impl Watched {
             meaning: None,
         };
         let named = self.names.iter().map(|(n, kind)| Self::expression(model, n, *kind));
-        let all = named.chain(self.terms.iter().map(|t| t.1.clone())).chain(self.differences.iter().cloned());
+        let all = named.chain(self.terms.iter().map(|t| t.1.clone())).chain(self.arguments.iter().cloned());
         all.enumerate().map(|(i, e)| of(e, i)).collect()
     }
 
@@ -101,9 +101,9 @@ impl Watched {
             s.is_turned = takes_sine(model, &s.name);
         }
         let sizes = (0..model.states.len()).map(|i| Some(size_of(i)).filter(|s| *s > 0.0).unwrap_or(1.0));
-        let between = self.differences.iter().zip(&values[self.names.len() + self.terms.len()..]);
-        let differences = between.map(|(e, v)| (e.clone(), rms(v))).collect();
-        Looks { signals, sizes: sizes.collect(), differences }
+        let arguments = self.arguments.iter().zip(&values[self.names.len() + self.terms.len()..]);
+        let arguments = arguments.map(|(e, v)| (e.clone(), rms(v))).collect();
+        Looks { signals, sizes: sizes.collect(), arguments }
     }
 }
 

@@ -22,11 +22,11 @@ fn second(t: f64) -> f64 {
 }
 
 /// The states of a system at every sample, from rest; its input is straight between the samples.
-fn run<const N: usize>(rates: impl Fn([f64; N], f64) -> [f64; N]) -> Vec<[f64; N]> {
+pub fn run<const N: usize>(rates: impl Fn([f64; N], f64) -> [f64; N]) -> Vec<[f64; N]> {
     run_with_two(|x, [u, _]| rates(x, u))
 }
 
-fn run_with_two<const N: usize>(rates: impl Fn([f64; N], [f64; 2]) -> [f64; N]) -> Vec<[f64; N]> {
+pub fn run_with_two<const N: usize>(rates: impl Fn([f64; N], [f64; 2]) -> [f64; N]) -> Vec<[f64; N]> {
     runge_kutta((STEP, COUNT, 10), |t| [input(t), second(t)], rates)
 }
 
@@ -58,7 +58,7 @@ pub fn runge_kutta<const N: usize, const M: usize>(
 }
 
 /// Channels with noise of a size, the first of them the input without any.
-fn told(model: &str, columns: &[(&str, &str, Vec<f64>, f64)]) -> Answer {
+pub fn told(model: &str, columns: &[(&str, &str, Vec<f64>, f64)]) -> Answer {
     let time: Vec<f64> = (0..COUNT).map(|i| STEP * i as f64).collect();
     let channel = |(k, (name, unit, values, size)): (usize, &(&str, &str, Vec<f64>, f64))| {
         let unit = Unit::parse(unit).unwrap();
@@ -71,12 +71,17 @@ fn told(model: &str, columns: &[(&str, &str, Vec<f64>, f64)]) -> Answer {
     diagnosed(&Model::parse(model).unwrap(), recording).answer
 }
 
-fn inputs() -> Vec<f64> {
+pub fn inputs() -> Vec<f64> {
     (0..COUNT).map(|i| input(STEP * i as f64)).collect()
 }
 
+/// The same 37.3 s later.
+pub fn second_inputs() -> Vec<f64> {
+    (0..COUNT).map(|i| second(STEP * i as f64)).collect()
+}
+
 /// The codes and places that are named, with the first value of each.
-fn named(answer: &Answer) -> Vec<(&str, &str, f64)> {
+pub fn named(answer: &Answer) -> Vec<(&str, &str, f64)> {
     assert_eq!(answer.verdict, Verdict::Named, "{}", answer.says);
     answer.findings.iter().map(|f| (f.code.as_str(), f.site.name.as_str(), f.parameters[0].value)).collect()
 }

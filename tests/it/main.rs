@@ -43,6 +43,7 @@ mod identify_command;
 mod input_gaps;
 mod integral;
 mod integral_command;
+mod laws_inside;
 mod laws_met;
 mod limits;
 mod lines;

@@ -1,12 +1,12 @@
 //! What stands between two bodies: a parameter times the difference of their positions or speeds, such as a spring or a
 //! damper. A law of the difference acts on both, as the element does.
 
+use super::arguments::terms;
 use super::terms::{factors, has_factor, rewritten, with_factor, without_factor};
 use super::{Draft, Motion, Scene, Signal, draft::SiteKind, edit};
 use crate::expression::{BinaryOp, Expr};
 use crate::model::Model;
 use crate::units::Unit;
-use std::cell::RefCell;
 
 /// What the difference is one of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,33 +74,6 @@ fn turned(e: &Expr) -> Option<Expr> {
     Some(Expr::Binary(BinaryOp::Sub, b.clone(), a.clone()))
 }
 
-/// The differences of two names that are factors in a model, and the definitions that are one.
-pub fn differences(model: &Model) -> Vec<Expr> {
-    let mut found: Vec<Expr> = Vec::new();
-    for term in terms(model) {
-        for f in factors(&term).into_iter().filter(|f| names(model, f).is_some()) {
-            if !found.contains(f) {
-                found.push(f.clone());
-            }
-        }
-    }
-    found
-}
-
-/// The products in all rates and definitions, and what they are made of.
-fn terms(model: &Model) -> Vec<Expr> {
-    let terms = RefCell::new(Vec::new());
-    edit::for_each(&mut model.clone(), |place, e| {
-        if !matches!(place, edit::Place::Output(_)) {
-            rewritten(e, &|term| {
-                terms.borrow_mut().push(term.clone());
-                None
-            });
-        }
-    });
-    terms.into_inner()
-}
-
 /// The elements of a model that feel positions or speeds, each once.
 pub fn all(scene: &Scene, of: Of) -> Vec<Between> {
     let motions = scene.motions();
@@ -142,7 +115,7 @@ fn element(scene: &Scene, motions: &[Motion], term: &Expr) -> Option<Between> {
         force: scene
             .unit_of(&Expr::Binary(BinaryOp::Mul, Box::new(parameter), Box::new(difference.clone())))
             .usual(),
-        size: scene.differences.iter().find(|(e, _)| e == difference)?.1,
+        size: scene.arguments.iter().find(|(e, _)| e == difference)?.1,
         parameter: name,
         difference: difference.clone(),
         of,

@@ -278,6 +278,11 @@ impl<'a> Draft<'a> {
         if signal.mean.abs() < 2.0 * signal.spread {
             return signal.name.clone();
         }
+        self.about_mean(signal)
+    }
+
+    /// A signal about its mean.
+    pub fn about_mean(&mut self, signal: &Signal) -> String {
         let name = format!("{}_mean", signal.name);
         let mean = self.constant(&name, &signal.unit, signal.mean, "mean of the recording");
         format!("({} - {mean})", signal.name)
@@ -450,7 +455,7 @@ impl<'a> Draft<'a> {
     }
 }
 
-/// Amplitudes at zero; else times and widths at zero, levels at their upper limit. A lag divides by its time, which
+/// Amplitudes at zero; else times and widths at zero, levels at the limit at which nothing is cut off. A lag divides by its time, which
 /// has no rest.
 fn neutral(p: &Proposal) -> Option<Vec<f64>> {
     let start = p.starts.first()?;
@@ -461,7 +466,9 @@ fn neutral(p: &Proposal) -> Option<Vec<f64>> {
     if p.replaced.iter().any(lags) {
         return None;
     }
+    let is_floor = p.replaced.iter().any(|(new, _)| matches!(new, Expr::Call(Function::Max, _)));
     let at_rest = |l: &Limits| match *l {
+        (low, high) if is_floor && low < high => Some(low),
         (0.0, _) => Some(0.0),
         (low, high) if p.code.contains("saturation") && low < high => Some(high),
         _ => None,

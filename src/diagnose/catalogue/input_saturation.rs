@@ -1,12 +1,13 @@
 //! # What it is
-//! Beyond a level no more of what is recorded acts on the system: a full-open valve, a current limit.
+//! Beyond a level no more of what is recorded, or of what the model makes of it, acts on the system: a full-open valve, a
+//! current limit, a controller that can heat and cannot cool.
 //!
 //! # Signature in a recording
 //! The residual appears at large inputs alone, and follows their tops.
 //!
 //! # Equation
 //! ```text
-//!     u -> clamp(u, -L, L)    or    min(u, L)    or    max(u, L)
+//!     u -> clamp(u, -L, L)    or    min(u, L)    or    max(u, L)      u an input or a definition
 //! ```
 //!
 //! # What else looks like this
@@ -18,7 +19,8 @@
 //! # Example
 //! A rudder machine commanded to forty degrees that stops at thirty-five.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, edit};
+use crate::model::State;
 
 /// An input that saturates.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -34,11 +36,18 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         return Vec::new();
     }
     let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading() && u.levels > 2);
-    inputs.flat_map(|u| [at(scene, u, 0), at(scene, u, 1), at(scene, u, -1)]).flatten().collect()
+    let acts = |s: &&Signal| {
+        let moves = |x: &State| edit::reaches(scene.model, &x.rate, &s.name);
+        !s.is_heading() && s.levels > 2 && scene.model.states.iter().any(moves)
+    };
+    let defined = scene.moving(&[SignalKind::Definition]).filter(acts);
+    let sides = |u| [0, 1, -1].into_iter().filter_map(move |side| at(scene, u, side));
+    inputs.chain(defined).flat_map(sides).collect()
 }
 
 fn at(scene: &Scene, u: &Signal, side: i8) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "input-saturation", SiteKind::Input, &u.name);
+    let kind = if u.kind == SignalKind::Definition { SiteKind::Definition } else { SiteKind::Input };
+    let mut d = Draft::new(scene, "input-saturation", kind, &u.name);
     let (top, name) = (u.max.abs().max(u.min.abs()), &u.name);
     let limits = if side == 0 { (0.02 * top, top) } else { (u.min, u.max) };
     let level = d.parameter("L", &u.unit, limits, "level beyond which nothing more acts");

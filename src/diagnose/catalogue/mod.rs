@@ -4,6 +4,7 @@
 //! doc comment of fixed sections, which `gyrospec explain CODE` prints as it stands, and gives a
 //! function that proposes extended models: the mechanism placed at each site that admits it.
 
+pub(crate) mod arguments;
 pub(crate) mod between;
 mod draft;
 pub(crate) mod edit;

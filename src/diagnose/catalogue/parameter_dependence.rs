@@ -12,6 +12,7 @@
 //!     p -> p exp(a (u - mean u))
 //!     and the same with an output that is no state, as its expression stands
 //!     c -> c (1 + a sign(v))             with the speed, or the difference of two, that a damper c multiplies
+//!     p x -> p x (1 + a x^2), p x/(1 + a |x|), p x/(1 + a x^2)    with what p multiplies, as a tyre with its slip
 //! ```
 //!
 //! # What else looks like this
@@ -23,11 +24,12 @@
 //! dependent parameter estimation, Int. J. Control 74 (2001) 1837.
 //!
 //! # Example
-//! The lag of a gyrosphere's liquid that grows as it cools; the force factor of a loudspeaker, which falls as its coil
+//! The lag of a gyrosphere's liquid that grows as it cools; a tyre whose side force saturates with its slip angle; the force factor of a loudspeaker, which falls as its coil
 //! leaves the gap; an inductance whose iron saturates with the current.
 
+use super::arguments;
 use super::between::{self, Of};
-use super::terms::has_factor;
+use super::terms::{has_factor, rewritten, with_factor};
 use super::{
     Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, draft::POSITIVE, edit,
 };
@@ -61,6 +63,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             }
             all.extend(scene.model.outputs.iter().filter_map(|o| on_output(scene, p, o)));
         }
+        all.extend(names.iter().flat_map(|p| on_arguments(scene, p)));
         all.extend(dampers(scene).iter().filter_map(|(p, speed)| each_way(scene, p, speed)));
     }
     all
@@ -155,6 +158,51 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
     d.done(&format!("{} {how} {}, relatively by {{0}}", scene.words(p), scene.words(s)))
 }
 
+/// A parameter that varies with what it multiplies in a term: a sum, a quotient or a definition, of which a spring or a
+/// damper between two bodies has names of its own where it grows.
+fn on_arguments(scene: &Scene, p: &str) -> Vec<Proposal> {
+    let own = |t: &&Expr| has_factor(t, p);
+    let terms = arguments::terms(scene.model);
+    let mut found: Vec<Expr> = Vec::new();
+    for argument in terms.iter().filter(own).filter_map(|t| arguments::of(scene.model, t)) {
+        if !found.contains(&argument) {
+            found.push(argument);
+        }
+    }
+    let elements: Vec<between::Between> =
+        [Of::Positions, Of::Speeds].into_iter().flat_map(|of| between::all(scene, of)).collect();
+    let is_element = |x: &Expr| elements.iter().any(|b| b.parameter == p && b.difference == *x);
+    let forms = [Form::Quadratic, Form::Saturating, Form::SaturatingSquare];
+    let of = |x: &Expr| {
+        let forms = forms.into_iter().filter(|f| f.saturates() || !is_element(x));
+        forms.filter_map(|f| on_argument(scene, p, x, f)).collect::<Vec<_>>()
+    };
+    found.iter().flat_map(of).collect()
+}
+
+fn on_argument(scene: &Scene, p: &str, x: &Expr, form: Form) -> Option<Proposal> {
+    let size = scene.arguments.iter().find(|(e, s)| e == x && *s > 0.0)?.1;
+    let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
+    let power = if form == Form::Saturating { 1.0 } else { 2.0 };
+    let limits = if form.saturates() { POSITIVE } else { ANY };
+    let unit = Unit::one().over(&scene.unit_of(x).usual().power(power));
+    let a = d.amplitude("a", &unit, limits, "relative change of the parameter");
+    let law = match form {
+        Form::Saturating => format!("({p}/(1 + {a}*abs({x})))"),
+        Form::SaturatingSquare => format!("({p}/(1 + {a}*({x})^2))"),
+        _ => format!("({p}*(1 + {a}*({x})^2))"),
+    };
+    let (own, new) = (Expr::name(p), Expr::parse(&law).ok()?);
+    let is_own = |t: &Expr| has_factor(t, p) && arguments::of(scene.model, t).as_ref() == Some(x);
+    d.each_rate(&|e| rewritten(e, &|t| is_own(t).then(|| with_factor(t, &own, &new))));
+    x.names().iter().filter(|n| scene.signal(n).is_some()).for_each(|n| d.uses(n));
+    d.term(&law);
+    d.start(&[0.3 / size.powf(power)]);
+    let how = if form.saturates() { "saturates with" } else { "varies with the square of" };
+    let words = if let Expr::Name(n) = x { scene.words(n) } else { x.to_string() };
+    d.done(&format!("{} {how} {words}, relatively by {{0}}", scene.words(p)))
+}
+
 fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
     let a = d.amplitude(
@@ -163,10 +211,11 @@ fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
         ANY,
         "relative change of the parameter for a unit of the signal",
     );
-    let mean =
-        d.constant(&format!("{}_mean", signal.name), &signal.unit, signal.mean, "mean of the recording");
+    // a value that is known holds where nothing acts, one that is fitted at the mean
+    let is_known = scene.model.parameters.iter().any(|own| own.name == p && !own.fit);
+    let part = if is_known { d.centred(signal) } else { d.about_mean(signal) };
     d.uses(&signal.name);
-    d.replace(p, &format!("({p}*(1 + {a}*({} - {mean})))", signal.name), |_| true);
+    d.replace(p, &format!("({p}*(1 + {a}*{part}))"), |_| true);
     d.start(&[0.3 / signal.spread]);
     d.done(&format!("{} varies with {}, relatively by {{0}}", scene.words(p), scene.words(&signal.name)))
 }

@@ -9,6 +9,7 @@
 //! ```text
 //!     M v' = … + A sin(w t) + B cos(w t)    or    + A sin(n q) + B cos(n q)
 //!     y -> y + A sin(w t) + B cos(w t)      hum of a sensor
+//!     y -> y + A sin(n y) + B cos(n y)      a disc that sits off its centre, n = 1 … 4
 //! ```
 //!
 //! # What else looks like this
@@ -19,7 +20,7 @@
 //! S. Kay, Fundamentals of Statistical Signal Processing I (1993), example 4.2.
 //!
 //! # Example
-//! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame.
+//! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame; an encoder whose disc is eccentric.
 
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, SiteKind, draft::ANY, field};
 use crate::units::Unit;
@@ -42,6 +43,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     // a model without motion follows its inputs at once, with every line that they have
     let moves = !motions.is_empty();
     all.extend(seen.filter(|_| moves).filter_map(|(o, w)| on_output(scene, &o.name, w)));
+    let turns = scene.model.outputs.iter().flat_map(|o| (1..=4).map(move |n| (o, n)));
+    all.extend(turns.filter(|_| !scene.trials).filter_map(|(o, n)| on_turn(scene, &o.name, n)));
     for m in motions.iter().filter(|m| m.speed.is_some()) {
         all.extend(with_place(scene, m));
         let lines = scene.lines.get(&m.state).into_iter().flatten();
@@ -72,6 +75,24 @@ fn on_output(scene: &Scene, output: &str, peak: f64) -> Option<Proposal> {
     d.start(&[size, size, peak]);
     d.done(&format!(
         "the sensor of {} hums with {{0}} and {{1}} (sine and cosine) at {{2}}",
+        scene.words(output)
+    ))
+}
+
+/// An error of a sensor of angle that repeats so many times a turn.
+fn on_turn(scene: &Scene, output: &str, n: u8) -> Option<Proposal> {
+    let signal = scene.signal(output).filter(|s| scene.is_angle(&s.name) && s.max - s.min > TAU)?;
+    let unit = scene.unit(output);
+    let mut d = Draft::new(scene, "periodic-force", SiteKind::Output, output);
+    let a = d.amplitude("A_sin", &unit, ANY, "sine part of the error");
+    let b = d.amplitude("A_cos", &unit, ANY, "cosine part of the error");
+    let angle = if n == 1 { "{}".to_string() } else { format!("{n}*{{}}") };
+    d.output(output, &format!("{{}} + {a}*sin({angle}) + {b}*cos({angle})"));
+    let size = (0.01 * signal.spread).min(0.1);
+    d.start(&[size, size]);
+    let often = if n == 1 { "once".to_string() } else { format!("{n} times") };
+    d.done(&format!(
+        "the sensor of {} errs {often} a turn by {{0}} and {{1}} (sine and cosine)",
         scene.words(output)
     ))
 }

@@ -103,8 +103,8 @@ pub struct Scene<'a> {
     pub companions: Vec<(String, String)>,
     /// Size of the largest term of each state's sum, in the order of the states.
     pub sizes: Vec<f64>,
-    /// Differences that are factors in the model, and their root mean square.
-    pub differences: Vec<(Expr, f64)>,
+    /// What parameters multiply, where that is no plain signal, and its root mean square.
+    pub arguments: Vec<(Expr, f64)>,
     /// Median step of the outputs' samples, s.
     pub step: f64,
     /// First fitted time, s.

@@ -273,7 +273,7 @@ fn copy<'a>(scene: &Scene<'a>) -> Scene<'a> {
         trials: scene.trials,
         signals: scene.signals.clone(),
         sizes: scene.sizes.clone(),
-        differences: scene.differences.clone(),
+        arguments: scene.arguments.clone(),
         step: scene.step,
         from: scene.from,
         to: scene.to,

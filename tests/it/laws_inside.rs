@@ -1,0 +1,127 @@
+//! Laws of what stands inside a model: of a definition, of what a parameter multiplies, of a sensor's own angle, of a
+//! parameter that is known.
+
+use crate::laws_met::{inputs, named, run, run_with_two, second_inputs, told};
+
+#[test]
+fn a_controller_that_can_heat_and_cannot_cool() {
+    let model = r#"
+        name = "oven with its controller"
+        [inputs]
+        wanted = { unit = "K" }
+        [parameters]
+        C = { value = 3, unit = "J/K", fit = true, min = 0.2, max = 30 }
+        h = { value = 1, unit = "W/K", fit = true, min = 0.05, max = 10 }
+        Kp = { value = 4, unit = "W/K" }
+        Ki = { value = 0.8, unit = "W/K/s" }
+        [definitions]
+        power = { equals = "Kp*(wanted - T) + Ki*z", unit = "W" }
+        [states]
+        T = { rate = "(power - h*T)/C", unit = "K", initial = 0 }
+        z = { rate = "wanted - T", unit = "K*s", initial = 0 }
+        [outputs]
+        oven = { equals = "T", unit = "K" }
+    "#;
+    let states = run(|[t, z], u| {
+        let power = 4.0 * (u + 2.0 - t) + 0.8 * z;
+        [(power.max(0.0) - 0.5 * t) / 2.0, u + 2.0 - t]
+    });
+    let wanted = inputs().iter().map(|u| u + 2.0).collect();
+    let oven = states.iter().map(|x| x[0]).collect();
+    let answer = told(model, &[("wanted", "K", wanted, 0.0), ("oven", "K", oven, 0.01)]);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("input-saturation", "power", l)] if l.abs() < 0.1), "{found:?}");
+}
+
+const RUDDER: &str = r#"
+    name = "sway of a boat"
+    [inputs]
+    rudder = { unit = "rad" }
+    [parameters]
+    C = { value = 30, unit = "N", fit = true, min = 3, max = 300 }
+    d = { value = 2, unit = "N*s/m", fit = true, min = 0.2, max = 20 }
+    m = { value = 2, unit = "kg" }
+    U = { value = 4, unit = "m/s" }
+    [states]
+    v = { rate = "(C*(rudder - v/U) - d*v)/m", unit = "m/s", initial = 0 }
+    [outputs]
+    sway = { equals = "v", unit = "m/s" }
+"#;
+
+#[test]
+fn a_force_that_saturates_with_its_own_angle() {
+    let sway = |bend: f64| {
+        let states = run(|[v], u| {
+            let angle = 0.15 * u - v / 4.0;
+            [(20.0 * angle / (1.0 + bend * angle * angle) - 3.0 * v) / 2.0]
+        });
+        states.iter().map(|x| x[0]).collect::<Vec<f64>>()
+    };
+    let rudder = || inputs().iter().map(|u| 0.15 * u).collect();
+    let answer = told(RUDDER, &[("rudder", "rad", rudder(), 0.0), ("sway", "m/s", sway(6.0), 2e-3)]);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("parameter-dependence", "C", a)] if (a - 6.0).abs() < 0.5), "{found:?}");
+    // the same without: nothing is invented
+    let answer = told(RUDDER, &[("rudder", "rad", rudder(), 0.0), ("sway", "m/s", sway(0.0), 2e-3)]);
+    assert!(answer.findings.is_empty(), "{}", answer.says);
+}
+
+#[test]
+fn an_encoder_whose_disc_is_eccentric() {
+    let model = r#"
+        name = "turntable"
+        [inputs]
+        torque = { unit = "N*m" }
+        [parameters]
+        J = { value = 2, unit = "kg*m^2", fit = true, min = 0.2, max = 20 }
+        b = { value = 1, unit = "N*m*s/rad", fit = true, min = 0.1, max = 10 }
+        [states]
+        a = { rate = "w", unit = "rad", initial = 0 }
+        w = { rate = "(torque - b*w)/J", unit = "rad/s", initial = 0 }
+        [outputs]
+        encoder = { equals = "a", unit = "deg" }
+    "#;
+    let states = run(|[_, w], u| [w, (2.0 * u + 0.3 - 0.8 * w) / 1.4]);
+    let reads = states.iter().map(|x| (x[0] + 0.02 * x[0].sin() - 0.01 * x[0].cos()).to_degrees()).collect();
+    let torque = inputs().iter().map(|u| 2.0 * u + 0.3).collect();
+    let answer = told(model, &[("torque", "N*m", torque, 0.0), ("encoder", "deg", reads, 0.1)]);
+    let found = named(&answer);
+    let sine = 0.02f64.to_degrees();
+    assert!(
+        matches!(found[..], [("periodic-force", "encoder", a)] if (a - sine).abs() < 0.05 * sine),
+        "{found:?}"
+    );
+    let cosine = answer.findings[0].parameters[1].value;
+    assert!((cosine + 0.01f64.to_degrees()).abs() < 0.05 * sine, "{cosine}");
+}
+
+#[test]
+fn a_known_parameter_is_known_where_nothing_acts_on_it() {
+    let model = r#"
+        name = "room"
+        [inputs]
+        power = { unit = "W" }
+        [parameters]
+        C = { value = 3, unit = "J/K", fit = true, min = 0.2, max = 30 }
+        share = { value = 0.5, unit = "1", fit = true, min = 0.05, max = 5 }
+        h = { value = 0.4, unit = "W/K" }
+        [states]
+        T = { rate = "(share*power - h*T)/C", unit = "K", initial = 0 }
+        [outputs]
+        room = { equals = "T", unit = "K" }
+    "#;
+    // h is 0.4 W/K in still air, and half as much again for each m/s of wind
+    let states = run_with_two(|[t], [u, w]| {
+        let wind = (w + 1.0).abs();
+        [(0.8 * (u + 4.0) - 0.4 * (1.0 + 0.5 * wind) * t) / 2.0]
+    });
+    let wind = second_inputs().iter().map(|w| (w + 1.0).abs()).collect();
+    let power = inputs().iter().map(|u| u + 4.0).collect();
+    let rooms = states.iter().map(|x| x[0]).collect();
+    let columns = [("power", "W", power, 0.0), ("room", "K", rooms, 0.01), ("wind", "m/s", wind, 0.0)];
+    let answer = told(model, &columns);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("parameter-dependence", "h", a)] if (a - 0.5).abs() < 0.03), "{found:?}");
+    let share = answer.parameters.iter().find(|p| p.name == "share").unwrap().after;
+    assert!((share - 0.8).abs() < 0.02, "{share}");
+}
