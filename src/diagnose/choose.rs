@@ -123,7 +123,9 @@ const STEADY: [&[&str]; 2] =
 /// Whether two mechanisms commute where the model is linear.
 fn commute(p: &Proposal, q: &Proposal) -> bool {
     let both = |families: &[&[&str]]| families.iter().any(|f| f.contains(&p.code) && f.contains(&q.code));
-    let is_one_way = p.model.inputs.len() == 1 && p.model.outputs.len() == 1;
+    // what stands in a loop acts before and behind itself
+    let is_inside = [p, q].iter().any(|p| p.site.kind == SiteKind::Definition);
+    let is_one_way = !is_inside && p.model.inputs.len() == 1 && p.model.outputs.len() == 1;
     p.code != q.code && (both(&STEADY) || is_one_way && both(&LATE))
 }
 

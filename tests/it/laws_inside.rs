@@ -2,35 +2,61 @@
 //! parameter that is known.
 
 use crate::laws_met::{inputs, named, run, run_with_two, second_inputs, told};
+use gyrospec::diagnose::answer::Answer;
+
+const OVEN: &str = r#"
+    name = "oven with its controller"
+    [inputs]
+    wanted = { unit = "K" }
+    [parameters]
+    C = { value = 3, unit = "J/K", fit = true, min = 0.2, max = 30 }
+    h = { value = 1, unit = "W/K", fit = true, min = 0.05, max = 10 }
+    Kp = { value = 4, unit = "W/K" }
+    Ki = { value = 0.8, unit = "W/K/s" }
+    [definitions]
+    power = { equals = "Kp*(wanted - T) + Ki*z", unit = "W" }
+    [states]
+    T = { rate = "(power - h*T)/C", unit = "K", initial = 0 }
+    z = { rate = "wanted - T", unit = "K*s", initial = 0 }
+    [outputs]
+    oven = { equals = "T", unit = "K" }
+"#;
+
+/// What is said of the oven whose power has a rate by its own state and what the controller wants, and acts through `felt`.
+fn oven(level: f64, felt: impl Fn(f64, f64) -> (f64, f64)) -> Answer {
+    let states = run(|[t, z, heater], u| {
+        let wanted = u + level - t;
+        let (acts, rate) = felt(4.0 * wanted + 0.8 * z, heater);
+        [(acts - 0.5 * t) / 2.0, wanted, rate]
+    });
+    let wanted = inputs().iter().map(|u| u + level).collect();
+    let oven = states.iter().map(|x| x[0]).collect();
+    told(OVEN, &[("wanted", "K", wanted, 0.0), ("oven", "K", oven, 0.01)])
+}
 
 #[test]
 fn a_controller_that_can_heat_and_cannot_cool() {
-    let model = r#"
-        name = "oven with its controller"
-        [inputs]
-        wanted = { unit = "K" }
-        [parameters]
-        C = { value = 3, unit = "J/K", fit = true, min = 0.2, max = 30 }
-        h = { value = 1, unit = "W/K", fit = true, min = 0.05, max = 10 }
-        Kp = { value = 4, unit = "W/K" }
-        Ki = { value = 0.8, unit = "W/K/s" }
-        [definitions]
-        power = { equals = "Kp*(wanted - T) + Ki*z", unit = "W" }
-        [states]
-        T = { rate = "(power - h*T)/C", unit = "K", initial = 0 }
-        z = { rate = "wanted - T", unit = "K*s", initial = 0 }
-        [outputs]
-        oven = { equals = "T", unit = "K" }
-    "#;
-    let states = run(|[t, z], u| {
-        let power = 4.0 * (u + 2.0 - t) + 0.8 * z;
-        [(power.max(0.0) - 0.5 * t) / 2.0, u + 2.0 - t]
-    });
-    let wanted = inputs().iter().map(|u| u + 2.0).collect();
-    let oven = states.iter().map(|x| x[0]).collect();
-    let answer = told(model, &[("wanted", "K", wanted, 0.0), ("oven", "K", oven, 0.01)]);
+    let answer = oven(2.0, |power, _| (power.max(0.0), 0.0));
     let found = named(&answer);
     assert!(matches!(found[..], [("input-saturation", "power", l)] if l.abs() < 0.1), "{found:?}");
+}
+
+#[test]
+fn a_controller_whose_heater_lags() {
+    let answer = oven(6.0, |power, heater| (heater, (power - heater) / 0.15));
+    // with little loss a lag of the whole balance does as well
+    let [found] = &answer.findings[..] else { panic!("{}", answer.says) };
+    assert_eq!((found.code.as_str(), found.site.name.as_str()), ("extra-lag", "power"), "{}", answer.says);
+    let others = ["neglected-inertia"];
+    assert!(found.ties.iter().all(|t| others.contains(&t.as_str())), "{}", answer.says);
+    assert!((found.parameters[0].value - 0.15).abs() < 0.01, "{}", answer.says);
+}
+
+#[test]
+fn a_controller_whose_small_demands_do_nothing() {
+    let answer = oven(0.0, |power, _| (power - power.clamp(-2.0, 2.0), 0.0));
+    let found = named(&answer);
+    assert!(matches!(found[..], [("input-dead-zone", "power", d)] if (d - 2.0).abs() < 0.1), "{found:?}");
 }
 
 const RUDDER: &str = r#"

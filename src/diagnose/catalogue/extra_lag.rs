@@ -42,15 +42,23 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
     for m in scene.motions() {
         all.extend(
-            [beside(scene, &m), after(scene, &m.state, false), after(scene, &m.state, true)]
-                .into_iter()
-                .flatten(),
+            [
+                beside(scene, &m, Start::Settled),
+                beside(scene, &m, Start::Own),
+                after(scene, &m.state, (false, Start::Settled)),
+                after(scene, &m.state, (true, Start::Settled)),
+            ]
+            .into_iter()
+            .flatten(),
         );
     }
     all.extend(scene.motions().iter().flat_map(|m| parallel(scene, m)));
     if !scene.trials {
         let moving = scene.moving(&[SignalKind::Definition]);
-        all.extend(moving.filter_map(|s| after(scene, &s.name, false)));
+        let starts = [Start::Settled, Start::Own];
+        let each =
+            |s: &Signal| starts.map(|start| after(scene, &s.name, (false, start))).into_iter().flatten();
+        all.extend(moving.flat_map(each));
     }
     all.extend(scene.richer_lag("extra-lag").and_then(|(mut d, lag)| {
         let w = &lag.frequency;
@@ -114,8 +122,30 @@ fn parallel(scene: &Scene, m: &Motion) -> Vec<Proposal> {
     driving.filter_map(one).collect()
 }
 
-fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
+/// How a relaxing part begins.
+#[derive(Clone, Copy, PartialEq)]
+enum Start {
+    /// As if what it follows had been there for long.
+    Settled,
+    /// Anywhere, which is fitted.
+    Own,
+}
+
+/// What follows a signal with a lag, beginning as it may.
+fn following(d: &mut Draft, signal: &str, unit: &Unit, (tau, start): (&str, Start)) -> String {
+    if start == Start::Settled {
+        return format!("lag({signal}, {tau})");
+    }
+    let z = d.state("follows", unit, Initial::Fit, "what the relaxing part has taken");
+    d.rate(&z, &format!("({signal} - {z})/{tau}"));
+    z
+}
+
+fn beside(scene: &Scene, m: &Motion, start: Start) -> Option<Proposal> {
     let q = m.position.as_ref()?;
+    if start == Start::Own && m.speed.is_some() {
+        return None;
+    }
     let mut d = Draft::at(scene, "extra-lag", m);
     let is_balance = m.speed.is_none();
     let meaning =
@@ -123,7 +153,8 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let c = d.amplitude("c", &m.force.over(&scene.unit(q)), POSITIVE, meaning);
     let tau =
         d.parameter("tau", &Unit::parse("s").ok()?, (0.1 * scene.step, scene.length()), "relaxation time");
-    d.force(&m.state, &format!("-{c}*({q} - lag({q}, {tau}))"));
+    let follows = following(&mut d, q, &scene.unit(q), (&tau, start));
+    d.force(&m.state, &format!("-{c}*({q} - {follows})"));
     for time in scene.times() {
         d.start(&[m.size / scene.size(q), time]);
     }
@@ -135,7 +166,7 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     })
 }
 
-fn after(scene: &Scene, name: &str, in_parallel: bool) -> Option<Proposal> {
+fn after(scene: &Scene, name: &str, (in_parallel, start): (bool, Start)) -> Option<Proposal> {
     let kind =
         if scene.signal(name)?.kind == SignalKind::State { SiteKind::State } else { SiteKind::Definition };
     let mut d = Draft::new(scene, "extra-lag", kind, name);
@@ -144,13 +175,21 @@ fn after(scene: &Scene, name: &str, in_parallel: bool) -> Option<Proposal> {
     } else {
         None
     };
-    let tau = d.parameter("tau", &Unit::parse("s").ok()?, (0.0, 0.5 * scene.length()), "relaxation time");
+    let least = if start == Start::Own { 0.1 * scene.step } else { 0.0 };
+    let limits = (least, 0.5 * scene.length());
+    let tau = d.parameter("tau", &Unit::parse("s").ok()?, limits, "relaxation time");
+    let follows = following(&mut d, name, &scene.unit(name), (&tau, start));
     let text = match &share {
-        Some(c) => format!("({name} + {c}*lag({name}, {tau}))"),
-        None => format!("lag({name}, {tau})"),
+        Some(c) => format!("({name} + {c}*{follows})"),
+        None => follows.clone(),
     };
+    let own = (start == Start::Own).then_some(&follows);
+    if let Some(z) = own {
+        d.term(&format!("{z}' = ({name} - {z})/{tau}"));
+    }
     d.replace(name, &text, |p| {
-        p != Place::Rate(name) && !matches!(p, Place::Output(_)) && p != Place::Definition(name)
+        let is_own = own.is_some_and(|z| p == Place::Rate(z));
+        p != Place::Rate(name) && !is_own && !matches!(p, Place::Output(_)) && p != Place::Definition(name)
     });
     for time in scene.times() {
         let start = if in_parallel { vec![1.0, time] } else { vec![time] };

@@ -6,7 +6,7 @@
 //!
 //! # Equation
 //! ```text
-//!     u -> u - clamp(u, -d, d),  d >= 0
+//!     u -> u - clamp(u, -d, d),  d >= 0      u an input, or a definition of inputs and states, as a controller's
 //! ```
 //!
 //! # What else looks like this
@@ -19,7 +19,7 @@
 //! # Example
 //! A hydraulic valve with ten per cent overlap.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal};
 
 /// An input that does nothing near zero.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -31,12 +31,12 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading() && u.levels > 2);
-    inputs.filter_map(|u| at(scene, u)).collect()
+    let felt = scene.loops().filter(|u| !u.is_heading() && u.levels > 2);
+    felt.filter_map(|u| at(scene, u)).collect()
 }
 
 fn at(scene: &Scene, u: &Signal) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "input-dead-zone", SiteKind::Input, &u.name);
+    let mut d = Draft::new(scene, "input-dead-zone", u.site(), &u.name);
     let top = u.max.abs().max(u.min.abs());
     let gap = d.parameter("dz", &u.unit, (0.0, top), "half width of the dead zone");
     d.replace(&u.name, &format!("({} - clamp({}, -{gap}, {gap}))", u.name, u.name), |_| true);

@@ -8,7 +8,7 @@
 //!
 //! # Equation
 //! ```text
-//!     u -> delay(u, Td),  Td >= 0
+//!     u -> delay(u, Td),  Td >= 0      u an input, or a definition of inputs and states, as a controller's
 //! ```
 //!
 //! # What else looks like this
@@ -21,7 +21,7 @@
 //! # Example
 //! A hair dryer: the heated air takes a quarter of a second along the tube.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal};
 use crate::units::Unit;
 
 /// A delay of an input.
@@ -38,11 +38,11 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    scene.moving(&[SignalKind::Input]).filter_map(|u| at(scene, u)).collect()
+    scene.loops().filter_map(|u| at(scene, u)).collect()
 }
 
 fn at(scene: &Scene, u: &Signal) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "input-delay", SiteKind::Input, &u.name);
+    let mut d = Draft::new(scene, "input-delay", u.site(), &u.name);
     let time = d.parameter("Td", &Unit::parse("s").ok()?, (0.0, 0.2 * scene.length()), "dead time");
     d.replace(&u.name, &format!("delay({}, {time})", u.name), |_| true);
     for start in scene.delays() {

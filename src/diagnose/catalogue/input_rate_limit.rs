@@ -7,7 +7,7 @@
 //!
 //! # Equation
 //! ```text
-//!     u -> rate_limit(u, r),  r > 0
+//!     u -> rate_limit(u, r),  r > 0      u an input, or a definition of inputs and states, as a controller's
 //! ```
 //!
 //! # What else looks like this
@@ -19,7 +19,7 @@
 //! # Example
 //! A rudder that turns at 2.3 deg/s whatever the order.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal};
 use crate::units::Unit;
 
 /// An input that cannot change faster.
@@ -35,11 +35,11 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    scene.moving(&[SignalKind::Input]).filter_map(|u| at(scene, u)).collect()
+    scene.loops().filter_map(|u| at(scene, u)).collect()
 }
 
 fn at(scene: &Scene, u: &Signal) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "input-rate-limit", SiteKind::Input, &u.name);
+    let mut d = Draft::new(scene, "input-rate-limit", u.site(), &u.name);
     let usual = u.spread / u.pace;
     let unit = u.unit.of_differences().over(&Unit::parse("s").ok()?);
     let rate = d.parameter("r", &unit, (1e-3 * usual, 1e3 * usual), "largest rate");

@@ -19,8 +19,7 @@
 //! # Example
 //! A rudder machine commanded to forty degrees that stops at thirty-five.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, edit};
-use crate::model::State;
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal};
 
 /// An input that saturates.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -35,19 +34,13 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading() && u.levels > 2);
-    let acts = |s: &&Signal| {
-        let moves = |x: &State| edit::reaches(scene.model, &x.rate, &s.name);
-        !s.is_heading() && s.levels > 2 && scene.model.states.iter().any(moves)
-    };
-    let defined = scene.moving(&[SignalKind::Definition]).filter(acts);
+    let felt = scene.commands().filter(|u| !u.is_heading() && u.levels > 2);
     let sides = |u| [0, 1, -1].into_iter().filter_map(move |side| at(scene, u, side));
-    inputs.chain(defined).flat_map(sides).collect()
+    felt.flat_map(sides).collect()
 }
 
 fn at(scene: &Scene, u: &Signal, side: i8) -> Option<Proposal> {
-    let kind = if u.kind == SignalKind::Definition { SiteKind::Definition } else { SiteKind::Input };
-    let mut d = Draft::new(scene, "input-saturation", kind, &u.name);
+    let mut d = Draft::new(scene, "input-saturation", u.site(), &u.name);
     let (top, name) = (u.max.abs().max(u.min.abs()), &u.name);
     let limits = if side == 0 { (0.02 * top, top) } else { (u.min, u.max) };
     let level = d.parameter("L", &u.unit, limits, "level beyond which nothing more acts");

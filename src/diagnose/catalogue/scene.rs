@@ -3,7 +3,7 @@
 use super::draft::{Draft, SiteKind};
 use super::edit;
 use crate::expression::{BinaryOp, Expr};
-use crate::model::Model;
+use crate::model::{Model, State};
 use crate::units::Unit;
 use std::collections::BTreeMap;
 
@@ -48,6 +48,11 @@ pub struct Signal {
 }
 
 impl Signal {
+    /// The site of what stands between it and the system.
+    pub fn site(&self) -> SiteKind {
+        if self.kind == SignalKind::Definition { SiteKind::Definition } else { SiteKind::Input }
+    }
+
     /// Root mean square about zero.
     pub fn size(&self) -> f64 {
         self.mean.hypot(self.spread)
@@ -136,6 +141,26 @@ impl Scene<'_> {
     /// Signals of some kinds that move.
     pub fn moving<'s>(&'s self, kinds: &'s [SignalKind]) -> impl Iterator<Item = &'s Signal> + 's {
         self.signals.iter().filter(|s| kinds.contains(&s.kind) && s.varies())
+    }
+
+    /// What acts on the states as a command does: inputs, and definitions.
+    pub fn commands(&self) -> impl Iterator<Item = &Signal> {
+        let acts = |s: &&Signal| {
+            let reaches = |x: &State| edit::reaches(self.model, &x.rate, &s.name);
+            s.kind == SignalKind::Input || self.model.states.iter().any(reaches)
+        };
+        self.moving(&[SignalKind::Input, SignalKind::Definition]).filter(acts)
+    }
+
+    /// Inputs, and definitions that are made of an input and a state, as what a controller gives is.
+    pub fn loops(&self) -> impl Iterator<Item = &Signal> {
+        let made = |s: &&Signal| {
+            let own = |n: &str| edit::reaches(self.model, &Expr::name(&s.name), n);
+            let model = self.model;
+            s.kind == SignalKind::Input
+                || model.states.iter().any(|x| own(&x.name)) && model.inputs.iter().any(|u| own(&u.name))
+        };
+        self.commands().filter(made)
     }
 
     /// Whether the product of two signals may have a mean.
