@@ -118,7 +118,12 @@ pub fn separation(model: &Model, first: &Proposal, ties: &[Proposal]) -> Option<
         )
     } else {
         let signals = listed([first, other].into_iter().map(|p| p.depends.first().unwrap_or(&p.site.name)));
-        format!("a recording in which {} vary independently of each other", signals.unwrap_or(outputs))
+        match signals {
+            Some(several) if several.contains(" and ") => {
+                format!("a recording in which {several} vary independently of each other")
+            }
+            one => format!("a recording in which {} covers three times this range", one.unwrap_or(outputs)),
+        }
     };
     let names = (words::beside(other, first), words::beside(first, other));
     Some(format!("{} and {} fit equally well here. To tell them apart: {text}.", names.0, names.1))

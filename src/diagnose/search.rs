@@ -155,6 +155,8 @@ pub struct State<'a> {
     pub taken: &'a [Taken],
     /// Whether no more may be added, so that it only looks.
     pub is_last: bool,
+    /// A law whose look-alikes are not fitted.
+    pub avoids: Option<&'a Proposal>,
 }
 
 /// Screens, fits the best, and judges them.
@@ -176,7 +178,7 @@ pub fn round(
     scene.peaks = super::locate::peaks(current);
     scene.lines = super::lines::over_positions(bench, &scene, (current, view));
     scene.shifts = super::innovations::shifts(bench, current);
-    let State { now, scale, gains, taken, is_last } = state;
+    let State { now, scale, gains, taken, is_last, avoids } = state;
     let screening = screen(bench, &scene, view, taken, progress);
     let tried = screening.screened.len().max(1) as f64;
     let most = if *is_last { 0 } else { bench.patience(&current.model) };
@@ -187,7 +189,8 @@ pub fn round(
         true => floor(*gains),
         false => floor(*gains).min(choose::MUCH),
     };
-    let chosen = worth_fitting(&screening, most, least);
+    let may = |s: &&Screened| avoids.is_none_or(|a| !is_alike(a, &s.proposal));
+    let chosen: Vec<&Screened> = worth_fitting(&screening, most, least).into_iter().filter(may).collect();
     let squares = scale.squares(current);
     let judged = |p: Proposal, fit: Fit, is_cut: bool| {
         let measure = Measure::of(&fit, scale);
@@ -202,7 +205,7 @@ pub fn round(
         same.map(|f| judged(f.proposal, f.fit, f.is_cut)).collect()
     };
     let mut fitted = refit(&chosen);
-    let others = twins(&screening, &fitted);
+    let others: Vec<&Screened> = twins(&screening, &fitted).into_iter().filter(may).collect();
     fitted.extend(refit(&others));
     fitted.sort_by(|a, b| scale.squares(&a.fit).total_cmp(&scale.squares(&b.fit)));
     for r in fitted.iter_mut().take(SCANNED) {
@@ -216,6 +219,12 @@ pub fn round(
     let notes = cut::retry(bench, &mut fitted, (squares, scale), &judged);
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
     Ok(Round { screening, fitted, notes, fallen: None })
+}
+
+/// Whether a proposal is a law of a signal that another is a law of too, or stands for the same at the same site.
+fn is_alike(a: &Proposal, b: &Proposal) -> bool {
+    let own = b.law_of();
+    a.code == b.code && a.site == b.site || a.law_of().iter().any(|s| own.contains(s))
 }
 
 /// Whether the search must end with the best so far.

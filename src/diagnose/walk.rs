@@ -19,6 +19,7 @@
 //! S. Holm, Scand. J. Statist. 6 (1979) 65.
 
 use super::bench::Bench;
+use super::catalogue::Proposal;
 use super::choose::{self, Choice, choose, gain};
 use super::compared::patiently;
 use super::measure::{Measure, Scale};
@@ -49,6 +50,8 @@ struct Walk<'a> {
     taken: Vec<Taken>,
     first: Option<Screening>,
     trial: Option<Trial>,
+    /// A law that it does not begin with, nor with its look-alikes.
+    avoids: Option<&'a Proposal>,
 }
 
 /// Where the search stood when it added an extension on trial.
@@ -59,7 +62,7 @@ struct Trial {
     current: Fit,
 }
 
-/// Searches from a fitted model.
+/// Searches from a fitted model; where wanted, beginning with no law like some.
 ///
 /// # Errors
 /// Where the fitted model itself cannot be run.
@@ -67,7 +70,7 @@ pub fn search(
     bench: &Bench,
     separate: &[Recording],
     base: Fit,
-    given: &[f64],
+    (given, avoids): (&[f64], Option<&Proposal>),
     progress: &dyn Progress,
 ) -> Result<Found> {
     let mut walk = Walk {
@@ -82,6 +85,7 @@ pub fn search(
         taken: Vec::new(),
         first: None,
         trial: None,
+        avoids,
     };
     loop {
         let (mut round, now) = walk.round(progress)?;
@@ -105,7 +109,9 @@ impl Walk<'_> {
         let now = Measure::of(&self.current, &scale);
         let found = patiently(bench, || {
             let is_last = self.taken.len() >= MOST || is_over(bench);
-            let state = State { now: &now, scale: &scale, gains: self.gains, taken: &self.taken, is_last };
+            let avoids = self.avoids.filter(|_| self.taken.is_empty());
+            let state =
+                State { now: &now, scale: &scale, gains: self.gains, taken: &self.taken, is_last, avoids };
             round(bench, (&self.current, &self.view), &state, &self.given, progress)
         })?;
         trace(bench, &found, &now);

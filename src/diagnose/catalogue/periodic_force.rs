@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     M v' = … + A sin(w t) + B cos(w t)    or    + A sin(n q) + B cos(n q)
+//!     M v' = … + W^2 (A sin(n a) + B cos(n a))    with a recorded angle a of a shaft, n = 1, 2; W its speed, or 1
 //!     y -> y + A sin(w t) + B cos(w t)      hum of a sensor
 //!     y -> y + A sin(n y) + B cos(n y)      a disc that sits off its centre, n = 1 … 4
 //! ```
@@ -20,9 +21,12 @@
 //! S. Kay, Fundamentals of Statistical Signal Processing I (1993), example 4.2.
 //!
 //! # Example
-//! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame; an encoder whose disc is eccentric.
+//! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame; an encoder whose disc is eccentric; a fan out of
+//! balance, whose angle is recorded.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, SiteKind, draft::ANY, field};
+use super::{
+    Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit, field,
+};
 use crate::units::Unit;
 use std::f64::consts::TAU;
 
@@ -43,6 +47,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     // a model without motion follows its inputs at once, with every line that they have
     let moves = !motions.is_empty();
     all.extend(seen.filter(|_| moves).filter_map(|(o, w)| on_output(scene, &o.name, w)));
+    all.extend(motions.iter().flat_map(|m| with_shafts(scene, m)));
     let turns = scene.model.outputs.iter().flat_map(|o| (1..=4).map(move |n| (o, n)));
     all.extend(turns.filter(|_| !scene.trials).filter_map(|(o, n)| on_turn(scene, &o.name, n)));
     for m in motions.iter().filter(|m| m.speed.is_some()) {
@@ -77,6 +82,55 @@ fn on_output(scene: &Scene, output: &str, peak: f64) -> Option<Proposal> {
         "the sensor of {} hums with {{0}} and {{1}} (sine and cosine) at {{2}}",
         scene.words(output)
     ))
+}
+
+/// Turns of a shaft in the recording from which on its orders are looked for.
+const SHAFT: f64 = 20.0;
+
+/// The orders of every shaft whose angle is recorded, growing with the square of a recorded speed or not.
+fn with_shafts(scene: &Scene, m: &Motion) -> Vec<Proposal> {
+    let recorded = [SignalKind::Input, SignalKind::Channel];
+    let far = |s: &Signal| s.spread / s.pace * scene.length() > SHAFT * TAU;
+    let turns = |s: &&Signal| s.is_heading() && s.max - s.min > 0.9 * TAU && far(s);
+    let shafts: Vec<&Signal> = scene.moving(&recorded).filter(turns).collect();
+    let speeds: Vec<&Signal> =
+        scene.signals.iter().filter(|s| recorded.contains(&s.kind) && edit::is_frequency(&s.unit)).collect();
+    let mut all = Vec::new();
+    for shaft in shafts {
+        for n in [1, 2] {
+            all.extend(with_shaft(scene, m, shaft, (None, n)));
+            all.extend(speeds.iter().filter_map(|w| with_shaft(scene, m, shaft, (Some(w), n))));
+        }
+    }
+    all
+}
+
+fn with_shaft(
+    scene: &Scene,
+    m: &Motion,
+    shaft: &Signal,
+    (speed, n): (Option<&Signal>, u8),
+) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "periodic-force", m);
+    let unit = speed.map_or_else(|| m.force.clone(), |w| m.force.over(&scene.unit(&w.name).power(2.0)));
+    let a = d.amplitude("A_sin", &unit, ANY, "sine part of the periodic force");
+    let b = d.amplitude("A_cos", &unit, ANY, "cosine part of the periodic force");
+    let angle = if n == 1 { shaft.name.clone() } else { format!("{n}*{}", shaft.name) };
+    let wave = format!("({a}*sin({angle}) + {b}*cos({angle}))");
+    d.uses(&shaft.name);
+    let (text, size, grows) = match speed {
+        Some(w) => {
+            d.uses(&w.name);
+            let grows = format!(" and the square of {}", scene.words(&w.name));
+            (format!("{}^2*{wave}", w.name), m.size / w.size().powi(2), grows)
+        }
+        None => (wave, m.size, String::new()),
+    };
+    d.force(&m.state, &text);
+    d.start(&[size, size]);
+    let (what, often) = (field::words(m).acts, if n == 1 { "once" } else { "twice" });
+    let shaft = scene.words(&shaft.name);
+    d.done(&format!("{what} goes with {shaft}{grows}, {often} a turn: {{0}} and {{1}} (sine and cosine)"))
 }
 
 /// An error of a sensor of angle that repeats so many times a turn.

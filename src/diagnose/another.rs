@@ -1,0 +1,93 @@
+//! Another beginning: the search once more without what it began with, where it ended without a name.
+//!
+//! # Purpose
+//! Of two effects the search takes first what follows both best by itself, such as a bend of an input that stands for a
+//! limit and a loss. What the limit leaves then has no name, and no finding alone is too much.
+//!
+//! # Method
+//! The search begins again without the laws of the same signals as its first finding; later it may take them. Then each
+//! finding is asked for its look-alikes beside the others: the model without it is screened and fitted anew, and the
+//! best takes its place where it is worth more (stepwise replacement). What comes out is taken for the first answer
+//! where it is surely likelier, each for the price of its parameters.
+//!
+//! # References
+//! A. J. Miller, Subset Selection in Regression, 2nd ed. (2002), 3.5 (sequential replacement).
+
+use super::answer::{Answer, Verdict};
+use super::bench::Bench;
+use super::choose::{Choice, TIE, choose, price, worth_of};
+use super::measure::Measure;
+use super::search::{self, Found, Round, State, Taken, is_over};
+use super::view::View;
+use super::{backward, simpler, walk};
+use crate::estimate::fit::Progress;
+use crate::record::Recording;
+
+/// How much likelier another answer must be, its price paid: odds of e⁵ to 1.
+const SURELY: f64 = 5.0;
+
+/// What the search finds where it may not begin as it did; none that is not surely likelier.
+pub fn beginning(
+    bench: &Bench,
+    separate: &[Recording],
+    first: &Found,
+    given: &[f64],
+    progress: &dyn Progress,
+) -> Option<Found> {
+    let began = &first.taken.first()?.proposal;
+    if is_over(bench) || bench.is_trials() {
+        return None;
+    }
+    let mut found = walk::search(bench, separate, first.base.clone(), (given, Some(began)), progress).ok()?;
+    backward::stand(bench, separate, &mut found);
+    for i in 0..found.taken.len() {
+        if found.taken.len() > 1 && !is_over(bench) {
+            replace(bench, separate, &mut found, (i, progress));
+        }
+    }
+    simpler::settle(bench, &mut found, progress);
+    let worth = |f: &Found| {
+        let last = Measure::of(&f.last, &first.scale);
+        last.likelihood - f.taken.iter().map(|t| price(&t.proposal, last.samples)).sum::<f64>()
+    };
+    (worth(&found) > worth(first) + SURELY).then_some(found)
+}
+
+/// Whether an answer has names, and errors on what was held out that are smaller than those of one that has none.
+pub fn is_better(unnamed: &Answer, named: &Answer) -> bool {
+    let left = |a: &Answer| a.proof.iter().map(|p| p.holdout_after.ln()).sum::<f64>();
+    matches!(named.verdict, Verdict::Named | Verdict::Tie) && left(named) < left(unnamed)
+}
+
+/// Puts the likeliest in the place of a finding, beside the others, where that is worth more.
+fn replace(bench: &Bench, separate: &[Recording], found: &mut Found, (i, progress): (usize, &dyn Progress)) {
+    let Some((round, choice)) = asked(bench, found, i, progress) else { return };
+    let Choice { best, ties, elsewhere, .. } = choice;
+    let r = &round.fitted[best];
+    let now = worth_of(&found.taken[i].proposal, &Measure::of(&found.last, &found.scale));
+    let is_better = worth_of(&r.proposal, &Measure::of(&r.fit, &found.scale)) > now + TIE;
+    if !is_better || search::ahead(bench, separate, &r.fit).is_none() {
+        return;
+    }
+    let (proposal, p_value, tried) = (r.proposal.clone(), r.p_value, r.tried);
+    found.last = r.fit.clone();
+    found.measures.1 = Measure::of(&found.last, &found.scale);
+    found.taken[i] = Taken { proposal, p_value, tried, ties, elsewhere, rivals: None };
+    backward::stand(bench, separate, found);
+}
+
+/// What a round chooses in the model without a finding.
+fn asked(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Option<(Round, Choice)> {
+    let (base, _) = found.without.get(i)?.as_ref()?;
+    let view = View::of(bench, base).ok()?;
+    let now = Measure::of(base, &found.scale);
+    let others: Vec<Taken> =
+        found.taken.iter().enumerate().filter(|(j, _)| *j != i).map(|(_, t)| t.clone()).collect();
+    let state =
+        State { now: &now, scale: &found.scale, gains: 0.0, taken: &others, is_last: false, avoids: None };
+    let given: Vec<f64> = base.model.parameters.iter().map(|p| p.value).collect();
+    let round = search::round(bench, (base, &view), &state, &given, progress).ok()?;
+    search::trace(bench, &round, &now);
+    let choice = choose(&round, &now)?;
+    Some((round, choice))
+}
