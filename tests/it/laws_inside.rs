@@ -151,3 +151,95 @@ fn a_known_parameter_is_known_where_nothing_acts_on_it() {
     let share = answer.parameters.iter().find(|p| p.name == "share").unwrap().after;
     assert!((share - 0.8).abs() < 0.02, "{share}");
 }
+
+#[test]
+fn a_drag_of_the_speed_through_the_air() {
+    let model = r#"
+        name = "car"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        m = { value = 2, unit = "kg", fit = true, min = 0.2, max = 20 }
+        kd = { value = 0.5, unit = "N*s^2/m^2", fit = true, min = 0.05, max = 5 }
+        r = { value = 0.4, unit = "N*s/m", fit = true, min = 0.04, max = 4 }
+        [states]
+        v = { rate = "(force - kd*v*abs(v) - r*v)/m", unit = "m/s", initial = 0 }
+        [outputs]
+        speed = { equals = "v", unit = "m/s" }
+    "#;
+    let states = run_with_two(|[v], [u, w]| {
+        let air: f64 = v + w;
+        [(2.0 * u + 4.0 - 0.8 * air * air.abs() - 0.3 * v) / 1.5]
+    });
+    let force = inputs().iter().map(|u| 2.0 * u + 4.0).collect();
+    let speed = states.iter().map(|x| x[0]).collect();
+    let columns =
+        [("force", "N", force, 0.0), ("speed", "m/s", speed, 0.01), ("wind", "m/s", second_inputs(), 0.0)];
+    let answer = told(model, &columns);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("cross-coupling", "v", c)] if (c - 1.0).abs() < 0.03), "{found:?}");
+}
+
+#[test]
+fn a_rotor_that_does_not_face_the_wind() {
+    let model = r#"
+        name = "rotor"
+        [inputs]
+        wind = { unit = "m/s" }
+        [parameters]
+        J = { value = 2, unit = "kg*m^2", fit = true, min = 0.2, max = 20 }
+        ca = { value = 0.5, unit = "kg", fit = true, min = 0.05, max = 5 }
+        cb = { value = 0.5, unit = "kg*m", fit = true, min = 0.05, max = 5 }
+        [states]
+        w = { rate = "(ca*wind^2 - cb*wind*w)/J", unit = "rad/s", initial = 0 }
+        [outputs]
+        rotor = { equals = "w", unit = "rad/s" }
+    "#;
+    let yaw = |w: f64| 0.2 * w;
+    let states = run_with_two(|[x], [u, w]| {
+        let along = (0.7 * u + 6.0) * yaw(w).cos();
+        [(0.4 * along * along - 0.3 * along * x) / 1.5]
+    });
+    let wind = inputs().iter().map(|u| 0.7 * u + 6.0).collect();
+    let angle = second_inputs().iter().map(|w| yaw(*w).to_degrees()).collect();
+    let rotor = states.iter().map(|x| x[0]).collect();
+    let columns = [("wind", "m/s", wind, 0.0), ("rotor", "rad/s", rotor, 0.05), ("yaw", "deg", angle, 0.0)];
+    let answer = told(model, &columns);
+    let found = named(&answer);
+    // cos y = 1 − y²/2 + y⁴/24 − …, of angles up to a right one
+    let in_degrees = (1f64.to_radians()).powi(2);
+    assert!(
+        matches!(found[..], [("misalignment", "wind", a)] if (a + 0.45 * in_degrees).abs() < 0.08 * in_degrees),
+        "{found:?}"
+    );
+}
+
+#[test]
+fn an_elimination_that_saturates_far_below_its_mean_level() {
+    let model = r#"
+        name = "infusion"
+        [inputs]
+        dose = { unit = "kg/s" }
+        [parameters]
+        V = { value = 3, unit = "m^3", fit = true, min = 0.3, max = 30 }
+        CL = { value = 1, unit = "m^3/s", fit = true, min = 0.01, max = 100 }
+        k12 = { value = 0.5, unit = "1/s", fit = true, min = 0.05, max = 5 }
+        k21 = { value = 0.2, unit = "1/s", fit = true, min = 0.02, max = 2 }
+        [states]
+        c1 = { rate = "dose/V - CL/V*c1 - k12*c1 + k21*c2", unit = "kg/m^3", initial = 0 }
+        c2 = { rate = "k12*c1 - k21*c2", unit = "kg/m^3", initial = 0 }
+        [outputs]
+        plasma = { equals = "c1", unit = "kg/m^3" }
+    "#;
+    // half the largest rate is reached at 0.6 of what the mean level is some 2.5
+    let states = run(|[c1, c2], u| {
+        let lost = 3.0 / (1.0 + c1 / 0.6) / 2.0 * c1;
+        [(0.5 * u + 1.6).abs() / 2.0 - lost - 0.4 * c1 + 0.3 * c2, 0.4 * c1 - 0.3 * c2]
+    });
+    let dose = inputs().iter().map(|u| (0.5 * u + 1.6).abs()).collect();
+    let plasma = states.iter().map(|x| x[0]).collect();
+    let answer = told(model, &[("dose", "kg/s", dose, 0.0), ("plasma", "kg/m^3", plasma, 0.01)]);
+    let [found] = &answer.findings[..] else { panic!("{}", answer.says) };
+    assert_eq!((found.code.as_str(), found.site.name.as_str()), ("saturable-rate", "CL"), "{}", answer.says);
+    assert!((found.parameters[0].value * 0.6 - 1.0).abs() < 0.15, "{}", answer.says);
+}

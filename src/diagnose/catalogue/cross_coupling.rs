@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     s' = … + c u,  perhaps c u sin(heading) or c u cos(heading)
+//!     d v |v| -> d (v + c u) |v + c u|      where u is a speed as v is
 //!     a cos(heading) -> a cos(heading) - c u sin(heading)   and at the same time
 //!     a sin(heading) -> a sin(heading) + c u cos(heading)   where u is the second component of the vector (a, u)
 //! ```
@@ -20,9 +21,10 @@
 //! J. S. Bendat, A. G. Piersol, Random Data, 4th ed. (2010), ch. 7 on coherence.
 //!
 //! # Example
-//! A gyrocompass model that knows roll alone while the ship pitches.
+//! A gyrocompass model that knows roll alone while the ship pitches; the drag of a car in a headwind.
 
-use crate::expression::{Expr, Function};
+use crate::expression::{BinaryOp, Expr, Function};
+use crate::units::Unit;
 
 use super::terms::{factors, rewritten, with_factor};
 use super::{
@@ -49,6 +51,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     for signal in signals {
         for factor in scene.factors(signal) {
             all.extend(motions.iter().filter_map(|m| at(scene, m, signal, &factor)));
+            if factor.is_empty() {
+                all.extend(motions.iter().filter_map(|m| relative(scene, m, signal)));
+            }
             let definitions = scene.moving(&[SignalKind::Definition]);
             all.extend(definitions.filter_map(|d| in_definition(scene, d, signal, &factor)));
         }
@@ -143,6 +148,30 @@ fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Propos
     d.force(&m.state, &format!("{c}*{part}{factor}"));
     d.start(&[m.size / signal.spread]);
     d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(&m.state)))
+}
+
+/// A channel that is added to a state in the laws that bend: wind to a speed, a current to that of a ship.
+fn relative(scene: &Scene, m: &Motion, signal: &Signal) -> Option<Proposal> {
+    let own = scene.signal(&m.state)?;
+    if signal.kind == SignalKind::State || signal.unit.dimension() != own.unit.dimension() {
+        return None;
+    }
+    let x = Expr::name(&m.state);
+    let is_power = |e: &Expr| matches!(e, Expr::Binary(BinaryOp::Pow, a, _) if a.mentions(&m.state));
+    let bends = |t: &Expr| {
+        let plain = factors(t).into_iter().filter(|f| **f == x).count();
+        let others = factors(t).into_iter().any(|f| *f != x && f.mentions(&m.state));
+        plain > 1 || plain == 1 && others || edit::find(t, &is_power).is_some()
+    };
+    let mut d = Draft::at(scene, "cross-coupling", m);
+    let c = d.amplitude("c", &Unit::one(), ANY, "share of the channel that is felt");
+    d.uses(&signal.name);
+    let sum = Expr::parse(&format!("({} + {c}*{})", m.state, signal.name)).ok()?;
+    d.each_rate(&|e| rewritten(e, &|t| bends(t).then(|| t.substitute(&m.state, &sum))));
+    d.first_change();
+    d.start(&[1.0]);
+    let (signal, state) = (scene.words(&signal.name), scene.words(&m.state));
+    d.done(&format!("{signal} adds to {state} where that acts by its square or the like, {{0}} of it"))
 }
 
 fn in_definition(scene: &Scene, definition: &Signal, signal: &Signal, factor: &str) -> Option<Proposal> {

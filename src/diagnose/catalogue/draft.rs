@@ -81,6 +81,8 @@ pub struct Proposal {
     pub neutral: Option<Vec<f64>>,
     /// Limits of the added parameters.
     pub limits: Vec<Limits>,
+    /// A parameter p of the model that makes up for it: what was p is p/(1 + a·level) with the first added parameter a.
+    pub makes_up: Option<(String, f64)>,
     /// What it puts in the place of what: new and old.
     pub replaced: Vec<(Expr, Expr)>,
 }
@@ -178,6 +180,7 @@ impl<'a> Draft<'a> {
             depends: Vec::new(),
             neutral: None,
             limits: Vec::new(),
+            makes_up: None,
             replaced: Vec::new(),
         };
         Self { scene, proposal, failed: false }
@@ -417,6 +420,11 @@ impl<'a> Draft<'a> {
         let moved = old.states.iter().map(|s| &s.rate).zip(new.states.iter().map(|s| &s.rate));
         let changed = defined.chain(moved).find(|(a, b)| a != b).map(|(_, b)| b.to_string());
         self.term(&changed.unwrap_or_default());
+    }
+
+    /// Says that the law divides a parameter by 1 + a·level, a being the first of the added ones.
+    pub fn divides(&mut self, parameter: &str, level: f64) {
+        self.proposal.makes_up = Some((parameter.to_string(), level));
     }
 
     /// Adds a start of the added parameters, SI.

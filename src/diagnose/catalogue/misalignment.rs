@@ -1,5 +1,6 @@
 //! # What it is
-//! An instrument stands turned against the axis from which its angle is counted.
+//! An instrument stands turned against the axis from which its angle is counted, or an input against that along which
+//! it acts.
 //!
 //! # Signature in a recording
 //! The error repeats with the heading, shifted against the model's own harmonic by a constant
@@ -8,6 +9,7 @@
 //! # Equation
 //! ```text
 //!     K -> K + delta
+//!     u -> u (1 + a y^2)      with a recorded angle y between u and its axis; a cosine where a = -1/2
 //! ```
 //!
 //! # What else looks like this
@@ -18,9 +20,10 @@
 //! A. Lawrence, Modern Inertial Technology, 2nd ed. (1998), on misalignment.
 //!
 //! # Example
-//! A gyrocompass stand turned by three degrees against the keel.
+//! A gyrocompass stand turned by three degrees against the keel; a wind turbine that does not face the wind.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
+use crate::units::Unit;
 
 /// An angle used by the model is off.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -33,7 +36,25 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let angles: Vec<&Signal> = scene.headings();
-    angles.iter().filter_map(|h| at(scene, h)).collect()
+    let mut all: Vec<Proposal> = angles.iter().filter_map(|h| at(scene, h)).collect();
+    let small = |s: &&Signal| scene.is_angle(&s.name) && !s.is_heading();
+    for angle in scene.moving(&[SignalKind::Channel]).filter(small) {
+        let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());
+        all.extend(inputs.filter_map(|u| component(scene, u, angle)));
+    }
+    all
+}
+
+/// An input that acts by its component along an axis from which a recorded angle turns it away.
+fn component(scene: &Scene, u: &Signal, angle: &Signal) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "misalignment", SiteKind::Input, &u.name);
+    let unit = Unit::one().over(&scene.unit(&angle.name).power(2.0));
+    let a = d.amplitude("a", &unit, ANY, "relative change with the square of the angle");
+    d.uses(&angle.name);
+    d.replace(&u.name, &format!("({}*(1 + {a}*{}^2))", u.name, angle.name), |_| true);
+    d.start(&[-0.5]);
+    let (u, angle) = (scene.words(&u.name), scene.words(&angle.name));
+    d.done(&format!("{u} acts by a component that changes with the square of {angle}, relatively by {{0}}"))
 }
 
 fn at(scene: &Scene, h: &Signal) -> Option<Proposal> {

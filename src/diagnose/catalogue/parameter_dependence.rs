@@ -7,7 +7,7 @@
 //! # Equation
 //! ```text
 //!     p -> p (1 + a (u - mean u))        with an input, a channel or a state
-//!     p -> p (1 + a x^2)                 with a state that goes through 0
+//!     p -> p (1 + a x^2)                 with a state, an input or a channel that goes through 0
 //!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
 //!     p -> p exp(a (u - mean u))
 //!     and the same with an output that is no state, as its expression stands
@@ -53,7 +53,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let pairs = names.iter().flat_map(|p| signals.iter().map(move |s| (p, *s)));
     let mut all: Vec<Proposal> = pairs.clone().filter_map(|(p, s)| at(scene, p, s)).collect();
     if !scene.trials {
-        all.extend(pairs.filter_map(|(p, s)| on_state(scene, p, s, Form::Exponential)));
+        let forms = [Form::Exponential, Form::Quadratic];
+        all.extend(pairs.flat_map(|(p, s)| forms.into_iter().filter_map(|f| on_state(scene, p, s, f))));
         let states: Vec<&Signal> = scene.moving(&[SignalKind::State]).filter(|s| !s.is_heading()).collect();
         for p in &names {
             for s in &states {
@@ -146,6 +147,9 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
     };
     d.uses(s);
     d.replace(p, &text, |_| true);
+    if form.saturates() {
+        d.divides(p, size.powf(power));
+    }
     let start =
         if form == Form::Linear || form == Form::Exponential { signal.spread } else { size.powf(power) };
     d.start(&[0.3 / start]);
@@ -197,6 +201,9 @@ fn on_argument(scene: &Scene, p: &str, x: &Expr, form: Form) -> Option<Proposal>
     d.each_rate(&|e| rewritten(e, &|t| is_own(t).then(|| with_factor(t, &own, &new))));
     x.names().iter().filter(|n| scene.signal(n).is_some()).for_each(|n| d.uses(n));
     d.term(&law);
+    if form.saturates() {
+        d.divides(p, size.powf(power));
+    }
     d.start(&[0.3 / size.powf(power)]);
     let how = if form.saturates() { "saturates with" } else { "varies with the square of" };
     let words = if let Expr::Name(n) = x { scene.words(n) } else { x.to_string() };

@@ -102,6 +102,7 @@ fn at(scene: &Scene, p: &str, x: &Signal, inhibits: bool) -> Option<Proposal> {
     d.uses(name);
     d.each_rate(&|e| rewritten(e, &|t| is_own(t).then(|| with_factor(t, &Expr::name(name), &new))));
     d.term(&format!("{p}*{text}"));
+    d.divides(p, x.size());
     let mut start = vec![0.5 / x.size()];
     start.extend(inhibits.then(|| 0.3 / x.size().powi(2)));
     d.start(&start);
