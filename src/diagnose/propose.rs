@@ -29,6 +29,9 @@ use rayon::prelude::*;
 /// Starts of one proposal, beside the best, from which it is tried.
 const FURTHER: usize = 2;
 
+/// How strong a law that divides a parameter is at its usual level in one of its starts: the parameter is divided by 1 and this.
+const STRONG: f64 = 4.0;
+
 /// Factor on the sum of squares of the best start up to which another one is walked from too.
 const NEAR: f64 = 3.0;
 
@@ -293,23 +296,26 @@ pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened, scale: &S
         let anew = if i == 0 { likely.last() } else { None };
         let tried = own.iter().map(|a| base.extended(&p.model, a));
         let tried = tried.chain(anew.map(|a| from_given.extended(&p.model, a)));
-        let tried = tried.flat_map(|stand| made_up(p, &stand).into_iter().chain([stand]));
         let scored = tried.map(|stand| (squares(&stand), stand)).filter(|s| s.0.is_finite());
         stands.extend(scored.min_by(|a, b| a.0.total_cmp(&b.0)));
     }
     stands.sort_by(|a, b| a.0.total_cmp(&b.0));
     let near = stands.first().map_or(0.0, |s| NEAR * s.0);
-    stands.into_iter().take(2).filter(|s| s.0 <= near).map(|s| s.1).collect()
+    let strong = made_up(p, base, s);
+    let most = if strong.is_some() { 1 } else { 2 };
+    stands.into_iter().take(most).filter(|s| s.0 <= near).map(|s| s.1).chain(strong).collect()
 }
 
-/// The same start with the parameter that a law divides as large as makes up for that on the whole.
-fn made_up(p: &Proposal, stand: &Stand) -> Option<Stand> {
+/// A strong start of a law that divides a parameter, with that as large as makes up for it on the whole: from a weak one
+/// the way along which both grow is long.
+fn made_up(p: &Proposal, base: &Stand, s: &Screened) -> Option<Stand> {
     let (name, level) = p.makes_up.as_ref()?;
-    let number = |n: &str| p.model.parameters.iter().position(|own| own.name == n);
-    let (divided, by) = (number(name)?, number(&p.added.first()?.name)?);
-    let mut other = stand.clone();
-    other.parameters[divided] *= 1.0 + stand.parameters[by] * level;
-    Some(other)
+    let divided = p.model.parameters.iter().position(|own| own.name == *name)?;
+    let mut added = p.quiet(&s.start);
+    *added.first_mut()? = STRONG / level;
+    let mut stand = base.extended(&p.model, &added);
+    stand.parameters[divided] *= 1.0 + STRONG;
+    Some(stand)
 }
 
 /// The places at which a parameter may be, between those of its starts and one beyond; none where its starts are few.

@@ -59,7 +59,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         for p in &names {
             for s in &states {
                 let alone = stands_alone(scene, p, &s.name);
+                let rate = is_rate(scene, p, s);
                 let forms = FORMS.iter().filter(|f| !alone || f.saturates());
+                let forms = forms.filter(|f| !rate || **f != Form::Saturating);
                 all.extend(forms.filter_map(|f| on_state(scene, p, s, *f)));
             }
             all.extend(scene.model.outputs.iter().filter_map(|o| on_output(scene, p, o)));
@@ -122,6 +124,12 @@ fn stands_alone(scene: &Scene, p: &str, state: &str) -> bool {
     let rates =
         scene.model.states.iter().map(|s| edit::terms_of(scene.model, edit::sum_of(scene.model, &s.rate)));
     rates.flatten().any(|t| is_plain(&t))
+}
+
+/// Whether a parameter times the level of a state is a term of the model: where it saturates, it is a saturable rate.
+fn is_rate(scene: &Scene, p: &str, level: &Signal) -> bool {
+    let own = |t: &Expr| has_factor(t, p) && has_factor(t, &level.name);
+    level.mean > 0.5 * level.spread && arguments::terms(scene.model).iter().any(own)
 }
 
 fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Proposal> {
