@@ -78,8 +78,9 @@ extern "C" fn whole_slope(x: f64, n: i32) -> f64 {
     f64::from(n) * x.powi(n - 1)
 }
 
-extern "C" fn signum(x: f64) -> f64 {
-    x.signum()
+/// 1 where a condition holds, −1 where another does, else 0.
+fn side(above: bool, below: bool) -> f64 {
+    f64::from(i8::from(above) - i8::from(below))
 }
 
 fn interpret<T: Plain>(code: &[Op], r: &mut [T]) {
@@ -106,7 +107,13 @@ fn interpret<T: Plain>(code: &[Op], r: &mut [T]) {
                 let n = i32::from(op.b.cast_signed());
                 a.chain(f(a.value(), n), slope(a.value(), n))
             }
-            Action::Flat(f) => T::of(f(a.value()), &mut || 0.0),
+            Action::Sign => T::of(side(a.value() > 0.0, a.value() < 0.0), &mut || 0.0),
+            Action::SignOrOne => T::of(side(a.value() >= 0.0, a.value() < 0.0), &mut || 0.0),
+            Action::Step => T::of(side(a.value() >= 0.0, false), &mut || 0.0),
+            Action::Sqrt => {
+                let root = a.value().sqrt();
+                a.chain(root, if root == 0.0 { 0.0 } else { 0.5 / root })
+            }
         };
     }
 }
@@ -147,7 +154,10 @@ fn random_code(draw: &mut Draw, length: u16) -> Vec<Op> {
         Action::One(sine, cosine),
         Action::Two(hypot, hypot_by_a, hypot_by_b),
         Action::Whole(whole, whole_slope),
-        Action::Flat(signum),
+        Action::Sign,
+        Action::SignOrOne,
+        Action::Step,
+        Action::Sqrt,
     ];
     let one = |k: u16| {
         let action = actions[usize::from(draw.below(actions.len() as u64))];

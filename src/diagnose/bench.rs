@@ -288,7 +288,7 @@ impl Bench {
         initials: Vec<Vec<f64>>,
         (tolerance, planned): (f64, Vec<Option<Planned>>),
     ) -> Result<Vec<Record>> {
-        let options = FitOptions { tolerance, planned, initials, ..self.options(Effort::Near, 0) };
+        let options = FitOptions { tolerance, initials, planned, ..self.options(Effort::Near, 0) };
         let one = |k: usize| {
             let spans = self.screened_spans(model, k);
             let mut record = setup::record(model, &self.recordings[k], k, &spans, &options)?;
