@@ -159,20 +159,30 @@ fn random_code(draw: &mut Draw, length: u16) -> Vec<Op> {
         Action::Step,
         Action::Sqrt,
     ];
+    let mut is_squared = false;
     let one = |k: u16| {
-        let action = actions[usize::from(draw.below(actions.len() as u64))];
+        let drawn = actions[usize::from(draw.below(actions.len() as u64))];
         let to = GIVEN + k;
+        // the root of what may be negative is no number, and has no tangents to compare
+        let action = match drawn {
+            Action::Sqrt if !is_squared => Action::Square,
+            other => other,
+        };
+        is_squared = matches!(action, Action::Square);
         let mut operand = || draw.below(u64::from(to));
         let (a, b, c) = (operand(), operand(), operand());
+        let a = if matches!(action, Action::Sqrt) { to - 1 } else { a };
         let b = if matches!(action, Action::Whole(..)) { (c % 5).wrapping_sub(1) } else { b };
         Op { action, to, a, b, c }
     };
     (0..length).map(one).collect()
 }
 
-/// Equal bits, but that zeros of both signs and all of what is no number are the same.
-fn agree(a: &[f64], b: &[f64]) -> bool {
-    a.iter().zip(b).all(|(a, b)| a == b || (a.is_nan() && b.is_nan()))
+/// Equal bits, but that zeros of both signs and all of what is no number are the same, and that where the machine code has
+/// no tangents the interpreter has zeros: times what has no end, or added to it, they come to no number.
+fn agree(own: &[f64], wanted: &[f64]) -> bool {
+    let same = |(a, b): (&f64, &f64)| a == b || b.is_nan() && (!a.is_finite() || *a == 0.0);
+    own.iter().zip(wanted).all(same)
 }
 
 /// A number at random, with tangents or with zeros in their place.

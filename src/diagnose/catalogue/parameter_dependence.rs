@@ -53,8 +53,13 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let pairs = names.iter().flat_map(|p| signals.iter().map(move |s| (p, *s)));
     let mut all: Vec<Proposal> = pairs.clone().filter_map(|(p, s)| at(scene, p, s)).collect();
     if !scene.trials {
-        let forms = [Form::Exponential, Form::Quadratic];
-        all.extend(pairs.flat_map(|(p, s)| forms.into_iter().filter_map(|f| on_state(scene, p, s, f))));
+        let terms = arguments::terms(scene.model);
+        let forms = |p: &str, s: &Signal| {
+            // what is an input times its own square is its characteristic
+            let own = terms.iter().any(|t| has_factor(t, p) && has_factor(t, &s.name));
+            [Form::Exponential, Form::Quadratic].into_iter().filter(move |f| !own || *f != Form::Quadratic)
+        };
+        all.extend(pairs.flat_map(|(p, s)| forms(p, s).filter_map(|f| on_state(scene, p, s, f))));
         let states: Vec<&Signal> = scene.moving(&[SignalKind::State]).filter(|s| !s.is_heading()).collect();
         for p in &names {
             for s in &states {
