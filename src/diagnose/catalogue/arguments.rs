@@ -80,19 +80,21 @@ mod tests {
             [inputs]
             steer = { unit = "rad" }
             speed = { unit = "m/s" }
+            wind = { unit = "m/s" }
             [parameters]
             C = { value = 1, unit = "N" }
+            d = { value = 1, unit = "N*s/m" }
             m = { value = 1, unit = "kg" }
             [definitions]
             slip = { equals = "steer - v/speed", unit = "1" }
             [states]
-            v = { rate = "(C*slip - 2*C*v/speed - C*(v - 3)/m)/m", unit = "m/s", initial = 0 }
+            v = { rate = "(C*slip - 2*C*v/speed - d*(v - wind) - d*v)/m", unit = "m/s", initial = 0 }
             [outputs]
             y = { equals = "v", unit = "m/s" }
             "#,
         )
         .unwrap();
         let all: Vec<String> = arguments(&model).iter().map(ToString::to_string).collect();
-        assert_eq!(all, ["slip", "v/speed"]);
+        assert_eq!(all, ["slip", "v/speed", "v - wind"]);
     }
 }
