@@ -243,3 +243,43 @@ fn an_elimination_that_saturates_far_below_its_mean_level() {
     assert_eq!((found.code.as_str(), found.site.name.as_str()), ("saturable-rate", "CL"), "{}", answer.says);
     assert!((found.parameters[0].value * 0.6 - 1.0).abs() < 0.15, "{}", answer.says);
 }
+
+#[test]
+fn a_limit_and_a_loss_that_a_bend_of_the_input_stands_for() {
+    let model = r#"
+        name = "kiln"
+        [inputs]
+        drive = { unit = "1" }
+        hall = { unit = "degC" }
+        [parameters]
+        P = { value = 3000, unit = "W", fit = true, min = 500, max = 20000 }
+        hA = { value = 4, unit = "W/K", fit = true, min = 0.5, max = 40 }
+        C = { value = 7, unit = "J/K", fit = true, min = 1, max = 70 }
+        [states]
+        T = { rate = "(P*drive - hA*(T - hall))/C", unit = "K", initial = "fit" }
+        [outputs]
+        kiln = { equals = "T", unit = "degC" }
+    "#;
+    let drive = |u: f64| (0.5 + 0.09 * u).clamp(0.04, 0.96);
+    let hall = |w: f64| 295.0 + w;
+    let states = run_with_two(|[above], [u, w]| {
+        let t = 295.0 + above;
+        let lost = 2.0 * (t - hall(w)) + 3e-9 * (t.powi(4) - hall(w).powi(4));
+        [(4000.0 * drive(u).min(0.72) - lost) / 10.0]
+    });
+    let kiln = states.iter().map(|[above]| 21.85 + above).collect();
+    let columns = [
+        ("drive", "1", inputs().iter().map(|u| drive(*u)).collect(), 0.0),
+        ("hall", "degC", second_inputs().iter().map(|w| hall(*w) - 273.15).collect(), 0.0),
+        ("kiln", "degC", kiln, 2.0),
+    ];
+    let answer = told(model, &columns);
+    let found: Vec<(&str, &str)> =
+        answer.findings.iter().map(|f| (f.code.as_str(), f.site.name.as_str())).collect();
+    assert!(found.contains(&("input-saturation", "drive")), "{}", answer.says);
+    let loss = answer.findings.iter().find(|f| f.site.name == "T" || f.site.name == "hA");
+    let is_radiation = |f: &gyrospec::diagnose::answer::Finding| {
+        f.code == "radiation" || f.ties.iter().any(|t| t == "radiation")
+    };
+    assert!(found.len() == 2 && loss.is_some_and(is_radiation), "{}", answer.says);
+}
