@@ -72,9 +72,8 @@ fn replace(bench: &Bench, separate: &[Recording], found: &mut Found, (i, progres
         return;
     }
     let (proposal, p_value, tried) = (r.proposal.clone(), r.p_value, r.tried);
-    found.last = r.fit.clone();
-    found.measures.1 = Measure::of(&found.last, &found.scale);
-    found.taken[i] = Taken { proposal, p_value, tried, ties, elsewhere, rivals: None };
+    let taken = Taken { proposal, p_value, tried, ties, elsewhere, rivals: None };
+    found.replaces(i, taken, r.fit.clone());
     backward::stand(bench, separate, found);
 }
 

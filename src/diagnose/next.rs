@@ -117,12 +117,11 @@ pub fn separation(model: &Model, first: &Proposal, ties: &[Proposal]) -> Option<
             "recordings at a third and at three times the amplitude of {outputs}: friction, damping and stiffness scale apart"
         )
     } else {
-        let signals = listed([first, other].into_iter().map(|p| p.depends.first().unwrap_or(&p.site.name)));
-        match signals {
-            Some(several) if several.contains(" and ") => {
-                format!("a recording in which {several} vary independently of each other")
-            }
-            one => format!("a recording in which {} covers three times this range", one.unwrap_or(outputs)),
+        let [one, two] = [first, other].map(|p| p.depends.first().unwrap_or(&p.site.name));
+        if one == two {
+            format!("a recording in which {one} covers three times this range")
+        } else {
+            format!("a recording in which {one} and {two} vary independently of each other")
         }
     };
     let names = (words::beside(other, first), words::beside(first, other));

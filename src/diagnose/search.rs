@@ -119,6 +119,13 @@ impl Found {
         }
     }
 
+    /// Puts another finding in the place of one, with the model fitted with it.
+    pub fn replaces(&mut self, i: usize, taken: Taken, fit: Fit) {
+        self.taken[i] = taken;
+        self.last = fit;
+        self.measures.1 = Measure::of(&self.last, &self.scale);
+    }
+
     /// ln of the fall of the left-out sum of squares from the given model to the last.
     pub fn gain(&self) -> f64 {
         gain(&self.measures.0, &self.measures.1)

@@ -31,9 +31,7 @@ pub fn settle(bench: &Bench, found: &mut Found, progress: &dyn Progress) {
         let Some((proposal, fit)) = simpler(bench, found, i, progress) else { continue };
         let Taken { p_value, tried, .. } = found.taken[i];
         let (ties, elsewhere, rivals) = (Vec::new(), Vec::new(), None);
-        found.taken[i] = Taken { proposal, p_value, tried, ties, elsewhere, rivals };
-        found.last = fit;
-        found.measures.1 = Measure::of(&found.last, &found.scale);
+        found.replaces(i, Taken { proposal, p_value, tried, ties, elsewhere, rivals }, fit);
     }
 }
 

@@ -23,8 +23,13 @@ pub(super) fn terms(model: &Model) -> Vec<Expr> {
 
 /// The arguments of a model's terms that are no plain inputs, states or numbers, each once.
 pub fn arguments(model: &Model) -> Vec<Expr> {
+    each(model, terms(model).iter())
+}
+
+/// The same of some of its terms.
+pub(super) fn each<'t>(model: &Model, terms: impl Iterator<Item = &'t Expr>) -> Vec<Expr> {
     let mut found: Vec<Expr> = Vec::new();
-    for argument in terms(model).iter().filter_map(|t| of(model, t)) {
+    for argument in terms.filter_map(|t| of(model, t)) {
         if !found.contains(&argument) {
             found.push(argument);
         }

@@ -28,7 +28,7 @@
 //! leaves the gap; an inductance whose iron saturates with the current.
 
 use super::arguments;
-use super::between::{self, Of};
+use super::between::{self, Between, Of};
 use super::terms::{has_factor, rewritten, with_factor};
 use super::{
     Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, draft::POSITIVE, edit,
@@ -56,7 +56,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         let terms = arguments::terms(scene.model);
         let forms = |p: &str, s: &Signal| {
             // what is an input times its own square is its characteristic
-            let own = terms.iter().any(|t| has_factor(t, p) && has_factor(t, &s.name));
+            let own = multiplies(&terms, p, &s.name);
             [Form::Exponential, Form::Quadratic].into_iter().filter(move |f| !own || *f != Form::Quadratic)
         };
         all.extend(pairs.flat_map(|(p, s)| forms(p, s).filter_map(|f| on_state(scene, p, s, f))));
@@ -64,14 +64,17 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         for p in &names {
             for s in &states {
                 let alone = stands_alone(scene, p, &s.name);
-                let rate = is_rate(scene, p, s);
+                // where a level saturates that a parameter multiplies, it is a saturable rate
+                let rate = s.mean > 0.5 * s.spread && multiplies(&terms, p, &s.name);
                 let forms = FORMS.iter().filter(|f| !alone || f.saturates());
                 let forms = forms.filter(|f| !rate || **f != Form::Saturating);
                 all.extend(forms.filter_map(|f| on_state(scene, p, s, *f)));
             }
             all.extend(scene.model.outputs.iter().filter_map(|o| on_output(scene, p, o)));
         }
-        all.extend(names.iter().flat_map(|p| on_arguments(scene, p)));
+        let kinds = [Of::Positions, Of::Speeds].into_iter();
+        let elements: Vec<Between> = kinds.flat_map(|of| between::all(scene, of)).collect();
+        all.extend(names.iter().flat_map(|p| on_arguments(scene, p, (&terms, &elements))));
         all.extend(dampers(scene).iter().filter_map(|(p, speed)| each_way(scene, p, speed)));
     }
     all
@@ -131,10 +134,9 @@ fn stands_alone(scene: &Scene, p: &str, state: &str) -> bool {
     rates.flatten().any(|t| is_plain(&t))
 }
 
-/// Whether a parameter times the level of a state is a term of the model: where it saturates, it is a saturable rate.
-fn is_rate(scene: &Scene, p: &str, level: &Signal) -> bool {
-    let own = |t: &Expr| has_factor(t, p) && has_factor(t, &level.name);
-    level.mean > 0.5 * level.spread && arguments::terms(scene.model).iter().any(own)
+/// Whether a parameter multiplies a signal in some term.
+fn multiplies(terms: &[Expr], p: &str, signal: &str) -> bool {
+    terms.iter().any(|t| has_factor(t, p) && has_factor(t, signal))
 }
 
 fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Proposal> {
@@ -177,17 +179,8 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
 
 /// A parameter that varies with what it multiplies in a term: a sum, a quotient or a definition, of which a spring or a
 /// damper between two bodies has names of its own where it grows.
-fn on_arguments(scene: &Scene, p: &str) -> Vec<Proposal> {
-    let own = |t: &&Expr| has_factor(t, p);
-    let terms = arguments::terms(scene.model);
-    let mut found: Vec<Expr> = Vec::new();
-    for argument in terms.iter().filter(own).filter_map(|t| arguments::of(scene.model, t)) {
-        if !found.contains(&argument) {
-            found.push(argument);
-        }
-    }
-    let elements: Vec<between::Between> =
-        [Of::Positions, Of::Speeds].into_iter().flat_map(|of| between::all(scene, of)).collect();
+fn on_arguments(scene: &Scene, p: &str, (terms, elements): (&[Expr], &[Between])) -> Vec<Proposal> {
+    let found = arguments::each(scene.model, terms.iter().filter(|t| has_factor(t, p)));
     let is_element = |x: &Expr| elements.iter().any(|b| b.parameter == p && b.difference == *x);
     let forms = [Form::Quadratic, Form::Saturating, Form::SaturatingSquare];
     let of = |x: &Expr| {
