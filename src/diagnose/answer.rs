@@ -229,6 +229,20 @@ impl DataFault {
     pub fn is_reading(&self) -> bool {
         self.finding.code == INPUT_HOLD
     }
+
+    /// Whether it is the model's own, not of the data.
+    pub fn is_of_the_model(&self) -> bool {
+        ["definition", "parameter"].contains(&self.finding.site.kind.as_str())
+    }
+}
+
+/// What is at fault, in words, where faults have the verdict.
+pub fn at_fault(faults: &[DataFault]) -> &'static str {
+    if faults.iter().any(DataFault::is_of_the_model) {
+        "A sign in the model is wrong"
+    } else {
+        "The data are at fault"
+    }
 }
 
 /// Share of the held-out improvement from which on a finding stands in the sentence that says what was found.

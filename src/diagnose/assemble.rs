@@ -73,7 +73,12 @@ impl Assembly<'_> {
         budget.begin("proof");
         let (before, after) = prove::both(&self.bench, &self.found, &self.separate);
         let blind = self.blind(&after);
-        let evidence = Evidence { found: &self.found, rest: &rest, blind: blind.as_deref() };
+        let evidence = Evidence {
+            found: &self.found,
+            rest: &rest,
+            blind: blind.as_deref(),
+            is_adrift: self.is_adrift(),
+        };
         let left = evidence.is_left();
         let mut findings = self.findings(smaller, &before, &after);
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
@@ -162,6 +167,13 @@ impl Assembly<'_> {
             held: (before, after),
             recordings: self.bench.recordings,
         })
+    }
+
+    /// Whether the model as given, fitted, misses an output by more than that moves.
+    fn is_adrift(&self) -> bool {
+        let base = &self.found.base;
+        let mut misses = base.model.outputs.iter().zip(&base.rmse);
+        misses.any(|(o, rmse)| *rmse > self.bench.spread(&o.name))
     }
 
     /// Whether what the last model leaves is no noise.

@@ -54,7 +54,7 @@ mod words;
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::{FitOptions, Progress, begun, setup};
-use crate::model::Model;
+use crate::model::{Model, Parameter};
 use crate::record::{Recording, Source};
 use crate::simulate::{Budget, Early, Stage};
 use answer::{Answer, DataFault, Verdict};
@@ -237,7 +237,7 @@ impl Case<'_> {
         }
         let stands = verdict != Verdict::Unknown;
         self.bench.budget.begin("law without a name");
-        let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
+        let given = self.given(&found.base);
         let (lawful, tried) =
             free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)?;
         let lawful = lawful.map(&assembled).transpose()?;
@@ -272,7 +272,7 @@ impl Case<'_> {
         fitted.filter(is_output).filter(|s| faults::takes(s)).map(|s| s.fault.samples).sum()
     }
 
-    /// The search, in channels of the right sign and unit; with whether gaps of inputs leave too little to tell.
+    /// The search, with signs and units mended; with whether gaps of inputs leave too little to tell.
     fn searched(&mut self, mut base: Fit) -> Result<(Found, bool)> {
         let model = self.request.model;
         self.bench.budget.begin("faults");
@@ -300,9 +300,20 @@ impl Case<'_> {
         Ok((self.named(base)?, is_cut))
     }
 
+    /// The values that the model was given, with the sign that they were found to have.
+    fn given(&self, base: &Fit) -> Vec<f64> {
+        let pairs = self.request.model.parameters.iter().zip(&base.model.parameters);
+        let given = |(given, now): (&Parameter, &Parameter)| match now.fit {
+            false => now.value,
+            true if (now.min, now.max) == (given.min, given.max) => given.value,
+            true => -given.value,
+        };
+        pairs.map(given).collect()
+    }
+
     /// What the search finds and what of it stands.
     fn named(&self, base: Fit) -> Result<Found> {
-        let given: Vec<f64> = self.request.model.parameters.iter().map(|p| p.value).collect();
+        let given = self.given(&base);
         let mut found =
             walk::search(&self.bench, &self.separate, base, (&given, None), self.request.progress)?;
         backward::stand(&self.bench, &self.separate, &mut found);

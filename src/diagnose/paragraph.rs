@@ -1,6 +1,6 @@
 //! The paragraph that says it all.
 
-use super::answer::{DataFault, Finding, Proof, Verdict, told};
+use super::answer::{DataFault, Finding, Proof, Verdict, at_fault, told};
 use super::catalogue::Proposal;
 use super::choose::SURE;
 use super::free_law::is_in;
@@ -41,7 +41,7 @@ impl Paragraph<'_> {
         let (physics, verdict) = self.verdicts;
         if verdict == Verdict::DataFault {
             let all = joined(self.faults.iter().map(|f| &f.finding));
-            return format!("The data are at fault: {all}. {}", self.beside(physics));
+            return format!("{}: {all}. {}", at_fault(self.faults), self.beside(physics));
         }
         format!("{}{}", self.physics(), self.mended())
     }
@@ -66,11 +66,15 @@ impl Paragraph<'_> {
     fn mended(&self) -> String {
         let (readings, faults): (Vec<&DataFault>, Vec<&DataFault>) =
             self.faults.iter().partition(|f| f.is_reading());
+        let (own, faults): (Vec<&DataFault>, Vec<&DataFault>) =
+            faults.into_iter().partition(|f| f.is_of_the_model());
         let all = |masked: bool| joined(faults.iter().filter(|f| f.masked == masked).map(|f| &f.finding));
+        let turned = joined(own.iter().map(|f| &f.finding));
         let read: String = readings.iter().map(|f| format!(" {}.", f.finding.says)).collect();
         let said =
             |list: String, words: &str| if list.is_empty() { list } else { format!(" {words}: {list}.") };
-        read + &said(all(true), "Faults of the data were left out or mended first")
+        read + &said(turned, "A sign was mended first")
+            + &said(all(true), "Faults of the data were left out or mended first")
             + &said(all(false), "The data have a fault that nothing can mend")
     }
 

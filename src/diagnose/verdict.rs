@@ -27,6 +27,8 @@ pub struct Evidence<'a> {
     pub rest: &'a Rest,
     /// Why the fitted part cannot tell, if so.
     pub blind: Option<&'a str>,
+    /// Whether the model as given, fitted, misses an output by more than that moves.
+    pub is_adrift: bool,
 }
 
 impl Evidence<'_> {
@@ -45,6 +47,12 @@ impl Evidence<'_> {
         let sure = self.found.scale.trials && self.rest.p_value < IN_TRIALS.1;
         let most = if sure { IN_TRIALS.0 } else { RESEMBLES };
         self.is_left() && left > most * (named + left)
+    }
+
+    /// Whether the model as given misses more than a constant would, and a law is left for sure: any law that holds
+    /// such a model back lowers the error.
+    fn ran_away(&self) -> bool {
+        self.is_adrift && self.is_left() && self.rest.p_value < SURE
     }
 
     /// Whether an own parameter of a name has run into its bound, where it is something else.
@@ -67,7 +75,11 @@ impl Evidence<'_> {
         if is_in(&self.found.taken) {
             return Verdict::Unknown;
         }
-        if self.outweighs() || self.is_pressed() || self.is_left() && is_wave(&first.proposal) {
+        if self.outweighs()
+            || self.ran_away()
+            || self.is_pressed()
+            || self.is_left() && is_wave(&first.proposal)
+        {
             Verdict::Unknown
         } else if first.ties.is_empty() {
             Verdict::Named

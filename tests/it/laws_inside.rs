@@ -2,7 +2,7 @@
 //! parameter that is known.
 
 use crate::laws_met::{inputs, named, run, run_with_two, second_inputs, told};
-use gyrospec::diagnose::answer::Answer;
+use gyrospec::diagnose::answer::{Answer, Verdict};
 
 const OVEN: &str = r#"
     name = "oven with its controller"
@@ -24,6 +24,11 @@ const OVEN: &str = r#"
 
 /// What is said of the oven whose power has a rate by its own state and what the controller wants, and acts through `felt`.
 fn oven(level: f64, felt: impl Fn(f64, f64) -> (f64, f64)) -> Answer {
+    oven_of(OVEN, level, felt)
+}
+
+/// The same by another model.
+fn oven_of(model: &str, level: f64, felt: impl Fn(f64, f64) -> (f64, f64)) -> Answer {
     let states = run(|[t, z, heater], u| {
         let wanted = u + level - t;
         let (acts, rate) = felt(4.0 * wanted + 0.8 * z, heater);
@@ -31,7 +36,7 @@ fn oven(level: f64, felt: impl Fn(f64, f64) -> (f64, f64)) -> Answer {
     });
     let wanted = inputs().iter().map(|u| u + level).collect();
     let oven = states.iter().map(|x| x[0]).collect();
-    told(OVEN, &[("wanted", "K", wanted, 0.0), ("oven", "K", oven, 0.01)])
+    told(model, &[("wanted", "K", wanted, 0.0), ("oven", "K", oven, 0.01)])
 }
 
 #[test]
@@ -57,6 +62,32 @@ fn a_controller_whose_small_demands_do_nothing() {
     let answer = oven(0.0, |power, _| (power - power.clamp(-2.0, 2.0), 0.0));
     let found = named(&answer);
     assert!(matches!(found[..], [("input-dead-zone", "power", d)] if (d - 2.0).abs() < 0.1), "{found:?}");
+}
+
+/// A controller whose gains have the wrong sign runs away, and no law of physics says so.
+#[test]
+fn a_controller_that_feeds_back_the_wrong_way() {
+    let wrong = OVEN.replace("value = 4,", "value = -4,").replace("value = 0.8,", "value = -0.8,");
+    let answer = oven_of(&wrong, 6.0, |power, _| (power, 0.0));
+    assert_eq!(answer.verdict, Verdict::DataFault, "{}", answer.says);
+    let fault = &answer.faults[0].finding;
+    assert_eq!((fault.code.as_str(), fault.site.name.as_str()), ("wrong-sign", "power"), "{}", answer.says);
+    assert!(answer.proof[0].holdout_after < 1.1 * 0.01, "{}", answer.says);
+    // and what is missing beside it is found beside it
+    let answer = oven_of(&wrong, 2.0, |power, _| (power.max(0.0), 0.0));
+    let found = named(&answer);
+    assert!(matches!(found[..], [("input-saturation", "power", l)] if l.abs() < 0.1), "{found:?}");
+    assert_eq!(answer.faults[0].finding.code, "wrong-sign");
+}
+
+/// A loss that the formula adds in the place of taking it away ends at its least, 0.05 W/K; the controller holds the
+/// model, so that what is missing is a loss: 0.5 W/K and the 0.05 that are added.
+#[test]
+fn a_loss_of_the_wrong_sign() {
+    let wrong = OVEN.replace("power - h*T", "power + h*T");
+    let answer = oven_of(&wrong, 6.0, |power, _| (power, 0.0));
+    let found = named(&answer);
+    assert!(matches!(found[..], [("linear-damping", "T", h)] if (h - 0.55).abs() < 0.01), "{found:?}");
 }
 
 const RUDDER: &str = r#"

@@ -1,12 +1,13 @@
 //! # What it is
-//! A channel counts in the other direction than the model: port for starboard, up for down.
+//! A channel counts in the other direction than the model: port for starboard, up for down. Or a definition or a
+//! parameter of the model has the wrong sign: a controller that feeds back so that the model runs away.
 //!
 //! # Signature in a recording
-//! The model fits well with the channel turned over, and not at all as it stands.
+//! The model fits well with it turned over, and not at all as it stands.
 //!
 //! # Equation
 //! ```text
-//!     u -> -u    or    y -> -y
+//!     u -> -u    or    y -> -y    or    d -> -d    or    p -> -p      d a definition, p a parameter
 //! ```
 //!
 //! # What else looks like this

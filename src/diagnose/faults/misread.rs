@@ -1,15 +1,18 @@
-//! Channels of the wrong sign or unit: what fits only turned over or by another factor.
+//! Channels of the wrong sign or unit, and parts of the model with the wrong sign: what fits only turned over or by
+//! another factor.
 
 use super::short;
 use crate::diagnose::answer::{DataFault, Finding, SiteName, Value};
 use crate::diagnose::bench::Bench;
+use crate::diagnose::catalogue::edit;
 use crate::diagnose::choose::{CHANCE, TIE};
 use crate::diagnose::measure::chance;
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
-use crate::model::Model;
+use crate::expression::Expr;
+use crate::model::{Model, Parameter};
 use crate::record::Recording;
-use crate::units::Unit;
+use crate::units::{Unit, significant};
 use rayon::prelude::*;
 
 /// Share of an output's spread from which on a misfit is bad.
@@ -44,22 +47,24 @@ fn factors(unit: &Unit) -> Vec<(f64, &'static str)> {
     std::iter::once((-1.0, "")).chain(known).collect()
 }
 
-/// A channel that fits only turned over or in another unit.
+/// What fits only turned over or in another unit.
 pub struct Misread {
     /// The fault.
     pub fault: DataFault,
-    /// The channel.
-    channel: String,
+    /// The channel, where it is one.
+    channel: Option<String>,
     /// What it is multiplied by.
     factor: f64,
-    /// The model fitted to the recordings mended.
+    /// The model fitted with it mended.
     pub fit: Fit,
 }
 
 impl Misread {
     /// Mends recordings.
     pub fn mend(&self, recordings: &mut [Recording]) {
-        scale(recordings, &self.channel, self.factor);
+        if let Some(channel) = &self.channel {
+            scale(recordings, channel, self.factor);
+        }
     }
 }
 
@@ -68,13 +73,65 @@ fn scale(recordings: &mut [Recording], channel: &str, factor: f64) {
     own.for_each(|c| c.values.iter_mut().for_each(|v| *v *= factor));
 }
 
-/// A way to mend a channel, with the model fitted after it.
-struct Mend<'m> {
-    channel: &'m str,
-    /// input or output.
-    kind: &'static str,
+/// What may be wrong by a factor; what is more likely so stands first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Part {
+    /// A sensor is mounted the wrong way round more easily than a command is given so.
+    Output,
+    Input,
+    Definition,
+    Parameter,
+}
+
+impl Part {
+    fn word(self) -> &'static str {
+        match self {
+            Self::Output => "output",
+            Self::Input => "input",
+            Self::Definition => "definition",
+            Self::Parameter => "parameter",
+        }
+    }
+
+    fn is_channel(self) -> bool {
+        matches!(self, Self::Output | Self::Input)
+    }
+}
+
+/// A factor that something may be wrong by.
+#[derive(Clone, Copy)]
+struct Way<'m> {
+    name: &'m str,
+    part: Part,
     factor: f64,
     words: &'static str,
+}
+
+impl Way<'_> {
+    /// The model and its recordings with the factor in them.
+    fn mended(&self, model: &Model, bench: &Bench) -> (Model, Vec<Recording>) {
+        let (mut model, mut recordings) = (model.clone(), bench.recordings.clone());
+        match self.part {
+            Part::Output | Part::Input => scale(&mut recordings, self.name, self.factor),
+            Part::Definition => {
+                for d in model.definitions.iter_mut().filter(|d| d.name == self.name) {
+                    d.equals = Expr::Neg(Box::new(d.equals.clone()));
+                }
+            }
+            Part::Parameter => model.parameters.iter_mut().filter(|p| p.name == self.name).for_each(turn),
+        }
+        (model, recordings)
+    }
+}
+
+fn turn(p: &mut Parameter) {
+    p.value = -p.value;
+    (p.min, p.max) = (p.max.map(|x| -x), p.min.map(|x| -x));
+}
+
+/// A way with the model fitted after it.
+struct Mend<'m> {
+    way: Way<'m>,
     fit: Fit,
     /// The largest misfit of an output as a share of its size.
     misfit: f64,
@@ -82,9 +139,9 @@ struct Mend<'m> {
     likelihood: f64,
 }
 
-/// Looks for a channel of the wrong sign or unit, where the model as given fits badly. A channel that never
-/// changes has no sign and no unit that could be seen: what acts as evenly is as likely. In a linear model an
-/// input too large is an output too small: what fits as well is told beside.
+/// Looks for a channel of the wrong sign or unit, and for a definition or a parameter of the wrong sign, where the model
+/// as given fits badly. A channel that never changes has no sign and no unit that could be seen: what acts as evenly is
+/// as likely. In a linear model an input too large is an output too small: what fits as well is told beside.
 pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     let before = relative(bench, base, "", 1.0).into_iter().fold(0.0, f64::max);
     if before <= BADLY {
@@ -101,31 +158,46 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
         mends.into_iter().filter(|m| m.misfit < BETTER * before && is_sure(m)).collect();
     let most = stand.iter().map(|m| m.likelihood).fold(f64::NEG_INFINITY, f64::max);
     stand.retain(|m| m.likelihood > most - TIE);
-    // A sensor is mounted the wrong way round more easily than a command is given so.
-    stand.sort_by_key(|m| m.kind == "input");
+    stand.sort_by_key(|m| m.way.part);
     let first = stand.first()?;
-    let fault = fault(first, &stand[1..]);
-    let Mend { channel, factor, fit, .. } = stand.swap_remove(0);
-    Some(Misread { fault, channel: channel.to_string(), factor, fit })
+    let others: Vec<Way<'_>> = stand[1..].iter().map(|m| m.way).collect();
+    let fault = fault(first, &others, before);
+    let Mend { way, fit, .. } = stand.swap_remove(0);
+    let channel = way.part.is_channel().then(|| way.name.to_string());
+    Some(Misread { fault, channel, factor: way.factor, fit })
 }
 
-/// Every channel that moves, turned over and in every unit that it may be in, with how many were tried.
-fn mends<'m>(bench: &Bench, model: &'m Model) -> (Vec<Mend<'m>>, usize) {
-    let inputs = model.inputs.iter().map(|i| (&i.name, &i.unit, "input"));
-    let channels = inputs.chain(model.outputs.iter().map(|o| (&o.name, &o.unit, "output")));
-    let ways = channels.filter(|c| bench.moves(c.0)).flat_map(|(channel, unit, kind)| {
-        factors(unit).into_iter().map(move |(factor, words)| (channel, kind, factor, words))
+/// Every channel that moves, turned over and in every unit that it may be in, and every definition that acts and every
+/// parameter of one sign, turned over.
+fn ways<'m>(bench: &Bench, model: &'m Model) -> Vec<Way<'m>> {
+    let inputs = model.inputs.iter().map(|i| (&i.name, &i.unit, Part::Input));
+    let channels = inputs.chain(model.outputs.iter().map(|o| (&o.name, &o.unit, Part::Output)));
+    let read = channels.filter(|c| bench.moves(c.0)).flat_map(|(name, unit, part)| {
+        factors(unit).into_iter().map(move |(factor, words)| Way { name, part, factor, words })
     });
-    let ways: Vec<(&'m String, &'static str, f64, &'static str)> = ways.collect();
-    let mend = |&(channel, kind, factor, words): &(&'m String, &'static str, f64, &'static str)| {
-        let mut recordings = bench.recordings.clone();
-        scale(&mut recordings, channel, factor);
-        let fit = fit(model, &recordings, &bench.options(Effort::Near, 10)).ok()?;
-        let shares = relative(bench, &fit, channel, factor);
+    let turned = |name: &'m String, part| Way { name, part, factor: -1.0, words: "" };
+    let acts = |name: &str| model.states.iter().any(|x| edit::reaches(model, &x.rate, name));
+    let definitions = model.definitions.iter().filter(|d| acts(&d.name));
+    let of_one_sign = |p: &&Parameter| {
+        let bounds = (p.min.is_some_and(|x| x >= 0.0), p.max.is_some_and(|x| x <= 0.0));
+        p.value != 0.0 && (!p.fit || bounds.0 || bounds.1)
+    };
+    read.chain(definitions.map(|d| turned(&d.name, Part::Definition)))
+        .chain(model.parameters.iter().filter(of_one_sign).map(|p| turned(&p.name, Part::Parameter)))
+        .collect()
+}
+
+/// The ways after which the model can be fitted, with how many were tried.
+fn mends<'m>(bench: &Bench, model: &'m Model) -> (Vec<Mend<'m>>, usize) {
+    let ways = ways(bench, model);
+    let mend = |way: &Way<'m>| {
+        let (model, recordings) = way.mended(model, bench);
+        let fit = fit(&model, &recordings, &bench.options(Effort::Near, 10)).ok()?;
+        let shares = relative(bench, &fit, way.name, way.factor);
         let misfit = shares.iter().copied().fold(0.0, f64::max);
         let of = |(k, share): (usize, &f64)| -share.ln() * samples_of(&fit, k);
         let likelihood = shares.iter().enumerate().map(of).sum();
-        Some(Mend { channel: channel.as_str(), kind, factor, words, fit, misfit, likelihood })
+        Some(Mend { way: *way, fit, misfit, likelihood })
     };
     (ways.par_iter().with_max_len(1).filter_map(mend).collect(), ways.len())
 }
@@ -150,39 +222,48 @@ fn independent(fit: &Fit) -> f64 {
     (0..fit.noise.len()).map(|k| samples_of(fit, k)).sum()
 }
 
-/// What is wrong with a channel, in words.
-fn wrong(m: &Mend<'_>) -> String {
-    if is_turned(m) {
-        format!("{} has the wrong sign: turned over, it fits", m.channel)
-    } else {
-        format!("{} holds {}: multiplied by {}, it fits", m.channel, m.words, short(m.factor))
+/// What is wrong, in words.
+fn wrong(w: &Way<'_>) -> String {
+    let name = w.name;
+    match w.part {
+        Part::Definition => format!("the model's own {name} has the wrong sign: turned over, it fits"),
+        Part::Parameter => format!("the parameter {name} has the wrong sign: turned over, it fits"),
+        _ if is_turned(w) => format!("{name} has the wrong sign: turned over, it fits"),
+        _ => format!("{name} holds {}: multiplied by {}, it fits", w.words, short(w.factor)),
     }
 }
 
-fn is_turned(m: &Mend<'_>) -> bool {
-    m.factor == -1.0
+fn is_turned(w: &Way<'_>) -> bool {
+    w.factor == -1.0
 }
 
-fn code(m: &Mend<'_>) -> &'static str {
-    if is_turned(m) { "wrong-sign" } else { "wrong-unit" }
+fn code(w: &Way<'_>) -> &'static str {
+    if is_turned(w) { "wrong-sign" } else { "wrong-unit" }
 }
 
-fn fault(m: &Mend<'_>, others: &[Mend<'_>]) -> DataFault {
-    let mut says = wrong(m);
+fn fault(first: &Mend<'_>, others: &[Way<'_>], before: f64) -> DataFault {
+    let way = &first.way;
+    let mut says = wrong(way);
+    if !way.part.is_channel() {
+        let percent = |share: f64| significant(100.0 * share, 2);
+        let (before, then) = (percent(before), percent(first.misfit));
+        says += &format!(" (it misses {before} % of the output's spread as it stands, {then} % then)");
+    }
     if !others.is_empty() {
         let as_well: Vec<String> = others.iter().map(|o| format!("or {}", wrong(o))).collect();
         says += &format!(" ({}: the data cannot tell which)", as_well.join(", "));
     }
-    let mut ties: Vec<String> = others.iter().map(code).filter(|c| *c != code(m)).map(String::from).collect();
+    let mut ties: Vec<String> =
+        others.iter().map(code).filter(|c| *c != code(way)).map(String::from).collect();
     ties.dedup();
     let finding = Finding {
-        code: code(m).to_string(),
-        site: SiteName { kind: m.kind.to_string(), name: m.channel.to_string() },
-        term: format!("{}*{}", short(m.factor), m.channel),
+        code: code(way).to_string(),
+        site: SiteName { kind: way.part.word().to_string(), name: way.name.to_string() },
+        term: format!("{}*{}", short(way.factor), way.name),
         says,
         parameters: vec![Value {
             name: "factor".into(),
-            value: m.factor,
+            value: way.factor,
             low: f64::NAN,
             high: f64::NAN,
             unit: "1".into(),

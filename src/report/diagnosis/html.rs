@@ -5,7 +5,7 @@ use super::tables;
 use super::text::title;
 use super::text::{headline, hints};
 use crate::diagnose::Diagnosis;
-use crate::diagnose::answer::{Answer, FREE_LAW, Finding, Verdict, told};
+use crate::diagnose::answer::{Answer, FREE_LAW, Finding, Verdict, at_fault, told};
 use crate::diagnose::pictures::Pictures;
 use crate::estimate::Direction;
 use crate::report::page::{self, Page, Section};
@@ -28,7 +28,7 @@ pub fn page(model: &str, a: &Answer, pictures: &Pictures, unseen: &[Direction]) 
 fn whole(model: &str, a: &Answer, pictures: &Pictures, unseen: String) -> String {
     let page = Page {
         kind: format!("Diagnosis of the model “{model}”"),
-        title: format!("{model}: {}", headline(a.verdict).to_lowercase()),
+        title: format!("{model}: {}", headline(a).to_lowercase()),
         verdict: sentence(a),
         lead: without_needless_zeros(&a.says),
         sections: sections(a, pictures, unseen),
@@ -78,9 +78,10 @@ fn sentence(a: &Answer) -> String {
     let faults: Vec<&Finding> = a.faults.iter().filter(|f| !f.is_reading()).map(|f| &f.finding).collect();
     let said = format!("{}{}", listed(&titles(&faults)), place(&faults));
     match a.verdict {
-        Verdict::DataFault if found.is_empty() => format!("The data are at fault: {said}."),
+        Verdict::DataFault if found.is_empty() => format!("{}: {said}.", at_fault(&a.faults)),
         Verdict::DataFault => format!(
-            "The data are at fault: {said}. The model also leaves out {}{}.",
+            "{}: {said}. The model also leaves out {}{}.",
+            at_fault(&a.faults),
             listed(&titles(&found)),
             place(&found)
         ),

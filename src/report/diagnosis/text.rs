@@ -9,12 +9,15 @@ use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
 
 /// The verdict in one line.
-pub fn headline(verdict: Verdict) -> &'static str {
-    match verdict {
+pub fn headline(a: &Answer) -> &'static str {
+    match a.verdict {
         Verdict::NothingMissing => "NOTHING MISSING",
         Verdict::Named => "FOUND what the model leaves out",
         Verdict::Tie => "FOUND, but several names fit alike",
         Verdict::Unknown => "SOMETHING IS MISSING that no name of the catalogue fits",
+        Verdict::DataFault if a.faults.iter().any(DataFault::is_of_the_model) => {
+            "A SIGN IN THE MODEL IS WRONG"
+        }
         Verdict::DataFault => "THE DATA ARE AT FAULT",
         Verdict::NotIdentifiable => "THIS RECORDING CANNOT TELL",
     }
@@ -23,7 +26,7 @@ pub fn headline(verdict: Verdict) -> &'static str {
 /// The whole report as text: the verdict first.
 pub fn text(d: &Diagnosis) -> String {
     let a = &d.answer;
-    let mut out = format!("{}\n\n{}\n", headline(a.verdict), wrapped(&without_needless_zeros(&a.says)));
+    let mut out = format!("{}\n\n{}\n", headline(a), wrapped(&without_needless_zeros(&a.says)));
     findings(&mut out, a);
     faults(&mut out, a);
     proof(&mut out, a);
