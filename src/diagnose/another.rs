@@ -53,12 +53,15 @@ pub fn beginning(
     (worth(&found) > worth(first) + SURELY).then_some(found)
 }
 
-/// Whether an answer has names and leaves nothing, and errors on what was held out that are smaller than those of one
+/// By how much the logarithm of held-out errors differs where nothing tells them apart.
+const ALIKE: f64 = 0.01;
+
+/// Whether an answer has names and leaves nothing, and errors on what was held out that are no larger than those of one
 /// that has no names.
 pub fn is_better(unnamed: &Answer, named: &Answer) -> bool {
     let left = |a: &Answer| a.proof.iter().map(|p| p.holdout_after.ln()).sum::<f64>();
     let explains = matches!(named.verdict, Verdict::Named | Verdict::Tie) && named.unexplained.is_none();
-    explains && left(named) < left(unnamed)
+    explains && left(named) < left(unnamed) + ALIKE
 }
 
 /// Puts the likeliest in the place of a finding, beside the others, where that is worth more.

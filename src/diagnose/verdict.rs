@@ -6,7 +6,7 @@ use super::choose::{CHANCE, SURE, is_wave};
 use super::few::agree_by_luck;
 use super::free_law::is_in;
 use super::innovations::Unlike;
-use super::rest::Rest;
+use super::rest::{Law, Rest};
 use super::search::{Found, is_pressed};
 
 /// Chance below which what is left counts as a law.
@@ -34,8 +34,8 @@ pub struct Evidence<'a> {
 impl Evidence<'_> {
     /// Whether something is left that goes with a signal.
     pub fn is_left(&self) -> bool {
-        let best = self.rest.laws.first();
-        self.rest.p_value < LEFT_CHANCE && best.is_some_and(|l| l.explained.max(l.lowers) > LEFT_SHARE)
+        let is_much = |l: &Law| l.beyond_luck(l.explained.max(l.lowers)) > LEFT_SHARE;
+        self.rest.p_value < LEFT_CHANCE && self.rest.laws.first().is_some_and(is_much)
     }
 
     /// Whether the names leave too much to a law that no name has. With ρ the share of the squared error

@@ -98,6 +98,26 @@ fn a_damper_that_is_harder_one_way() {
 }
 
 #[test]
+fn a_stop_on_one_side_of_a_shaft() {
+    let found = named(|twist, slip| 80.0 * twist + 300.0 * (-0.012 - twist).max(0.0) * -1.0 + 0.2 * slip);
+    is(&found, "end-stop", "wm", 300.0, 15.0);
+    assert!((found.parameters[1].value + 0.012).abs() < 5e-4, "{}", found.says);
+}
+
+/// A rubber stop and a damper that is harder one way, as in the suspension of a car.
+#[test]
+fn a_stop_beside_a_damper_that_is_harder_one_way() {
+    let damper = |slip: f64| 0.9 * (1.0 + 0.5 * slip.signum()) * slip;
+    let torque =
+        |twist: f64, slip: f64| 80.0 * twist + 30_000.0 * (twist - 0.012).max(0.0).powi(2) + damper(slip);
+    let found = diagnosed(&Model::parse(DRIVE).unwrap(), recorded(torque)).answer;
+    assert_eq!((found.verdict, found.findings.len()), (Verdict::Named, 2), "{}", found.says);
+    let of = |code: &str| found.findings.iter().find(|f| f.code == code).map(|f| f.parameters[0].value);
+    assert!(of("end-stop").is_some_and(|k| (k / 30_000.0 - 1.0).abs() < 0.1), "{}", found.says);
+    assert!(of("parameter-dependence").is_some_and(|a| (a - 0.5).abs() < 0.05), "{}", found.says);
+}
+
+#[test]
 fn a_shaft_as_the_model_has_it() {
     let found =
         diagnosed(&Model::parse(DRIVE).unwrap(), recorded(|twist, slip| 80.0 * twist + 0.2 * slip)).answer;

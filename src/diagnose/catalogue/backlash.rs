@@ -93,7 +93,7 @@ fn fed(scene: &Scene, input: &str) -> Option<Proposal> {
 fn coupled(scene: &Scene, b: &Between) -> Option<Proposal> {
     let mut d = b.draft(scene, "backlash");
     let gap = d.parameter("gap", &b.unit, (0.0, 6.0 * b.size), "full width of the play");
-    b.obeys(&mut d, &|q| format!("{}*({q} - clamp({q}, -{gap}/2, {gap}/2))", b.parameter));
+    b.obeys(&mut d, &|q, _| format!("{}*({q} - clamp({q}, -{gap}/2, {gap}/2))", b.parameter));
     for fraction in [0.02, 0.08, 0.3, 1.0] {
         d.start(&[fraction * b.size]);
     }

@@ -50,15 +50,16 @@ impl Between {
     }
 
     /// Puts a law in the place of parameter times difference wherever the element acts; `law` gives it for the
-    /// difference as it stands there.
-    pub fn obeys(&self, d: &mut Draft, law: &dyn Fn(&str) -> String) {
+    /// difference as it stands there, and is told whether that is turned round.
+    pub fn obeys(&self, d: &mut Draft, law: &dyn Fn(&str, bool) -> String) {
         let new = |term: &Expr| {
             let difference = self.stands_in(term)?;
-            let law = Expr::parse(&format!("({})", law(&format!("({difference})")))).ok()?;
+            let is_turned = *difference != self.difference;
+            let law = Expr::parse(&format!("({})", law(&format!("({difference})"), is_turned))).ok()?;
             Some(with_factor(&without_factor(term, &self.parameter)?, difference, &law))
         };
-        d.each_rate(&|e| rewritten(e, &new));
-        let term = Expr::parse(&law(&format!("({})", self.difference)));
+        d.each(&|e| rewritten(e, &new));
+        let term = Expr::parse(&law(&format!("({})", self.difference), false));
         d.term(&term.map(|e| e.to_string()).unwrap_or_default());
     }
 

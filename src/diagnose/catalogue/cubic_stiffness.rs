@@ -67,7 +67,7 @@ fn stiffens(scene: &Scene, b: &Between) -> Option<Proposal> {
         ANY,
         "cubic stiffness, positive where it hardens",
     );
-    b.obeys(&mut d, &|q| format!("{}*{q} + {k}*{q}^3", b.parameter));
+    b.obeys(&mut d, &|q, _| format!("{}*{q} + {k}*{q}^3", b.parameter));
     d.start(&[b.force_size(scene) / b.size.powi(3)]);
     d.done(&format!(
         "the force of {} grows with the third power of {}, {{0}}",

@@ -1,6 +1,7 @@
 //! A mechanism being placed in a model.
 
 use super::edit::{self, Place};
+use super::felt;
 use super::scene::{Motion, Scene, Signal};
 use crate::expression::{Expr, Function};
 use crate::model::{Initial, Model, Parameter, State};
@@ -317,7 +318,7 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// Adds a term to the innermost sum of a state's rate.
+    /// Adds a term to the innermost sum of a state's rate, and to the outputs that give that rate.
     pub fn force(&mut self, state: &str, text: &str) {
         let Some(e) = self.read(text) else { return };
         let model = &self.proposal.model;
@@ -327,8 +328,13 @@ impl<'a> Draft<'a> {
         };
         let old = model.states[i].rate.clone();
         let new = edit::with_sum(model, &old, &|sum| edit::plus(sum, &e));
+        let felt = edit::with_sum(model, &old, &|_| e.clone());
         if self.proposal.term.is_empty() {
-            self.proposal.term = edit::with_sum(model, &old, &|_| e.clone()).to_string();
+            self.proposal.term = felt.to_string();
+        }
+        for (k, sign) in felt::outputs(model, &model.states[i]) {
+            let equals = &mut self.proposal.model.outputs[k].equals;
+            *equals = if sign > 0.0 { edit::plus(equals, &felt) } else { edit::minus(equals, &felt) };
         }
         self.proposal.model.states[i].rate = new;
     }
@@ -387,11 +393,21 @@ impl<'a> Draft<'a> {
 
     /// Changes every rate and definition; fails if nothing changed.
     pub fn each_rate(&mut self, with: &dyn Fn(&Expr) -> Expr) {
+        self.each_where(with, |is_output| !is_output);
+    }
+
+    /// Changes every expression, those of the outputs too; fails if no rate and no definition changed.
+    pub fn each(&mut self, with: &dyn Fn(&Expr) -> Expr) {
+        self.each_where(with, |_| true);
+    }
+
+    fn each_where(&mut self, with: &dyn Fn(&Expr) -> Expr, here: impl Fn(bool) -> bool) {
         let mut found = false;
         edit::for_each(&mut self.proposal.model, |place, expression| {
-            if !matches!(place, Place::Output(_)) {
+            let is_output = matches!(place, Place::Output(_));
+            if here(is_output) {
                 let new = with(expression);
-                found |= new != *expression;
+                found |= new != *expression && !is_output;
                 *expression = new;
             }
         });

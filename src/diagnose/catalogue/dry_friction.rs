@@ -62,7 +62,7 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
 fn rubs(scene: &Scene, b: &Between) -> Option<Proposal> {
     let mut d = b.draft(scene, "dry-friction");
     let f = d.amplitude("Fc", &b.force, POSITIVE, "dry friction between the two");
-    b.obeys(&mut d, &|v| format!("{}*{v} + {f}*sign({v})", b.parameter));
+    b.obeys(&mut d, &|v, _| format!("{}*{v} + {f}*sign({v})", b.parameter));
     d.start(&[b.force_size(scene)]);
     d.done(&format!("dry friction of {{0}} acts against {}", b.difference))
 }

@@ -7,6 +7,8 @@
 //! # Equation
 //! ```text
 //!     M v' = … - ks max(q - qs, 0) + ks max(-qs - q, 0)
+//!     k d -> k d + ks max(d - qs, 0) - ks max(-qs - d, 0)      on one side or both, d between two bodies
+//!     k d -> k d + ks max(d - qs, 0)^2                         a rubber that comes to bear by and by
 //! ```
 //!
 //! # What else looks like this
@@ -17,8 +19,9 @@
 //! (1983) 129.
 //!
 //! # Example
-//! A gyroscope's gimbal that reaches its stop in heavy roll.
+//! A gyroscope's gimbal that reaches its stop in heavy roll; the bump stop of a car's suspension.
 
+use super::between::{self, Between, Of};
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, draft::POSITIVE};
 
 /// An end stop.
@@ -28,7 +31,48 @@ pub(super) const MECHANISM: Mechanism =
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
     let sides = |m: &Motion| [at(scene, m, 0), at(scene, m, 1), at(scene, m, -1)];
-    motions.iter().filter(|m| m.speed.is_some()).flat_map(sides).flatten().collect()
+    let own = motions.iter().filter(|m| m.speed.is_some()).flat_map(sides).flatten();
+    let elements = between::all(scene, Of::Positions);
+    let bears = |b: &Between| {
+        let ways = [0, 1, -1].map(|side| (side, 1)).into_iter().chain([(1, 2), (-1, 2)]);
+        ways.filter_map(|way| beside(scene, b, way)).collect::<Vec<_>>()
+    };
+    own.chain(elements.iter().flat_map(bears)).collect()
+}
+
+/// A stop beside a spring between two bodies, on one side or both, whose force grows with a power.
+fn beside(scene: &Scene, b: &Between, (side, power): (i8, u8)) -> Option<Proposal> {
+    let mut d = b.draft(scene, "end-stop");
+    let unit = b.force.over(&b.unit.power(f64::from(power)));
+    let k = d.amplitude("ks", &unit, POSITIVE, "stiffness of the stop");
+    let limits = if side == 0 { POSITIVE } else { ANY };
+    let qs = d.parameter("qs", &b.unit, limits, "where the stop is");
+    let raised = |x: String| if power == 1 { format!("{k}*{x}") } else { format!("{k}*{x}^{power}") };
+    let above = |q: &str| raised(format!("max({q} - {qs}, 0*{qs})"));
+    let below = |q: &str, level: &str| raised(format!("max({level} - {q}, 0*{qs})"));
+    b.obeys(&mut d, &|q, is_turned| {
+        let spring = format!("{}*{q}", b.parameter);
+        match side {
+            0 => format!("{spring} + {} - {}", above(q), below(q, &format!("-{qs}"))),
+            _ if (side > 0) != is_turned => {
+                let level = if is_turned { format!("(-{qs})") } else { qs.clone() };
+                format!("{spring} + {}", raised(format!("max({q} - {level}, 0*{qs})")))
+            }
+            _ => {
+                let level = if is_turned { format!("(-{qs})") } else { qs.clone() };
+                format!("{spring} - {}", below(q, &level))
+            }
+        }
+    });
+    for level in [0.8, 1.6, 2.4].map(|x| x * b.size) {
+        let size = b.force_size(scene) / (0.5 * b.size).powi(i32::from(power));
+        d.start(&[size, if side < 0 { -level } else { level }]);
+    }
+    d.done(&format!(
+        "a stop of stiffness {{0}} beside {} bears from {} = {{1}} on",
+        scene.words(&b.parameter),
+        b.difference
+    ))
 }
 
 fn at(scene: &Scene, m: &Motion, side: i8) -> Option<Proposal> {

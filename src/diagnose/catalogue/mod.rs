@@ -8,6 +8,7 @@ pub(crate) mod arguments;
 pub(crate) mod between;
 mod draft;
 pub(crate) mod edit;
+mod felt;
 mod field;
 mod scene;
 mod terms;
@@ -132,7 +133,7 @@ mechanisms! {
     neglected_inertia, extra_lag, extra_resonance, memory, product_coupling,
     rectified_motion,
     square_root_flow, overflow, exchange, radiation, saturable_rate,
-    cross_coupling, parameter_dependence, parameter_change, parameter_drift,
+    cross_coupling, parameter_dependence, parameter_change, parameter_drift, parameter_value,
     input_delay, input_lag, input_square, input_saturation, input_dead_zone, input_rate_limit,
     input_offset, misalignment,
     output_offset, output_scale, output_square, output_delay, output_lag, output_drift, output_saturation,
@@ -203,6 +204,6 @@ mod tests {
             assert!(ALL[..i].iter().all(|other| other.code != m.code), "{}", m.code);
             assert!(m.source.contains(&format!("\"{}\"", m.code)), "{}", m.code);
         }
-        assert_eq!(ALL.len(), 61);
+        assert_eq!(ALL.len(), 62);
     }
 }

@@ -204,7 +204,7 @@ fn on_argument(scene: &Scene, p: &str, x: &Expr, form: Form) -> Option<Proposal>
     };
     let (own, new) = (Expr::name(p), Expr::parse(&law).ok()?);
     let is_own = |t: &Expr| has_factor(t, p) && arguments::of(scene.model, t).as_ref() == Some(x);
-    d.each_rate(&|e| rewritten(e, &|t| is_own(t).then(|| with_factor(t, &own, &new))));
+    d.each(&|e| rewritten(e, &|t| is_own(t).then(|| with_factor(t, &own, &new))));
     x.names().iter().filter(|n| scene.signal(n).is_some()).for_each(|n| d.uses(n));
     d.term(&law);
     if form.saturates() {
@@ -253,7 +253,7 @@ fn each_way(scene: &Scene, p: &str, speed: &Expr) -> Option<Proposal> {
         "half the difference of both ways, as a share of the mean",
     );
     speed.names().iter().for_each(|n| d.uses(n));
-    d.replace(p, &format!("({p}*(1 + {a}*sign({speed})))"), |place| !matches!(place, edit::Place::Output(_)));
+    d.replace(p, &format!("({p}*(1 + {a}*sign({speed})))"), |_| true);
     d.start(&[0.3]);
     let words = if let Expr::Name(n) = speed { scene.words(n) } else { speed.to_string() };
     d.done(&format!("{} is harder one way than the other: {{0}} more of it where {words} is positive, as much less where it is negative", scene.words(p)))

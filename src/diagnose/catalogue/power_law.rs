@@ -110,7 +110,7 @@ fn at(scene: &Scene, m: &Motion, term: &Expr, driver: &Driver) -> Option<Proposa
     let limits = (POWERS.0 - power, POWERS.1 - power);
     let p = d.amplitude("p", &Unit::one(), limits, "power beside that of the model");
     let new = Expr::parse(&format!("({factor})*(abs(({x})/{scale}) + 1e-6)^{p}")).ok()?;
-    d.each_rate(&|e| rewritten(e, &|t| (t == term).then(|| with_factor(t, factor, &new))));
+    d.each(&|e| rewritten(e, &|t| (t == term).then(|| with_factor(t, factor, &new))));
     d.term(&with_factor(term, factor, &new).to_string());
     for start in [0.5, -0.4] {
         d.start(&[start]);

@@ -69,7 +69,7 @@ fn damps(scene: &Scene, b: &Between) -> Option<Proposal> {
         POSITIVE,
         "damping with the square of the speed",
     );
-    b.obeys(&mut d, &|v| format!("{}*{v} + {c}*{v}*abs({v})", b.parameter));
+    b.obeys(&mut d, &|v, _| format!("{}*{v} + {c}*{v}*abs({v})", b.parameter));
     d.start(&[b.force_size(scene) / b.size.powi(2)]);
     d.done(&format!("damping of {{0}} grows with the square of {}", b.difference))
 }

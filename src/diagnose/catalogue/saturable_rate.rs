@@ -100,7 +100,7 @@ fn at(scene: &Scene, p: &str, x: &Signal, inhibits: bool) -> Option<Proposal> {
     let text = format!("{name}/(1 + {a}*{name}{more})");
     let new = Expr::parse(&text).ok()?;
     d.uses(name);
-    d.each_rate(&|e| rewritten(e, &|t| is_own(t).then(|| with_factor(t, &Expr::name(name), &new))));
+    d.each(&|e| rewritten(e, &|t| is_own(t).then(|| with_factor(t, &Expr::name(name), &new))));
     d.term(&format!("{p}*{text}"));
     d.divides(p, x.size());
     let mut start = vec![0.5 / x.size()];

@@ -47,6 +47,11 @@ pub struct Law {
 }
 
 impl Law {
+    /// What is left of a share of squares that it takes away without what as many weights take away of noise, 1 − d/χ².
+    pub fn beyond_luck(&self, share: f64) -> f64 {
+        share * (1.0 - self.score.degrees as f64 / self.score.chi2).max(0.0)
+    }
+
     /// Its gain in log-likelihood, −n/2 ln(1 − R²), less the price of its weights, d/2 ln n.
     fn worth(&self) -> f64 {
         let samples = (self.score.chi2 / self.explained.max(f64::MIN_POSITIVE)).max(2.0);
