@@ -99,7 +99,7 @@ fn a_damper_that_is_harder_one_way() {
 
 #[test]
 fn a_stop_on_one_side_of_a_shaft() {
-    let found = named(|twist, slip| 80.0 * twist + 300.0 * (-0.012 - twist).max(0.0) * -1.0 + 0.2 * slip);
+    let found = named(|twist, slip| 80.0 * twist - 300.0 * (-0.012 - twist).max(0.0) + 0.2 * slip);
     is(&found, "end-stop", "wm", 300.0, 15.0);
     assert!((found.parameters[1].value + 0.012).abs() < 5e-4, "{}", found.says);
 }

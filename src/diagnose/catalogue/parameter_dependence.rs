@@ -29,7 +29,7 @@
 
 use super::arguments;
 use super::between::{self, Between, Of};
-use super::terms::{has_factor, rewritten, with_factor};
+use super::terms::{factors, has_factor, rewritten, with_factor};
 use super::{
     Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, draft::POSITIVE, edit,
 };
@@ -253,7 +253,12 @@ fn each_way(scene: &Scene, p: &str, speed: &Expr) -> Option<Proposal> {
         "half the difference of both ways, as a share of the mean",
     );
     speed.names().iter().for_each(|n| d.uses(n));
-    d.replace(p, &format!("({p}*(1 + {a}*sign({speed})))"), |_| true);
+    let law = format!("({p}*(1 + {a}*sign({speed})))");
+    let (own, new) = (Expr::name(p), Expr::parse(&law).ok()?);
+    let is_speed = |f: &&Expr| speed.names().iter().all(|n| f.mentions(n));
+    let damps = |t: &Expr| has_factor(t, p) && factors(t).iter().any(is_speed);
+    d.each(&|e| rewritten(e, &|t| damps(t).then(|| with_factor(t, &own, &new))));
+    d.term(&law);
     d.start(&[0.3]);
     let words = if let Expr::Name(n) = speed { scene.words(n) } else { speed.to_string() };
     d.done(&format!("{} is harder one way than the other: {{0}} more of it where {words} is positive, as much less where it is negative", scene.words(p)))
