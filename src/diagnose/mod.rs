@@ -54,7 +54,7 @@ mod words;
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::{FitOptions, Progress, begun, setup};
-use crate::model::{Model, Parameter};
+use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::simulate::{Budget, Early, Stage};
 use answer::{Answer, DataFault, Verdict};
@@ -137,7 +137,8 @@ fn as_it_stands(request: &Request<'_>) -> Result<Diagnosis> {
     let mut bench = Bench::new(asked.model, fitted, !request.separate.is_empty(), request.seed);
     bench.budget = Budget::new(bench.budget.most(), request.time_limit);
     let budget = bench.budget.clone();
-    let case = Case { request: &asked, bench, separate, told, spoiled, notes };
+    let model = asked.model.clone();
+    let case = Case { request: &asked, model, bench, separate, told, spoiled, notes };
     let mut diagnosis = case.diagnosed(left.is_any)?;
     trace(&budget);
     left.restore(request.model, &mut diagnosis);
@@ -171,6 +172,8 @@ const PASSES: usize = 2;
 /// What is compared, once faults are masked.
 struct Case<'a> {
     request: &'a Request<'a>,
+    /// The model as given, signs of its own mended.
+    model: Model,
     bench: Bench,
     separate: Vec<Recording>,
     told: Vec<DataFault>,
@@ -213,9 +216,10 @@ impl Case<'_> {
         if self.bench.budget.cut() != Some(Early::Time) {
             scan::intervals(&self.bench, &found.taken, &mut found.last);
         }
+        let request = &Request { model: &self.model, ..*self.request };
         let assembled = |found: Found| {
             Assembly {
-                request: self.request,
+                request,
                 bench: self.bench.clone(),
                 separate: self.separate.clone(),
                 found,
@@ -237,7 +241,7 @@ impl Case<'_> {
         }
         let stands = verdict != Verdict::Unknown;
         self.bench.budget.begin("law without a name");
-        let given = self.given(&found.base);
+        let given = self.given();
         let (lawful, tried) =
             free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)?;
         let lawful = lawful.map(&assembled).transpose()?;
@@ -280,7 +284,7 @@ impl Case<'_> {
             misread.mend(&mut self.bench.recordings);
             misread.mend(&mut self.separate);
             self.told.push(misread.fault);
-            base = misread.fit;
+            (self.model, base) = (misread.model, misread.fit);
         }
         self.bench.budget.begin("gaps");
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;
@@ -300,20 +304,14 @@ impl Case<'_> {
         Ok((self.named(base)?, is_cut))
     }
 
-    /// The values that the model was given, with the sign that they were found to have.
-    fn given(&self, base: &Fit) -> Vec<f64> {
-        let pairs = self.request.model.parameters.iter().zip(&base.model.parameters);
-        let given = |(given, now): (&Parameter, &Parameter)| match now.fit {
-            false => now.value,
-            true if (now.min, now.max) == (given.min, given.max) => given.value,
-            true => -given.value,
-        };
-        pairs.map(given).collect()
+    /// The values that the model was given.
+    fn given(&self) -> Vec<f64> {
+        self.model.parameters.iter().map(|p| p.value).collect()
     }
 
     /// What the search finds and what of it stands.
     fn named(&self, base: Fit) -> Result<Found> {
-        let given = self.given(&base);
+        let given = self.given();
         let mut found =
             walk::search(&self.bench, &self.separate, base, (&given, None), self.request.progress)?;
         backward::stand(&self.bench, &self.separate, &mut found);

@@ -393,19 +393,19 @@ impl<'a> Draft<'a> {
 
     /// Changes every rate and definition; fails if nothing changed.
     pub fn each_rate(&mut self, with: &dyn Fn(&Expr) -> Expr) {
-        self.each_where(with, |is_output| !is_output);
+        self.each_where(with, false);
     }
 
     /// Changes every expression, those of the outputs too; fails if no rate and no definition changed.
     pub fn each(&mut self, with: &dyn Fn(&Expr) -> Expr) {
-        self.each_where(with, |_| true);
+        self.each_where(with, true);
     }
 
-    fn each_where(&mut self, with: &dyn Fn(&Expr) -> Expr, here: impl Fn(bool) -> bool) {
+    fn each_where(&mut self, with: &dyn Fn(&Expr) -> Expr, outputs_too: bool) {
         let mut found = false;
         edit::for_each(&mut self.proposal.model, |place, expression| {
             let is_output = matches!(place, Place::Output(_));
-            if here(is_output) {
+            if outputs_too || !is_output {
                 let new = with(expression);
                 found |= new != *expression && !is_output;
                 *expression = new;

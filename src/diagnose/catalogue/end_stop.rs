@@ -48,20 +48,16 @@ fn beside(scene: &Scene, b: &Between, (side, power): (i8, u8)) -> Option<Proposa
     let limits = if side == 0 { POSITIVE } else { ANY };
     let qs = d.parameter("qs", &b.unit, limits, "where the stop is");
     let raised = |x: String| if power == 1 { format!("{k}*{x}") } else { format!("{k}*{x}^{power}") };
-    let above = |q: &str| raised(format!("max({q} - {qs}, 0*{qs})"));
+    let above = |q: &str, level: &str| raised(format!("max({q} - {level}, 0*{qs})"));
     let below = |q: &str, level: &str| raised(format!("max({level} - {q}, 0*{qs})"));
     b.obeys(&mut d, &|q, is_turned| {
         let spring = format!("{}*{q}", b.parameter);
-        match side {
-            0 => format!("{spring} + {} - {}", above(q), below(q, &format!("-{qs}"))),
-            _ if (side > 0) != is_turned => {
-                let level = if is_turned { format!("(-{qs})") } else { qs.clone() };
-                format!("{spring} + {}", raised(format!("max({q} - {level}, 0*{qs})")))
-            }
-            _ => {
-                let level = if is_turned { format!("(-{qs})") } else { qs.clone() };
-                format!("{spring} - {}", below(q, &level))
-            }
+        // seen from the other body the stop is at -qs, on the other side
+        let level = if is_turned { format!("(-{qs})") } else { qs.clone() };
+        match if is_turned { -side } else { side } {
+            0 => format!("{spring} + {} - {}", above(q, &qs), below(q, &format!("-{qs}"))),
+            1 => format!("{spring} + {}", above(q, &level)),
+            _ => format!("{spring} - {}", below(q, &level)),
         }
     });
     for level in [0.8, 1.6, 2.4].map(|x| x * b.size) {

@@ -55,6 +55,8 @@ pub struct Misread {
     channel: Option<String>,
     /// What it is multiplied by.
     factor: f64,
+    /// The model as given, with what is its own mended.
+    pub model: Model,
     /// The model fitted with it mended.
     pub fit: Fit,
 }
@@ -132,6 +134,7 @@ fn turn(p: &mut Parameter) {
 /// A way with the model fitted after it.
 struct Mend<'m> {
     way: Way<'m>,
+    model: Model,
     fit: Fit,
     /// The largest misfit of an output as a share of its size.
     misfit: f64,
@@ -162,9 +165,9 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     let first = stand.first()?;
     let others: Vec<Way<'_>> = stand[1..].iter().map(|m| m.way).collect();
     let fault = fault(first, &others, before);
-    let Mend { way, fit, .. } = stand.swap_remove(0);
+    let Mend { way, model, fit, .. } = stand.swap_remove(0);
     let channel = way.part.is_channel().then(|| way.name.to_string());
-    Some(Misread { fault, channel, factor: way.factor, fit })
+    Some(Misread { fault, channel, factor: way.factor, model, fit })
 }
 
 /// Every channel that moves, turned over and in every unit that it may be in, and every definition that acts and every
@@ -197,7 +200,7 @@ fn mends<'m>(bench: &Bench, model: &'m Model) -> (Vec<Mend<'m>>, usize) {
         let misfit = shares.iter().copied().fold(0.0, f64::max);
         let of = |(k, share): (usize, &f64)| -share.ln() * samples_of(&fit, k);
         let likelihood = shares.iter().enumerate().map(of).sum();
-        Some(Mend { way: *way, fit, misfit, likelihood })
+        Some(Mend { way: *way, model, fit, misfit, likelihood })
     };
     (ways.par_iter().with_max_len(1).filter_map(mend).collect(), ways.len())
 }

@@ -1,7 +1,7 @@
 //! A diagnosis in the terminal.
 
 use crate::diagnose::Diagnosis;
-use crate::diagnose::answer::{Answer, DataFault, FREE_LAW, Finding, Proof, Value, Verdict};
+use crate::diagnose::answer::{Answer, DataFault, FREE_LAW, Finding, Proof, Value, Verdict, at_fault};
 use crate::diagnose::catalogue;
 use crate::report::fit::untold;
 use crate::report::page::{estimate, estimates, interval};
@@ -9,18 +9,16 @@ use crate::units::{figure, without_needless_zeros};
 use std::fmt::Write;
 
 /// The verdict in one line.
-pub fn headline(a: &Answer) -> &'static str {
-    match a.verdict {
+pub fn headline(a: &Answer) -> String {
+    let plain = match a.verdict {
         Verdict::NothingMissing => "NOTHING MISSING",
         Verdict::Named => "FOUND what the model leaves out",
         Verdict::Tie => "FOUND, but several names fit alike",
         Verdict::Unknown => "SOMETHING IS MISSING that no name of the catalogue fits",
-        Verdict::DataFault if a.faults.iter().any(DataFault::is_of_the_model) => {
-            "A SIGN IN THE MODEL IS WRONG"
-        }
-        Verdict::DataFault => "THE DATA ARE AT FAULT",
+        Verdict::DataFault => return at_fault(&a.faults).to_uppercase(),
         Verdict::NotIdentifiable => "THIS RECORDING CANNOT TELL",
-    }
+    };
+    plain.to_string()
 }
 
 /// The whole report as text: the verdict first.
