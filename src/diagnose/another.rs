@@ -1,8 +1,10 @@
-//! Another beginning: the search once more without what it began with, where it ended without a name.
+//! Another beginning: the search once more without what it began with, where it ended without a name or with one that
+//! may be two.
 //!
 //! # Purpose
 //! Of two effects the search takes first what follows both best by itself, such as a bend of an input that stands for a
-//! limit and a loss. What the limit leaves then has no name, and no finding alone is too much.
+//! limit and a loss. What the limit leaves then has no name, and no finding alone is too much. A loop of hysteresis
+//! bends and damps at once, as a softening and a square damping do together.
 //!
 //! # Method
 //! The search begins again without the laws of the same signals as its first finding; later it may take them. Then each
@@ -19,12 +21,17 @@ use super::choose::{Choice, TIE, choose, price, worth_of};
 use super::measure::Measure;
 use super::search::{self, Found, Round, State, Taken, is_over};
 use super::view::View;
-use super::{backward, simpler, walk};
+use super::{backward, beside, walk};
 use crate::estimate::fit::Progress;
 use crate::record::Recording;
 
 /// How much likelier another answer must be, its price paid: odds of e⁵ to 1.
 const SURELY: f64 = 5.0;
+
+/// Whether all that was found is a law that two together may look like.
+pub fn may_be_two(found: &Found) -> bool {
+    matches!(found.taken.as_slice(), [one] if one.proposal.code == "hysteresis")
+}
 
 /// What the search finds where it may not begin as it did; none that is not surely likelier.
 pub fn beginning(
@@ -45,7 +52,7 @@ pub fn beginning(
             replace(bench, separate, &mut found, (i, progress));
         }
     }
-    simpler::settle(bench, &mut found, progress);
+    beside::settle(bench, separate, &mut found, progress);
     let worth = |f: &Found| {
         let last = Measure::of(&f.last, &first.scale);
         last.likelihood - f.taken.iter().map(|t| price(&t.proposal, last.samples)).sum::<f64>()
@@ -56,12 +63,12 @@ pub fn beginning(
 /// By how much the logarithm of held-out errors differs where nothing tells them apart.
 const ALIKE: f64 = 0.01;
 
-/// Whether an answer has names and leaves nothing, and errors on what was held out that are no larger than those of one
-/// that has no names.
-pub fn is_better(unnamed: &Answer, named: &Answer) -> bool {
+/// Whether another answer has names and leaves nothing, and errors on what was held out that are no larger than those
+/// of the first.
+pub fn is_better(first: &Answer, other: &Answer) -> bool {
     let left = |a: &Answer| a.proof.iter().map(|p| p.holdout_after.ln()).sum::<f64>();
-    let explains = matches!(named.verdict, Verdict::Named | Verdict::Tie) && named.unexplained.is_none();
-    explains && left(named) < left(unnamed) + ALIKE
+    let explains = matches!(other.verdict, Verdict::Named | Verdict::Tie) && other.unexplained.is_none();
+    explains && left(other) < left(first) + ALIKE
 }
 
 /// Puts the likeliest in the place of a finding, beside the others, where that is worth more.

@@ -168,6 +168,17 @@ pub struct Choice {
     pub near: Vec<usize>,
 }
 
+/// Whether an extension fits as well as another, with no more parameters; both with how good they are, against the model
+/// without either.
+pub fn alike((p, m): (&Proposal, &Measure), (to, best): (&Proposal, &Measure), now: &Measure) -> bool {
+    let likelier = best.likelihood - now.likelihood;
+    let elsewhere = p.code == to.code && p.site != to.site;
+    let same = commute(p, to) || elsewhere;
+    let tolerance = if same { TIE.max(COMMUTES * likelier) } else { TIE };
+    let by_start_alone = commute(p, to) && gain(now, m) > (1.0 - STARTS) * gain(now, best);
+    (by_start_alone || worth_of(p, m) > worth_of(to, best) - tolerance) && p.added.len() <= to.added.len()
+}
+
 /// Takes the likeliest of those whose gain is near the largest; with its ties.
 pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let gain = |now: &Measure, r: &Refitted| gain(now, &r.measure);
@@ -184,16 +195,8 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
         .copied()
         .max_by(|a, b| worth(&round.fitted[*a]).total_cmp(&worth(&round.fitted[*b])))?;
     let fall = |r: &Refitted| gain(now, r);
-    let alike = |i: usize, to: usize| {
-        let (r, t) = (&round.fitted[i], &round.fitted[to]);
-        let likelier = t.measure.likelihood - now.likelihood;
-        let elsewhere = r.proposal.code == t.proposal.code && r.proposal.site != t.proposal.site;
-        let same = commute(&r.proposal, &t.proposal) || elsewhere;
-        let tolerance = if same { TIE.max(COMMUTES * likelier) } else { TIE };
-        let by_start_alone = commute(&r.proposal, &t.proposal) && fall(r) > (1.0 - STARTS) * fall(t);
-        (by_start_alone || worth(r) > worth(t) - tolerance)
-            && r.proposal.added.len() <= t.proposal.added.len()
-    };
+    let of = |i: usize| (&round.fitted[i].proposal, &round.fitted[i].measure);
+    let alike = |i: usize, to: usize| alike(of(i), of(to), now);
     // Of parts that commute, the thing stands before its sensor.
     let place = |i: usize| catalogue::ALL.iter().position(|m| m.code == round.fitted[i].proposal.code);
     let commuting = |i: &usize| commute(&round.fitted[*i].proposal, &round.fitted[likeliest].proposal);

@@ -9,6 +9,7 @@ mod apart;
 mod assemble;
 mod backward;
 pub(crate) mod bench;
+mod beside;
 mod carried;
 pub mod catalogue;
 mod choose;
@@ -42,7 +43,6 @@ mod rest;
 mod scan;
 mod screen;
 mod search;
-mod simpler;
 mod stray;
 mod twins;
 mod verdict;
@@ -234,24 +234,22 @@ impl Case<'_> {
             }
             .finish()
         };
-        let named = assembled(found.clone())?;
-        let verdict = named.answer.verdict;
-        if verdict != Verdict::Unknown && !free_law::may_be_better(&named.answer) {
-            return Ok(named);
-        }
-        let stands = verdict != Verdict::Unknown;
-        self.bench.budget.begin("law without a name");
+        let mut best = assembled(found.clone())?;
+        let verdict = best.answer.verdict;
         let given = self.given();
-        let (lawful, tried) =
-            free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)?;
-        let lawful = lawful.map(&assembled).transpose()?;
-        let unnamed = free_law::beside(named, lawful, tried);
-        if unnamed.answer.verdict != Verdict::Unknown {
-            return Ok(unnamed);
+        if verdict == Verdict::Unknown || free_law::may_be_better(&best.answer) {
+            let stands = verdict != Verdict::Unknown;
+            self.bench.budget.begin("law without a name");
+            let (lawful, tried) =
+                free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)?;
+            best = free_law::beside(best, lawful.map(&assembled).transpose()?, tried);
+        }
+        if best.answer.verdict != Verdict::Unknown && !another::may_be_two(&found) {
+            return Ok(best);
         }
         let other = another::beginning(&self.bench, &self.separate, &found, &given, progress);
         let other = other.map(&assembled).transpose()?;
-        Ok(other.filter(|o| another::is_better(&unnamed.answer, &o.answer)).unwrap_or(unnamed))
+        Ok(other.filter(|o| another::is_better(&best.answer, &o.answer)).unwrap_or(best))
     }
 
     /// The fit of the model as given once samples are left out that stand apart from all that it leaves over.
@@ -315,7 +313,7 @@ impl Case<'_> {
         let mut found =
             walk::search(&self.bench, &self.separate, base, (&given, None), self.request.progress)?;
         backward::stand(&self.bench, &self.separate, &mut found);
-        simpler::settle(&self.bench, &mut found, self.request.progress);
+        beside::settle(&self.bench, &self.separate, &mut found, self.request.progress);
         Ok(found)
     }
 }

@@ -318,25 +318,32 @@ impl<'a> Draft<'a> {
         }
     }
 
-    /// Adds a term to the innermost sum of a state's rate, and to the outputs that give that rate.
+    /// Adds a term to the innermost sum of a state's rate, also where that is a definition of its own, and to the
+    /// outputs that give that rate.
     pub fn force(&mut self, state: &str, text: &str) {
         let Some(e) = self.read(text) else { return };
-        let model = &self.proposal.model;
+        let model = &mut self.proposal.model;
         let Some(i) = model.states.iter().position(|s| s.name == state) else {
             self.failed = true;
             return;
         };
-        let old = model.states[i].rate.clone();
-        let new = edit::with_sum(model, &old, &|sum| edit::plus(sum, &e));
-        let felt = edit::with_sum(model, &old, &|_| e.clone());
+        let home = edit::home(model, &model.states[i].rate);
+        let old = edit::opened(model, &model.states[i].rate);
+        let new = edit::with_sum(model, old, &|sum| edit::plus(sum, &e));
+        let felt = edit::with_sum(model, old, &|_| e.clone());
         if self.proposal.term.is_empty() {
             self.proposal.term = felt.to_string();
         }
-        for (k, sign) in felt::outputs(model, &model.states[i]) {
-            let equals = &mut self.proposal.model.outputs[k].equals;
-            *equals = if sign > 0.0 { edit::plus(equals, &felt) } else { edit::minus(equals, &felt) };
+        let is_told = |e: &Expr| home.is_some_and(|d| edit::reaches(model, e, &model.definitions[d].name));
+        let mut outputs = felt::outputs(model, &model.states[i], &felt);
+        outputs.retain(|(k, _)| !is_told(&model.outputs[*k].equals));
+        for (k, equals) in outputs {
+            model.outputs[k].equals = equals;
         }
-        self.proposal.model.states[i].rate = new;
+        match home {
+            Some(d) => model.definitions[d].equals = new,
+            None => model.states[i].rate = new,
+        }
     }
 
     /// Adds a term to a definition.

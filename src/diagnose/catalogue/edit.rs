@@ -111,17 +111,34 @@ impl<'m> Opened<'m> {
     }
 }
 
+/// The number of the definition that a rate is, where no other rate uses it.
+pub fn home(model: &Model, rate: &Expr) -> Option<usize> {
+    let Expr::Name(name) = rate else { return None };
+    let i = model.definitions.iter().position(|d| d.name == *name)?;
+    let own = model.states.iter().filter(|s| reaches(model, &s.rate, name)).count() == 1;
+    own.then(|| home(model, &model.definitions[i].equals).unwrap_or(i))
+}
+
+/// The expression of a rate: of the definition that it is, where it is one.
+pub fn opened<'e>(model: &'e Model, rate: &'e Expr) -> &'e Expr {
+    home(model, rate).map_or(rate, |i| &model.definitions[i].equals)
+}
+
 /// The innermost sum that forms a rate: under its products and quotients.
-pub fn sum_of<'e>(model: &Model, e: &'e Expr) -> &'e Expr {
+pub fn sum_of<'e>(model: &'e Model, rate: &'e Expr) -> &'e Expr {
+    sum_in(model, opened(model, rate))
+}
+
+fn sum_in<'e>(model: &Model, e: &'e Expr) -> &'e Expr {
     match e {
         Expr::Binary(BinaryOp::Mul, a, b) if leads_to_sum(model, e) => {
             if leads_to_sum(model, a) {
-                sum_of(model, a)
+                sum_in(model, a)
             } else {
-                sum_of(model, b)
+                sum_in(model, b)
             }
         }
-        Expr::Binary(BinaryOp::Div, a, _) if leads_to_sum(model, a) => sum_of(model, a),
+        Expr::Binary(BinaryOp::Div, a, _) if leads_to_sum(model, a) => sum_in(model, a),
         other => other,
     }
 }
@@ -182,7 +199,7 @@ fn is_product_with(e: &Expr, name: &str) -> bool {
     }
 }
 
-/// The rate with its innermost sum replaced by `with(sum)`.
+/// The expression of a rate with its innermost sum replaced by `with(sum)`.
 pub fn with_sum(model: &Model, e: &Expr, with: &dyn Fn(&Expr) -> Expr) -> Expr {
     let boxed = |x: Expr| Box::new(x);
     match e {

@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     s' = … + c a b
+//!     J1 w1' = … + c h w2,  J2 w2' = … - c h w1      two axes of a body whose rotor turns at h
 //! ```
 //!
 //! # What else looks like this
@@ -46,8 +47,59 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         for (i, a) in signals.iter().enumerate() {
             all.extend(signals[i..].iter().filter_map(|b| at(scene, &m, a, b)));
         }
+        all.extend(turning(scene, &signals).filter_map(|(a, b)| at(scene, &m, a, b)));
+    }
+    all.extend(gyroscopic(scene, &signals));
+    all
+}
+
+/// Speeds with recorded channels that the model does not use, as that of a rotor may be.
+fn turning<'s>(scene: &'s Scene, signals: &'s [&Signal]) -> impl Iterator<Item = (&'s Signal, &'s Signal)> {
+    let speeds = signals.iter().copied().filter(|s| s.kind == SignalKind::State && edit::is_rate(&s.unit));
+    let channels: Vec<&Signal> =
+        scene.moving(&[SignalKind::Channel]).filter(|c| edit::is_rate(&c.unit)).collect();
+    speeds.flat_map(move |s| channels.clone().into_iter().map(move |c| (s, c)))
+}
+
+/// A rotor's moments on two axes, each by the speed of the other, of one size and opposite signs.
+fn gyroscopic(scene: &Scene, signals: &[&Signal]) -> Vec<Proposal> {
+    let motions: Vec<Motion> = scene.motions().into_iter().filter(|m| m.speed.is_some()).collect();
+    let rotors: Vec<&Signal> = scene
+        .moving(&[SignalKind::Channel, SignalKind::Input])
+        .filter(|r| edit::is_rate(&r.unit) && !r.is_heading())
+        .collect();
+    if signals.len() > MANY {
+        return Vec::new();
+    }
+    let mut all = Vec::new();
+    for (i, m) in motions.iter().enumerate() {
+        let alike = |n: &&Motion| {
+            let of = |x: &Motion| (x.force.dimension(), scene.unit(&x.state).dimension());
+            of(n) == of(m)
+        };
+        for n in motions[i + 1..].iter().filter(alike) {
+            all.extend(rotors.iter().filter_map(|r| pair(scene, [m, n], r)));
+        }
     }
     all
+}
+
+fn pair(scene: &Scene, [m, n]: [&Motion; 2], rotor: &Signal) -> Option<Proposal> {
+    let (x, y, h) = (&m.state, &n.state, &rotor.name);
+    let mut d = Draft::at(scene, "product-coupling", m);
+    let unit = m.force.over(&scene.unit(x).times(&scene.unit(h)));
+    let c = d.amplitude("c", &unit, ANY, "what the rotor's speed is multiplied with");
+    d.uses(h);
+    d.uses(y);
+    d.force(x, &format!("{c}*{h}*{y}"));
+    d.force(y, &format!("-{c}*{h}*{x}"));
+    d.start(&[m.size.max(n.size) / (rotor.size() * scene.size(x).max(scene.size(y)))]);
+    d.done(&format!(
+        "a rotor that turns with {} acts on {} by {} and back, {{0}}",
+        scene.words(h),
+        scene.words(x),
+        scene.words(y)
+    ))
 }
 
 fn at(scene: &Scene, m: &Motion, a: &Signal, b: &Signal) -> Option<Proposal> {

@@ -25,7 +25,7 @@ mod probe;
 mod thin;
 
 use super::bench::{Bench, Stand, Track};
-use super::catalogue::Proposal;
+use super::catalogue::{Proposal, edit};
 use crate::estimate::fit::harness::Record;
 use crate::expression::Expr;
 use crate::model::{Model, State};
@@ -189,18 +189,20 @@ impl Response {
     /// The model of a proposal's own rates and outputs with the states as inputs: those that it changes.
     fn own_terms(&self, proposal: &Proposal) -> Option<(Model, Vec<Site>)> {
         let (base, p) = (&self.model, &proposal.model);
-        let everywhere = p.definitions != base.definitions;
+        let changed = p.definitions.iter().filter(|d| !base.definitions.contains(d));
+        let changed: Vec<&str> = changed.map(|d| d.name.as_str()).collect();
+        let is_moved = |e: &Expr| changed.iter().any(|d| edit::reaches(p, e, d));
         let mut terms = frozen(p, base.states.len());
         let mut sites = Vec::new();
         terms.outputs.clear();
         for (i, (new, old)) in p.states.iter().zip(&base.states).enumerate() {
-            if everywhere || new.rate != old.rate {
+            if new.rate != old.rate || is_moved(&new.rate) {
                 terms.outputs.push(output(p, sites.len(), &new.rate));
                 sites.push(Site::Rate(i));
             }
         }
         for (i, (new, old)) in p.outputs.iter().zip(&base.outputs).enumerate() {
-            if everywhere || new.equals != old.equals {
+            if new.equals != old.equals || is_moved(&new.equals) {
                 terms.outputs.push(output(p, sites.len(), &new.equals));
                 sites.push(Site::Output(i));
             }

@@ -1,0 +1,114 @@
+//! What may stand in a finding's place, asked once more beside all that was found.
+//!
+//! # Purpose
+//! What is found first has to follow what is found later, too: a constant beside friction that is still missing drifts,
+//! and laws that the data part fit alike while another effect is as large as what parts them.
+//!
+//! # Method
+//! Once all is found, each finding's special case and those that fitted as well as it when it was taken are fitted in
+//! its place, beside the others. The one that is worth most stands there, a special case also where it is worth as
+//! much; of the others those that still fit as well are its ties.
+
+use super::backward;
+use super::bench::Bench;
+use super::catalogue::{self, Proposal};
+use super::choose::{self, worth_of};
+use super::measure::Measure;
+use super::propose::{Screened, explaining};
+use super::race::{self, Finished};
+use super::search::{Found, Taken, is_over, is_pressed};
+use super::view::View;
+use crate::estimate::fit::Progress;
+use crate::record::Recording;
+
+/// Mechanisms, and what each is where one of its parameters is 0.
+const CASES: [(&str, &str); 4] = [
+    ("drift-force", "constant-force"),
+    ("output-drift", "output-offset"),
+    ("asymmetric-friction", "dry-friction"),
+    ("stribeck-friction", "dry-friction"),
+];
+
+/// Others that are fitted in the place of a finding, at most.
+const MOST: usize = 4;
+
+/// Settles what stands in the place of each of several findings, and drops what that makes needless.
+pub fn settle(bench: &Bench, separate: &[Recording], found: &mut Found, progress: &dyn Progress) {
+    let mut is_other = false;
+    for i in 0..found.taken.len() {
+        if found.taken.len() < 2 || is_over(bench) {
+            break;
+        }
+        is_other |= settled(bench, found, i, progress).unwrap_or(false);
+    }
+    if is_other {
+        backward::stand(bench, separate, found);
+    }
+}
+
+/// Whether another takes the place of a finding; its ties are those that still fit as well.
+fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) -> Option<bool> {
+    let others = others(bench, found, i, progress)?;
+    let Taken { proposal: own, p_value, tried, elsewhere, .. } = found.taken[i].clone();
+    let scale = &found.scale;
+    let base = Measure::of(&found.without.get(i)?.as_ref()?.0, scale);
+    let mut all = vec![Finished { proposal: own.clone(), fit: found.last.clone(), is_cut: false }];
+    let (cut, whole): (Vec<Finished>, Vec<Finished>) = others.into_iter().partition(|f| f.is_cut);
+    let was_tied = |p: &Proposal| found.taken[i].ties.iter().any(|t| (t.code, &t.site) == (p.code, &p.site));
+    let unsettled: Vec<Proposal> = cut.into_iter().map(|f| f.proposal).filter(was_tied).collect();
+    all.extend(whole.into_iter().filter(|f| !is_pressed(&f.proposal, &f.fit)));
+    let measures: Vec<Measure> = all.iter().map(|f| Measure::of(&f.fit, scale)).collect();
+    let worth = |k: usize| worth_of(&all[k].proposal, &measures[k]);
+    let is_case = |k: &usize| CASES.contains(&(own.code, all[*k].proposal.code)) && worth(*k) >= worth(0);
+    let most = (0..all.len()).rev().max_by(|a, b| worth(*a).total_cmp(&worth(*b)))?;
+    let best = (1..all.len()).find(is_case).unwrap_or(most);
+    let fits_as_well = |k: &usize| {
+        let of = |k: usize| (&all[k].proposal, &measures[k]);
+        *k != best && choose::alike(of(*k), of(best), &base)
+    };
+    let near: Vec<usize> = (0..all.len()).filter(fits_as_well).collect();
+    let mut ties: Vec<Proposal> = near.iter().map(|k| all[*k].proposal.clone()).collect();
+    ties.extend(unsettled);
+    let rivals = near.first().map(|k| Box::new((all[best].fit.clone(), all[*k].fit.clone())));
+    let elsewhere = if best == 0 { elsewhere } else { Vec::new() };
+    let chosen = all.swap_remove(best);
+    found.replaces(
+        i,
+        Taken { proposal: chosen.proposal, p_value, tried, ties, elsewhere, rivals },
+        chosen.fit,
+    );
+    Some(best != 0)
+}
+
+/// The special case of a finding and those that fitted as well as it, fitted in its place beside the others; none where
+/// it has none.
+fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Option<Vec<Finished>> {
+    let Taken { proposal: own, ties, .. } = &found.taken[i];
+    let case = CASES.iter().find(|(code, _)| *code == own.code).map(|(_, case)| (*case, &own.site));
+    let tied = ties.iter().map(|t| (t.code, &t.site, Some(t.law_of())));
+    let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
+    let (base, _) = found.without.get(i)?.as_ref()?;
+    if wanted.is_empty() {
+        return None;
+    }
+    let view = View::of(bench, base).ok()?;
+    let scene = bench.scene(&base.model, &view.stand).ok()?;
+    let is_wanted = |p: &Proposal| {
+        let is = |law: &Option<Vec<String>>| law.as_ref().is_none_or(|law| *law == p.law_of());
+        wanted.iter().any(|(code, site, law)| (*code, *site) == (p.code, &p.site) && is(law))
+    };
+    let asked = catalogue::ALL.iter().filter(|m| wanted.iter().any(|(code, ..)| *code == m.code));
+    let proposed = asked.flat_map(|m| (m.propose)(&scene)).filter(is_wanted).collect();
+    let scored = explaining(bench, &view, proposed);
+    let mut chosen: Vec<&Screened> = Vec::new();
+    for s in &scored {
+        let is_same =
+            |c: &&Screened| (c.proposal.code, &c.proposal.site) == (s.proposal.code, &s.proposal.site);
+        if chosen.len() < MOST && !chosen.iter().any(is_same) {
+            chosen.push(s);
+        }
+    }
+    let given: Vec<f64> = base.model.parameters.iter().map(|p| p.value).collect();
+    let (scale, now) = (&found.scale, found.scale.squares(base));
+    Some(race::run(bench, &view, &given, &chosen, (now, scale), progress))
+}
