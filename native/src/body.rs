@@ -33,7 +33,7 @@ impl<'a, 'f> Body<'a, 'f> {
     /// The rates at a state.
     fn rates(&mut self, x: &[Num]) -> Vec<Num> {
         for (register, x) in self.step.states.iter().zip(x) {
-            self.lowering.held[usize::from(*register)] = Some(x.clone());
+            self.lowering.set(*register, x.clone());
         }
         for op in self.step.code {
             self.lowering.op(op);

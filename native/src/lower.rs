@@ -14,6 +14,14 @@ pub struct Num {
     pub tangents: Option<Vec<Value>>,
 }
 
+/// What a function has at hand of a register.
+#[derive(Clone, Default)]
+pub struct Held {
+    number: Option<Num>,
+    /// Where in memory it is, with whether it has tangents there.
+    place: Option<(Value, bool)>,
+}
+
 /// Kinds of functions that are called.
 #[derive(Clone, Copy)]
 pub struct Signatures {
@@ -31,7 +39,8 @@ pub struct Lowering<'a, 'f> {
     pub tangents: usize,
     pub active: &'a [bool],
     pub signatures: Signatures,
-    pub held: Vec<Option<Num>>,
+    /// What is at hand of each register.
+    pub held: Vec<Held>,
     pub spread: HashMap<Value, Value>,
 }
 
@@ -81,24 +90,61 @@ impl Lowering<'_, '_> {
     /// The number in a register.
     pub fn get(&mut self, r: Register) -> Num {
         let k = usize::from(r);
-        if let Some(x) = &self.held[k] {
+        if let Some(x) = &self.held[k].number {
             return x.clone();
         }
-        let x = self.load(self.base, k, self.active[k]);
-        self.held[k] = Some(x.clone());
+        let x = match self.held[k].place {
+            Some((place, with_tangents)) => self.load(place, 0, with_tangents),
+            None => self.load(self.base, k, self.active[k]),
+        };
+        let place = self.place(r);
+        self.held[k] = Held { number: Some(x.clone()), place };
         x
+    }
+
+    /// Where in memory a register's number is; none where this function made it.
+    fn place(&mut self, r: Register) -> Option<(Value, bool)> {
+        let k = usize::from(r);
+        let Held { number, place } = &self.held[k];
+        if place.is_none() && number.is_none() {
+            let offset = i64::from(self.offset(k));
+            let place = self.builder.ins().iadd_imm(self.base, offset);
+            self.held[k].place = Some((place, self.active[k]));
+        }
+        self.held[k].place
+    }
+
+    /// Puts a number into a register.
+    pub fn set(&mut self, r: Register, x: Num) {
+        self.held[usize::from(r)] = Held { number: Some(x), place: None };
+    }
+
+    /// The place of b where a is positive, else that of c: of numbers that lie in memory none is loaded but the one that
+    /// is used, which of a curve's many pieces is one.
+    fn chosen_place(&mut self, [a, b, c]: [Register; 3]) -> Option<(Value, bool)> {
+        let (Some(b), Some(c)) = (self.place(b), self.place(c)) else { return None };
+        let a = self.get(a);
+        let zero = self.builder.ins().f64const(0.0);
+        let is = self.builder.ins().fcmp(FloatCC::GreaterThan, a.value, zero);
+        Some((self.builder.ins().select(is, b.0, c.0), b.1 || c.1))
+    }
+
+    /// The number of a register that this function has anything of.
+    fn made(&mut self, r: Register) -> Option<Num> {
+        let Held { number, place } = &self.held[usize::from(r)];
+        (number.is_some() || place.is_some()).then(|| self.get(r))
     }
 
     /// Leaves what a register holds in memory; without tangents, it may have had some under another sign.
     pub fn keep(&mut self, r: Register) {
-        if let Some(x) = self.held[usize::from(r)].clone() {
+        if let Some(x) = self.made(r) {
             self.store(self.base, usize::from(r), &x);
         }
     }
 
     /// Leaves what a register holds in memory, where it never had other tangents.
     pub fn keep_known(&mut self, r: Register) {
-        if let Some(x) = self.held[usize::from(r)].clone() {
+        if let Some(x) = self.made(r) {
             self.store_known(self.base, usize::from(r), &x);
         }
     }
@@ -225,6 +271,12 @@ impl Lowering<'_, '_> {
 
     /// Does one instruction.
     pub fn op(&mut self, op: &Op) {
+        if matches!(op.action, Action::Select)
+            && let Some(place) = self.chosen_place([op.a, op.b, op.c])
+        {
+            self.held[usize::from(op.to)] = Held { number: None, place: Some(place) };
+            return;
+        }
         let a = self.get(op.a);
         let Signatures { one, two, whole } = self.signatures;
         let result = match op.action {
@@ -294,6 +346,6 @@ impl Lowering<'_, '_> {
             Action::Step => self.side(&a, FloatCC::GreaterThanOrEqual, 0.0),
             Action::Sqrt => self.root(&a),
         };
-        self.held[usize::from(op.to)] = Some(result);
+        self.set(op.to, result);
     }
 }

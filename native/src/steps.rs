@@ -1,7 +1,7 @@
 //! The functions of a step, compiled, and their calls.
 
 use crate::body::Body;
-use crate::lower::{Lowering, Signatures};
+use crate::lower::{Held, Lowering, Signatures};
 use crate::{Number, StepCode, spread};
 use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, types};
 use cranelift_codegen::settings::{self, Configurable};
@@ -271,7 +271,7 @@ fn define(module: &mut JITModule, step: &StepCode<'_>, tangents: usize, which: W
         tangents,
         active: &active,
         signatures,
-        held: vec![None; step.active.len()],
+        held: vec![Held::default(); step.active.len()],
         spread: HashMap::new(),
     };
     let mut body = Body { lowering, step };

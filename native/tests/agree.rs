@@ -150,6 +150,9 @@ fn random_code(draw: &mut Draw, length: u16) -> Vec<Op> {
         Action::MulSub,
         Action::Square,
         Action::Cube,
+        // often, so that what is chosen is chosen from again
+        Action::Select,
+        Action::Select,
         Action::Select,
         Action::One(sine, cosine),
         Action::Two(hypot, hypot_by_a, hypot_by_b),

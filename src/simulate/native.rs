@@ -108,7 +108,7 @@ fn compiled(program: &Program, active: &[bool], tangents: usize) -> Option<Steps
         states: &program.states,
         rates: &program.rates,
         active,
-        kept: &program.read_by(&[&program.output_code, &program.motion_code, &program.jacobian_code]),
+        kept: &program.read_by(&[&program.output_code, &program.motion_code]),
     };
     Steps::compile(&step, tangents)
 }

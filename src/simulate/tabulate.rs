@@ -64,5 +64,6 @@ fn filled(program: &Program, mesh: &Mesh, steps: usize, stages: usize) -> Option
 fn read_elsewhere(program: &Program) -> Vec<Register> {
     let p = program;
     let is_read = p.read_by(&[&p.per_time, &p.per_state, &p.output_code, &p.motion_code, &p.jacobian_code]);
-    program.per_data.iter().map(|op| op.to).filter(|r| is_read[usize::from(*r)]).collect()
+    let is_slope = |r: &Register| p.jacobian.contains(r) || p.explicit_time.contains(r);
+    program.per_data.iter().map(|op| op.to).filter(|r| is_read[usize::from(*r)] || is_slope(r)).collect()
 }

@@ -111,7 +111,9 @@ fn roots(built: &mut Built) -> Roots {
         }
         moving.extend(missing);
     }
-    let guards: Vec<Id> = g.switches.iter().map(|s| s.guard).collect();
+    // what a smooth switch does needs no event, so that nobody asks how its guard moves
+    let still = g.constant(0.0);
+    let guards: Vec<Id> = g.switches.iter().map(|s| if s.is_smooth { still } else { s.guard }).collect();
     let motions = derivatives(g, &guards, By::Motion(&built.rates));
     let past_motions = derivatives(g, &signals, By::Motion(&built.rates));
     let slides = motions.iter().enumerate().map(|(k, m)| depends_on_sign(g, *m, k)).collect();
