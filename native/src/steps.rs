@@ -147,6 +147,7 @@ impl Steps {
             |k: usize| written.get_mut(k).map_or(std::ptr::null_mut(), |x| x.as_mut_ptr().cast::<f64>());
         let (d, e, f) = (to(0), to(1), to(2));
         let entry = self.entries[which as usize];
+        clear_upper_halves();
         // SAFETY: `r` comes from a slice of `registers` numbers (asserted by the callers), the arrays hold one number a
         // state, and a number is 1 + `tangents` doubles (`Number`). The code touches registers below `registers` and
         // numbers below `states` alone (`is_sound`, `define`), no array that its caller leaves away, and `first` writes
@@ -215,6 +216,19 @@ impl Steps {
     ) {
         assert!(r.len() == self.registers, "as many registers as compiled for");
         self.call(Which::Heun, r.as_mut_ptr(), &[x, k], h, &mut [x1, k1, last]);
+    }
+}
+
+/// Clears the upper halves of the vector registers. The compiled code has instructions of the old encoding among those
+/// of the new one, each of which waits for upper halves that other people's code left in use: up to sixty times slower.
+fn clear_upper_halves() {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx") {
+        // SAFETY: the machine has the instruction; by the calling convention no upper half lives across a call.
+        #[expect(unsafe_code, reason = "an instruction of some machines")]
+        unsafe {
+            std::arch::x86_64::_mm256_zeroupper();
+        }
     }
 }
 
