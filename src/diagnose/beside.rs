@@ -6,13 +6,14 @@
 //!
 //! # Method
 //! Once all is found, each finding's special case and those that fitted as well as it when it was taken are fitted in
-//! its place, beside the others. The one that is worth most stands there, a special case also where it is worth as
+//! its place, beside the others. Of those that lower the error of blocks left out by nearly as much as any, the one that is
+//! worth most stands there, a special case also where it is worth as
 //! much; of the others those that still fit as well are its ties.
 
 use super::backward;
 use super::bench::Bench;
-use super::catalogue::{self, Proposal};
-use super::choose::{self, worth_of};
+use super::catalogue::{self, Proposal, SiteKind};
+use super::choose::{self, RIVAL, gain, worth_of};
 use super::measure::Measure;
 use super::propose::{Screened, explaining};
 use super::race::{self, Finished};
@@ -59,12 +60,21 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
     all.extend(whole.into_iter().filter(|f| !is_pressed(&f.proposal, &f.fit)));
     let measures: Vec<Measure> = all.iter().map(|f| Measure::of(&f.fit, scale)).collect();
     let worth = |k: usize| worth_of(&all[k].proposal, &measures[k]);
+    let falls = |k: usize| gain(&base, &measures[k]);
+    let largest = (0..all.len()).map(falls).fold(0.0, f64::max);
+    let rivals: Vec<usize> = (0..all.len()).filter(|k| falls(*k) >= RIVAL * largest).collect();
     let is_case = |k: &usize| CASES.contains(&(own.code, all[*k].proposal.code)) && worth(*k) >= worth(0);
-    let most = (0..all.len()).rev().max_by(|a, b| worth(*a).total_cmp(&worth(*b)))?;
+    let most = rivals.iter().copied().rev().max_by(|a, b| worth(*a).total_cmp(&worth(*b)))?;
     let best = (1..all.len()).find(is_case).unwrap_or(most);
+    // the same change of another parameter is as good a name though blocks left out may like it less
+    let is_other = |k: usize| {
+        let (p, q) = (&all[k].proposal, &all[best].proposal);
+        p.code == q.code && p.site.kind == SiteKind::Parameter && p.site != q.site
+    };
     let fits_as_well = |k: &usize| {
         let of = |k: usize| (&all[k].proposal, &measures[k]);
-        *k != best && choose::alike(of(*k), of(best), &base)
+        let may = rivals.contains(k) || is_other(*k);
+        *k != best && may && choose::alike(of(*k), of(best), &base)
     };
     let near: Vec<usize> = (0..all.len()).filter(fits_as_well).collect();
     let mut ties: Vec<Proposal> = near.iter().map(|k| all[*k].proposal.clone()).collect();

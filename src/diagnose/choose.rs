@@ -32,7 +32,7 @@ pub const FLOOR: f64 = 0.02;
 /// Difference in log-likelihood up to which two extensions fit as well: odds of 20 to 1.
 pub const TIE: f64 = 3.0;
 /// Share of the largest free-run gain that a likelier rival must reach.
-const RIVAL: f64 = 0.75;
+pub const RIVAL: f64 = 0.75;
 /// Share of its gain by which an extension that commutes with another may differ from it.
 const COMMUTES: f64 = 0.2;
 /// Share of the free-run gain by which parts that commute may differ for what they began with alone.
