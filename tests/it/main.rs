@@ -45,6 +45,7 @@ mod integral;
 mod integral_command;
 mod laws_inside;
 mod laws_met;
+mod laws_of_rates;
 mod limits;
 mod lines;
 mod located;
