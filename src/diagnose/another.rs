@@ -1,5 +1,5 @@
-//! Another beginning: the search once more without what it began with, where it ended without a name or with one that
-//! may be two.
+//! Another beginning: the search once more without what it began with, where it ended without a name, or with one that
+//! may be two or leaves a law.
 //!
 //! # Purpose
 //! Of two effects the search takes first what follows both best by itself, such as a bend of an input that stands for a
@@ -17,7 +17,7 @@
 
 use super::answer::{Answer, Verdict};
 use super::bench::Bench;
-use super::choose::{Choice, TIE, choose, price, worth_of};
+use super::choose::{Choice, SURE, TIE, choose, price, worth_of};
 use super::measure::Measure;
 use super::search::{self, Found, Round, State, Taken, is_over};
 use super::view::View;
@@ -28,9 +28,11 @@ use crate::record::Recording;
 /// How much likelier another answer must be, its price paid: odds of e⁵ to 1.
 const SURELY: f64 = 5.0;
 
-/// Whether all that was found is a law that two together may look like.
-pub fn may_be_two(found: &Found) -> bool {
-    matches!(found.taken.as_slice(), [one] if one.proposal.code == "hysteresis")
+/// Whether all that was found is one law that may stand for two, or for another: a loop of hysteresis, or one that surely
+/// leaves another law.
+pub fn may_be_two(found: &Found, answer: &Answer) -> bool {
+    let left = answer.unexplained.as_ref().is_some_and(|u| u.p_value < SURE);
+    matches!(found.taken.as_slice(), [one] if left || one.proposal.code == "hysteresis")
 }
 
 /// What the search finds where it may not begin as it did; none that is not surely likelier.

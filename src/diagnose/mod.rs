@@ -244,7 +244,7 @@ impl Case<'_> {
                 free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)?;
             best = free_law::beside(best, lawful.map(&assembled).transpose()?, tried);
         }
-        if best.answer.verdict != Verdict::Unknown && !another::may_be_two(&found) {
+        if best.answer.verdict != Verdict::Unknown && !another::may_be_two(&found, &best.answer) {
             return Ok(best);
         }
         let other = another::beginning(&self.bench, &self.separate, &found, &given, progress);

@@ -194,8 +194,7 @@ mod tests {
             all.into_iter().map(|(k, e)| (k, e.to_string())).collect()
         };
         let added = |k: usize, what: &str| (k, format!("{} {what}", model.outputs[k].equals));
-        let expected =
-            [added(0, "+ a"), added(1, "- a"), added(5, "- a / g"), added(6, "+ 2 * a * sensitivity")];
+        let expected = [added(0, "+ a"), added(1, "- a"), added(5, "- a/g"), added(6, "+ 2*a*sensitivity")];
         assert_eq!(felt(1), expected);
         assert_eq!(felt(0), [added(4, "+ a")]);
     }
