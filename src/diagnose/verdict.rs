@@ -143,6 +143,11 @@ pub fn with_patches(verdict: Verdict, findings: &[Finding], rest: &Rest) -> Verd
 /// which on the names do not reach beyond the levels that they were fitted to.
 const BEYOND: f64 = 1.5;
 
+/// Times its noise from which on a held-out error is more than that, and share of what lies above the noise that names
+/// must take away there: what leaves more is in large part something else.
+const MORE_THAN_NOISE: f64 = 2.0;
+const ENOUGH: f64 = 0.75;
+
 /// What was held out says of names.
 pub struct Proven<'a> {
     /// Held-out errors before and after, an output each.
@@ -158,14 +163,17 @@ pub struct Proven<'a> {
 impl Proven<'_> {
     /// The verdict in the light of the proof. Names without one only resemble what is missing: where too little
     /// is held out to tell; where no held-out error falls for sure, neither as it stands nor by its innovations;
-    /// where the errors rise on the whole; where held-out levels are missed while a law is left.
+    /// where the errors rise on the whole, or fall by too small a part of what lies above the noise; where held-out
+    /// levels are missed while a law is left.
     pub fn settle(&self, verdict: Verdict) -> Verdict {
         let proof = self.proof;
         let fails =
             !proof.is_empty() && !proof.iter().any(|p| p.improvement_low > 0.0) && !self.falls_whitened;
         let misses = self.is_left_in_trials && proof.iter().any(|p| p.holdout_after > BEYOND * p.fit_after);
         let blows_up = proof.iter().any(|p| p.holdout_before.is_finite() && !p.holdout_after.is_finite());
-        let unproved = agree_by_luck(self.samples) || fails || rise(proof) > 0.0 || misses || blows_up;
+        let falls_short = falls_short(proof);
+        let unproved =
+            agree_by_luck(self.samples) || fails || rise(proof) > 0.0 || misses || blows_up || falls_short;
         let named = matches!(verdict, Verdict::Named | Verdict::Tie);
         if named && unproved { Verdict::Unknown } else { verdict }
     }
@@ -175,6 +183,19 @@ impl Proven<'_> {
 fn rise(proof: &[Proof]) -> f64 {
     let rises = proof.iter().map(|p| (p.holdout_after / p.holdout_before).ln());
     rises.filter(|r| !r.is_nan()).sum()
+}
+
+/// Whether an error far above its noise is left, and too little of what lay above the noise is gone, all outputs together:
+/// Σ(b² − a²)/b² of Σ(b² − n²)/b² with the errors b before and a after and the noise n.
+fn falls_short(proof: &[Proof]) -> bool {
+    let is_much = |p: &Proof| p.holdout_after > MORE_THAN_NOISE * p.noise_floor;
+    let known = proof.iter().filter(|p| p.holdout_before.is_finite() && p.noise_floor.is_finite());
+    let parts = |p: &Proof| {
+        let square = |x: f64| (x / p.holdout_before).powi(2);
+        (1.0 - square(p.holdout_after), (1.0 - square(p.noise_floor)).max(0.0))
+    };
+    let (gone, all) = known.map(parts).fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));
+    proof.iter().any(is_much) && gone < ENOUGH * all
 }
 
 /// The verdict on physics and data: the faults take it only where nothing physical stands beside them, or
@@ -218,8 +239,20 @@ mod tests {
         assert_eq!(settled(&[proof(1.0, 0.9, -0.1)], 100, true), Verdict::Named);
         assert_eq!(settled(&[proof(1.0, 1.2, -0.4)], 100, true), Verdict::Unknown);
         // one output may lose a little where another gains much more, not the other way round
-        assert_eq!(settled(&[proof(1.0, 1.05, -0.1), proof(1.0, 0.5, 0.4)], 100, false), Verdict::Named);
+        let noise = Proof { noise_floor: 1.0, ..proof(1.0, 1.05, -0.1) };
+        assert_eq!(settled(&[noise, proof(1.0, 0.5, 0.4)], 100, false), Verdict::Named);
         assert_eq!(settled(&[proof(1.0, 2.0, -1.5), proof(1.0, 0.9, 0.05)], 100, false), Verdict::Unknown);
+    }
+
+    #[test]
+    fn names_that_leave_much_above_the_noise_only_resemble() {
+        let of = |after: f64, noise_floor: f64| {
+            settled(&[Proof { noise_floor, ..proof(1.0, after, 0.01) }], 100, false)
+        };
+        assert_eq!(of(0.75, 0.1), Verdict::Unknown);
+        assert_eq!(of(0.3, 0.1), Verdict::Named);
+        // near the noise a share of it says nothing
+        assert_eq!(of(0.95, 0.8), Verdict::Named);
     }
 
     #[test]
