@@ -17,7 +17,8 @@
 
 use super::answer::{Answer, Verdict};
 use super::bench::Bench;
-use super::choose::{Choice, SURE, TIE, choose, price, worth_of};
+use super::choose::{Choice, TIE, choose, price, worth_of};
+use super::free_law::surely_leaves;
 use super::measure::Measure;
 use super::search::{self, Found, Round, State, Taken, is_over};
 use super::view::View;
@@ -31,8 +32,7 @@ const SURELY: f64 = 5.0;
 /// Whether all that was found is one law that may stand for two, or for another: a loop of hysteresis, or one that surely
 /// leaves another law.
 pub fn may_be_two(found: &Found, answer: &Answer) -> bool {
-    let left = answer.unexplained.as_ref().is_some_and(|u| u.p_value < SURE);
-    matches!(found.taken.as_slice(), [one] if left || one.proposal.code == "hysteresis")
+    matches!(found.taken.as_slice(), [one] if surely_leaves(answer) || one.proposal.code == "hysteresis")
 }
 
 /// What the search finds where it may not begin as it did; none that is not surely likelier.

@@ -7,8 +7,8 @@
 //! # Method
 //! Once all is found, each finding's special case and those that fitted as well as it when it was taken are fitted in
 //! its place, beside the others. Of those that lower the error of blocks left out by nearly as much as any, the one that is
-//! worth most stands there, a special case also where it is worth as
-//! much; of the others those that still fit as well are its ties.
+//! worth most stands there, a special case also where it is worth as much; of the others those that still fit as well are
+//! its ties.
 
 use super::backward;
 use super::bench::Bench;

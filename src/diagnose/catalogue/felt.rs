@@ -4,7 +4,7 @@ use super::edit;
 use crate::expression::{BinaryOp, Expr};
 use crate::model::{Model, Output, Parameter, State};
 use crate::units::Dimension;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Draws of the states and of the parameters, and how equal sums of numbers are.
 const DRAWS: usize = 4;
@@ -67,8 +67,7 @@ impl<'m> Draws<'m> {
             Some((names, value))
         };
         let worlds = (0..DRAWS).map(|p| (0..DRAWS).map(|s| world(p, s)).collect()).collect::<Option<_>>()?;
-        let used = behind(model, rate)?;
-        let outside = model.parameters.iter().filter(|p| !used.contains(p.name.as_str())).collect();
+        let outside = model.parameters.iter().filter(|p| !edit::reaches(model, rate, &p.name)).collect();
         Some(Self { worlds, outside })
     }
 
@@ -115,17 +114,6 @@ fn slope(e: &Expr, worlds: &[World<'_>]) -> Option<f64> {
     let follows =
         |(x, y): &(f64, f64)| (x - e - by * (y - r)).abs() <= EQUAL * size(*x, e).max(by.abs() * size(*y, r));
     (moves && values.iter().all(follows)).then_some(by)
-}
-
-/// The names that an expression is made of, definitions opened.
-fn behind<'m>(model: &'m Model, e: &'m Expr) -> Option<BTreeSet<&'m str>> {
-    let mut names = e.names();
-    for d in model.definition_order().ok()?.into_iter().rev() {
-        if names.contains(d.name.as_str()) {
-            names.extend(d.equals.names());
-        }
-    }
-    Some(names)
 }
 
 /// The names of a model with numbers: inputs and time at fixed ones, parameters and states at others in each draw. A

@@ -351,12 +351,16 @@ pub fn beside(mut without: Diagnosis, with: Option<Diagnosis>, tried: Tried) -> 
     with
 }
 
+/// Whether a law is left for sure.
+pub fn surely_leaves(a: &Answer) -> bool {
+    a.unexplained.as_ref().is_some_and(|u| u.p_value < SURE)
+}
+
 /// Whether names that stand may yet be patches of something else: a law is surely left, or a wave had to help.
 pub fn may_be_better(a: &Answer) -> bool {
     let named = matches!(a.verdict, Verdict::Named | Verdict::Tie);
-    let left = a.unexplained.as_ref().is_some_and(|u| u.p_value < SURE);
     let helped = a.findings.len() > 1 && a.findings.iter().any(|f| f.code == "periodic-force");
-    named && (left || helped)
+    named && (surely_leaves(a) || helped)
 }
 
 /// Whether a law without a name stands in a model.

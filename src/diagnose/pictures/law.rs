@@ -113,10 +113,10 @@ fn target(model: &Model, p: &Proposal) -> Option<Target> {
     for (s, seen) in model.states.iter().zip(seen_states(model)) {
         let Some(seen) = seen.filter(|seen| seen.order < 2 && touched(&s.rate)) else { continue };
         let unit = edit::unit_of(edit::sum_of(model, &s.rate), &|n| edit::unit_of_name(model, n));
+        let rate = edit::opened(model, &s.rate);
         return Some(Target {
-            formula: inner_term(model, edit::opened(model, &s.rate), p)
-                .map_or_else(String::new, |e| e.to_string()),
-            factor: edit::with_sum(model, edit::opened(model, &s.rate), &|_| Expr::Number(1.0)),
+            formula: inner_term(model, rate, p).map_or_else(String::new, |e| e.to_string()),
+            factor: edit::with_sum(model, rate, &|_| Expr::Number(1.0)),
             whole: s.rate.clone(),
             unit,
             words: format!("what is missing at {}", s.name),
