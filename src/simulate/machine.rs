@@ -19,6 +19,8 @@ pub(super) struct Machine<'a, T> {
     interval: usize,
     /// −(T − value of T) of every column: no value, but the tangents of its delay.
     lead: Vec<Option<T>>,
+    /// What a column that jumps had before, where it is held back at that.
+    back: Vec<Option<f64>>,
     loaded: f64,
     /// What the inputs alone make, where it is known beforehand.
     pub table: Option<&'a Table>,
@@ -36,7 +38,8 @@ impl<'a, T: Scalar> Machine<'a, T> {
     /// Registers with constants and parameters, and what depends on these alone.
     pub fn new(program: &'a Program, mesh: &'a Mesh, parameters: &[T]) -> Self {
         let r = registers(program, parameters);
-        let lead = program.columns.iter().map(|c| c.delay.map(|d| tangents_only(-r[at(d)]))).collect();
+        let lead: Vec<_> =
+            program.columns.iter().map(|c| c.delay.map(|d| tangents_only(-r[at(d)]))).collect();
         let is_past = |m: &&Remembered| matches!(m, Remembered::Past { .. });
         let pasts = program.remembered.iter().filter(is_past).map(|_| History::default()).collect();
         let switches = program.watches.len();
@@ -48,6 +51,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
             sliding: Vec::with_capacity(switches),
             pasts,
             interval: 0,
+            back: vec![None; lead.len()],
             lead,
             loaded: f64::NAN,
             table: None,
@@ -69,7 +73,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
 
     /// Whether a held input jumps at the start of an interval.
     pub fn jumps(&self, interval: usize) -> bool {
-        self.mesh.jumps.get(interval).is_some_and(Option::is_some)
+        self.mesh.jumps.get(interval).is_some_and(|jumps| *jumps)
     }
 
     /// Whether a held input jumps at a time, where that is the end of the interval.
@@ -82,9 +86,18 @@ impl<'a, T: Scalar> Machine<'a, T> {
         T::TANGENTS > 0 && self.lead.iter().any(Option::is_some)
     }
 
-    /// The tangents of the delay after which an input jumps at the start of the interval.
-    pub fn jumping_delay(&self) -> Option<T> {
-        self.mesh.jumps[self.interval].and_then(|c| self.lead[c]).map(|lead| -lead)
+    /// The held inputs that jump at the start of the interval, with the tangents of their delays.
+    pub fn jumping_columns(&self) -> Vec<(usize, Option<T>)> {
+        let first = self.interval * self.mesh.columns;
+        let jumps = |c: &usize| self.mesh.end[first - self.mesh.columns + c] != self.mesh.start[first + c];
+        (0..self.mesh.columns).filter(jumps).map(|c| (c, self.lead[c].map(|lead| -lead))).collect()
+    }
+
+    /// Holds an input that jumps at the start of the interval back at what it was before, or lets it go.
+    pub fn hold_back(&mut self, column: usize, is_held: bool) {
+        let before = (self.interval - 1) * self.mesh.columns + column;
+        self.back[column] = is_held.then(|| self.mesh.end[before]);
+        self.loaded = f64::NAN;
     }
 
     /// Whether a whole step can be taken without a look at the registers between: no switch slides or follows, and
@@ -153,9 +166,11 @@ impl<'a, T: Scalar> Machine<'a, T> {
         let first = self.interval * self.mesh.columns;
         for (c, column) in self.program.columns.iter().enumerate() {
             let slope = self.mesh.slope[first + c];
-            let value =
-                if at_end { self.mesh.end[first + c] } else { self.mesh.start[first + c] + slope * into };
-            let value = T::constant(value);
+            let loaded = || match at_end {
+                true => self.mesh.end[first + c],
+                false => self.mesh.start[first + c] + slope * into,
+            };
+            let value = T::constant(self.back[c].unwrap_or_else(loaded));
             self.r[at(column.value)] = match self.lead[c] {
                 Some(lead) => value + lead.scale(slope),
                 None => value,

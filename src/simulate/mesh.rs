@@ -86,8 +86,8 @@ pub(super) struct Mesh {
     pub start: Vec<f64>,
     pub end: Vec<f64>,
     pub slope: Vec<f64>,
-    /// A column that jumps at the start of the interval.
-    pub jumps: Vec<Option<usize>>,
+    /// Whether a held input jumps at the start of the interval.
+    pub jumps: Vec<bool>,
     /// The usual length of an interval, s.
     pub usual: f64,
     /// What the inputs alone make, for the programs of the mesh's owner.
@@ -121,7 +121,7 @@ impl Mesh {
         self.end.reserve(intervals * columns.len());
         self.slope.reserve(intervals * columns.len());
         for i in 0..intervals {
-            let mut jump = None;
+            let mut jumps = false;
             for (c, column) in columns.iter().enumerate() {
                 let s = &samples[column.input];
                 // Rounding must not put a shifted sample on the wrong side of its own mesh time.
@@ -131,14 +131,12 @@ impl Mesh {
                 let value = s.exactly(near[c], self.time[i] - column.delay, middle - slope * half);
                 let end = s.exactly(near[c] + 1, self.time[i + 1] - column.delay, middle + slope * half);
                 let before = self.start.len().checked_sub(columns.len()).map(|k| self.start[k]);
-                if s.hold == Hold::Previous && before.is_some_and(|b| b != value) {
-                    jump = Some(c);
-                }
+                jumps |= s.hold == Hold::Previous && before.is_some_and(|b| b != value);
                 self.start.push(value);
                 self.end.push(if s.hold == Hold::Previous { value } else { end });
                 self.slope.push(slope);
             }
-            self.jumps.push(jump);
+            self.jumps.push(jumps);
         }
         let mut lengths: Vec<f64> = self.time.windows(2).map(|w| w[1] - w[0]).collect();
         if !lengths.is_empty() {

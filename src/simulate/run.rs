@@ -235,14 +235,23 @@ impl<T: Scalar> Runner<'_, T> {
         self.m.guards()
     }
 
-    /// A held input that jumps some delay later: the moment of the jump moves with the delay.
+    /// Held inputs that jump some delay later: the moment of each jump moves with its delay. Those of one moment jump
+    /// one after the other, the undelayed ones first.
     fn carry_delay_tangents(&mut self, t: f64) {
-        if T::TANGENTS == 0 {
+        if !self.m.tangents_bend() {
             return;
         }
-        if let Some(delay) = self.m.jumping_delay() {
-            let before = self.k.clone();
+        let jumping = self.m.jumping_columns();
+        let delayed: Vec<_> = jumping.iter().filter_map(|(c, delay)| Some((*c, (*delay)?))).collect();
+        delayed.iter().for_each(|(c, _)| self.m.hold_back(*c, true));
+        if !delayed.is_empty() && delayed.len() < jumping.len() {
             self.m.rates(t, &self.x, &mut self.k);
+        }
+        for (c, delay) in delayed {
+            let before = self.k.clone();
+            self.m.hold_back(c, false);
+            self.m.rates(t, &self.x, &mut self.k);
+            // the rates before the jump went on for as long as the delay grows: x + (f₋ − f₊) dT
             for (x, (before, after)) in self.x.iter_mut().zip(before.iter().zip(&self.k)) {
                 *x += (*before - *after) * delay;
             }

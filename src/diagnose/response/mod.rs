@@ -119,6 +119,9 @@ impl Response {
         if !self.has_its_states(p) || proposal.amplitude_numbers().len() != proposal.amplitudes.len() {
             return None;
         }
+        if self.runs.iter().any(|along| probe::moves_jumps(proposal, &along.recording)) {
+            return None;
+        }
         let (terms, sites) = self.own_terms(proposal)?;
         let ready = |along: &Along| {
             probe::ready(bench, (&terms, &along.recording, along.number), &along.time, self.tolerance)

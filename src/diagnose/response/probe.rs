@@ -1,14 +1,14 @@
 //! Probing runs of a response: models with the states' own courses as inputs.
 
 use crate::diagnose::bench::Bench;
-use crate::diagnose::catalogue::edit;
+use crate::diagnose::catalogue::{Proposal, edit};
 use crate::estimate::FitOptions;
 use crate::estimate::fit::Effort;
 use crate::estimate::fit::harness::{Record, Run, Unknown};
 use crate::estimate::fit::setup;
-use crate::expression::{BinaryOp, Expr};
+use crate::expression::{BinaryOp, Expr, Function};
 use crate::model::{Input, Model, Output, Parameter};
-use crate::record::{Channel, Recording};
+use crate::record::{Channel, Hold, Recording};
 use faer::Mat;
 use std::sync::Arc;
 
@@ -122,15 +122,33 @@ pub(super) fn nudged(model: &Model) -> (Model, Vec<usize>) {
     (nudged, (first..first + model.states.len()).collect())
 }
 
+/// Whether an amplitude of a proposal moves the times at which a held input jumps, of which no look at single moments
+/// shows anything.
+pub(super) fn moves_jumps(proposal: &Proposal, recording: &Recording) -> bool {
+    let model = &proposal.model;
+    let held: Vec<&str> =
+        recording.channels.iter().filter(|c| c.hold == Hold::Previous).map(|c| c.name.as_str()).collect();
+    let amplitudes: Vec<&str> =
+        proposal.amplitudes.iter().map(|k| proposal.added[*k].name.as_str()).collect();
+    let reaches = |e: &Expr, names: &[&str]| names.iter().any(|name| edit::reaches(model, e, name));
+    let delays = |e: &Expr| match e {
+        Expr::Call(Function::Delay, args) => reaches(&args[0], &held) && reaches(&args[1], &amplitudes),
+        _ => false,
+    };
+    !held.is_empty() && parts(model).any(|e| edit::find(e, &delays).is_some())
+}
+
 /// Whether the past of a state, or of time itself, is remembered anywhere in a model.
 pub(super) fn remembers_states(model: &Model) -> bool {
     let touches = |e: &Expr| model.states.iter().any(|s| edit::reaches(model, e, &s.name));
     let memory = |e: &Expr| matches!(e, Expr::Call(f, args) if f.has_memory() && args.iter().any(touches));
+    parts(model).any(|e| edit::find(e, &memory).is_some())
+}
+
+/// All definitions, rates and outputs.
+fn parts(model: &Model) -> impl Iterator<Item = &Expr> {
     let definitions = model.definitions.iter().map(|d| &d.equals);
-    let mut all = definitions
-        .chain(model.states.iter().map(|s| &s.rate))
-        .chain(model.outputs.iter().map(|o| &o.equals));
-    all.any(|e| edit::find(e, &memory).is_some())
+    definitions.chain(model.states.iter().map(|s| &s.rate)).chain(model.outputs.iter().map(|o| &o.equals))
 }
 
 pub(super) fn rows(m: &Mat<f64>) -> Vec<f64> {

@@ -86,6 +86,37 @@ fn through_delays_of_straight_and_of_held_inputs() {
     check(&simulator(&model, &record(Hold::Previous)), 1e-5, 1e-4);
 }
 
+/// Two copies of a held input that jump at one time each move with a delay of their own, and one that does not move
+/// may jump beside them.
+#[test]
+fn through_delays_of_held_inputs_that_jump_together() {
+    for (first, second) in [(0.23, 0.23), (0.0, 0.0)] {
+        let model = axis(
+            "(0.5*delay(force, T) + 0.3*delay(force, S) + 0.2*force - k*q - Fc*tanh(v/s))/M",
+            &format!(
+                "s = {{ value = 0.3, unit = \"m/s\" }}\nT = {{ value = {first:?}, unit = \"s\" }}\nS = {{ value = {second:?}, unit = \"s\" }}"
+            ),
+        );
+        check(&simulator(&model, &record(Hold::Previous)), 1e-5, 1e-4);
+    }
+}
+
+/// A clock of another rate: copies of a held input, each of its own delay, of which one or two count at a time.
+#[test]
+fn through_the_rate_of_a_clock() {
+    let copies: Vec<String> =
+        (0..=4).map(|i| format!("delay(force, -rate*{i}*part)*max(0, 1 - abs(t/part - {i}))")).collect();
+    for rate in [0.0, -0.003] {
+        let model = axis(
+            &format!("(({}) - k*q - Fc*tanh(v/s))/M", copies.join(" + ")),
+            &format!(
+                "s = {{ value = 0.3, unit = \"m/s\" }}\npart = {{ value = 1, unit = \"s\" }}\nrate = {{ value = {rate:?}, unit = \"1\" }}"
+            ),
+        );
+        check(&simulator(&model, &record(Hold::Previous)), 1e-5, 1e-4);
+    }
+}
+
 #[test]
 fn through_delays_of_states_and_backlash() {
     let more = "T = { value = 0.23, unit = \"s\" }\ngap = { value = 0.05, unit = \"m\" }";
