@@ -3,7 +3,7 @@
 use crate::diagnose::diagnosed;
 use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
-use gyrospec::record::{Channel, Recording};
+use gyrospec::record::{Channel, Hold, Recording};
 use gyrospec::units::Unit;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -96,6 +96,42 @@ fn an_output_that_answers_before_its_input_has_rows_that_are_shifted() {
         assert!((offset.value - true_one).abs() < 0.05 * STEP, "{}", told.says);
         assert!(offset.low < true_one && true_one < offset.high, "{}", told.says);
     }
+}
+
+/// The voltage comes in stairs from a logger whose clock runs so much fast; the motor by its exact solution from stair
+/// to stair.
+#[test]
+fn the_clock_of_a_held_command_runs_fast() {
+    let fast = 1e-3;
+    let mut rng = ChaCha8Rng::seed_from_u64(8);
+    let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
+    let (stairs, every, time_constant, gain) = (200, 0.5, 0.25, 2.2);
+    let u: Vec<f64> = (0..stairs).map(|_| 3.0 * normal()).collect();
+    let logged: Vec<f64> = (0..stairs).map(|k| every * f64::from(k) * (1.0 + fast)).collect();
+    let time: Vec<f64> = (0..4950).map(|i| STEP * f64::from(i)).collect();
+    let (mut w, mut k, mut t) = (0.0, 0, 0.0);
+    let mut speed = Vec::new();
+    for to in &time {
+        while t < *to {
+            let next = to.min(every * (k + 1) as f64);
+            w = gain * u[k] + (w - gain * u[k]) * f64::exp(-(next - t) / time_constant);
+            t = next;
+            k += usize::from(t < *to);
+        }
+        speed.push(w + 0.05 * normal());
+    }
+    let unit = |text: &str| Unit::parse(text).unwrap();
+    let mut command = Channel::new("u", unit("V"), logged, u);
+    command.hold = Hold::Previous;
+    let mut answered = Channel::new("speed", unit("rad/s"), time, speed);
+    answered.table = 1;
+    let made = Recording::from_channels("motor", vec![command, answered]).unwrap();
+    let told = diagnosed(&Model::parse(MOTOR).unwrap(), made).answer;
+    let finding = &told.findings[0];
+    assert_eq!((told.verdict, finding.code.as_str()), (Verdict::Named, "clock-drift"), "{}", told.says);
+    // a clock that runs fast gains
+    let rate = &finding.parameters[0];
+    assert!((rate.value - fast).abs() < 0.03 * fast, "{}", told.says);
 }
 
 /// M q″ = F − b q′ − k q.

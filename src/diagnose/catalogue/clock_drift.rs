@@ -44,7 +44,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     let first = inputs.first()?;
     let mut d = Draft::new(scene, "clock-drift", SiteKind::Input, first);
-    let rate = d.amplitude("rate", &Unit::one(), (-0.2, 0.2), "relative error of the clock's rate");
+    let rate = d.amplitude("rate", &Unit::one(), (-0.2, 0.2), "by how much the clock runs fast, s a second");
     d.term(&format!("{first} on a clock of another rate"));
     let second = Unit::parse("s").ok()?;
     // The shift goes on growing in what is held out.
@@ -67,5 +67,5 @@ fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     }
     d.term(&format!("{first}(t + {rate}*(t - {start}))"));
     d.start(&[20.0 * scene.step / scene.length()]);
-    d.done(&format!("the clock of {} runs relatively {{0}} slow against the others", scene.words(first)))
+    d.done(&format!("the clock of {} gains {{0}} s a second on the others", scene.words(first)))
 }
