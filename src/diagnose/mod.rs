@@ -283,6 +283,7 @@ impl Case<'_> {
             misread.mend(&mut self.separate);
             self.told.push(misread.fault);
             (self.model, base) = (misread.model, misread.fit);
+            self.bench.budget.renew();
         }
         self.bench.budget.begin("gaps");
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;

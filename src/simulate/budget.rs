@@ -189,6 +189,15 @@ impl Budget {
         [None, Some(Early::Steps), Some(Early::Time)][usize::from(self.whole.cut.load(Ordering::Relaxed))]
     }
 
+    /// Begins its steps anew, for what they were spent on is not asked about any more; to be asked for while nothing
+    /// runs.
+    pub fn renew(&self) {
+        self.own.spent.store(0, Ordering::Relaxed);
+        if self.cut() == Some(Early::Steps) {
+            self.whole.cut.store(0, Ordering::Relaxed);
+        }
+    }
+
     /// What is left is finished, whatever the time.
     pub fn lift_time(&self) {
         self.own.is_lifted.store(true, Ordering::Relaxed);
@@ -267,6 +276,8 @@ mod tests {
         b.spend(26);
         assert_eq!((b.over(), whole.over()), (Some(Early::Steps), Some(Early::Steps)));
         assert_eq!((whole.spent(), whole.cut()), (100, Some(Early::Steps)));
+        whole.renew();
+        assert_eq!((whole.spent(), whole.over(), whole.cut()), (0, None, None));
         let three = Budget::new(5, None);
         three.spend(3);
         assert_eq!((three.at_most(1).most(), three.at_most(7).most()), (1, 2));

@@ -80,6 +80,36 @@ fn a_controller_that_feeds_back_the_wrong_way() {
     assert_eq!(answer.faults[0].finding.code, "wrong-sign");
 }
 
+/// A spring that drives away, held back by damping alone: the steps that such runs take are no steps of the model with
+/// the sign mended, and what is missing beside it is found.
+#[test]
+fn what_is_missing_beside_a_spring_that_drives_away() {
+    let model = r#"
+        name = "table"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        c = { value = 1, unit = "N*s/m", fit = true, min = 0.05, max = 20 }
+        c2 = { value = 3, unit = "N*s^2/m^2", fit = true, min = 0 }
+        k = { value = 40, unit = "N/m", fit = true, min = 5, max = 500 }
+        m = { value = 2, unit = "kg" }
+        [states]
+        x = { rate = "v", unit = "m", initial = 0 }
+        v = { rate = "(force - c*v + k*x - c2*v*abs(v))/m", unit = "m/s", initial = 0 }
+        [outputs]
+        place = { equals = "x", unit = "m" }
+    "#;
+    let states = run(|[x, v], force| {
+        [v, (10.0 * force - 1.2 * v - 50.0 * x - 3.0 * v * v.abs() - 2.0 * f64::tanh(v / 0.002)) / 2.0]
+    });
+    let place = states.iter().map(|x| x[0]).collect();
+    let force = inputs().iter().map(|u| 10.0 * u).collect();
+    let answer = told(model, &[("force", "N", force, 0.0), ("place", "m", place, 0.001)]);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("dry-friction", "v", f)] if (f - 2.0).abs() < 0.1), "{}", answer.says);
+    assert_eq!(answer.faults[0].finding.code, "wrong-sign");
+}
+
 /// A loss that the formula adds in the place of taking it away ends at its least, 0.05 W/K; the controller holds the
 /// model, so that what is missing is a loss: 0.5 W/K and the 0.05 that are added.
 #[test]
