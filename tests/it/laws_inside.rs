@@ -93,20 +93,30 @@ fn what_is_missing_beside_a_spring_that_drives_away() {
         c2 = { value = 3, unit = "N*s^2/m^2", fit = true, min = 0 }
         k = { value = 40, unit = "N/m", fit = true, min = 5, max = 500 }
         m = { value = 2, unit = "kg" }
+        g = { value = 9.80665, unit = "m/s^2" }
+        [definitions]
+        felt_rate = { equals = "(force - c*v + k*x - c2*v*abs(v))/m", unit = "m/s^2" }
         [states]
         x = { rate = "v", unit = "m", initial = 0 }
-        v = { rate = "(force - c*v + k*x - c2*v*abs(v))/m", unit = "m/s", initial = 0 }
+        v = { rate = "felt_rate", unit = "m/s", initial = 0 }
         [outputs]
-        place = { equals = "x", unit = "m" }
+        place = { equals = "x", unit = "mm" }
+        felt = { equals = "felt_rate/g", unit = "1" }
     "#;
-    let states = run(|[x, v], force| {
-        [v, (10.0 * force - 1.2 * v - 50.0 * x - 3.0 * v * v.abs() - 2.0 * f64::tanh(v / 0.002)) / 2.0]
-    });
-    let place = states.iter().map(|x| x[0]).collect();
+    let rate =
+        |x: f64, v: f64, u: f64| (10.0 * u - 1.2 * v - 50.0 * x - 3.0 * v * v.abs() - 60.0 * x.powi(3)) / 2.0;
+    let states = run(|[x, v], u| [v, rate(x, v, u)]);
+    let place = states.iter().map(|x| 1e3 * x[0]).collect();
+    let felt = states.iter().zip(inputs()).map(|(x, u)| rate(x[0], x[1], u) / 9.80665).collect();
     let force = inputs().iter().map(|u| 10.0 * u).collect();
-    let answer = told(model, &[("force", "N", force, 0.0), ("place", "m", place, 0.001)]);
+    let columns = [("force", "N", force, 0.0), ("place", "mm", place, 1.0), ("felt", "1", felt, 0.002)];
+    let answer = told(model, &columns);
     let found = named(&answer);
-    assert!(matches!(found[..], [("dry-friction", "v", f)] if (f - 2.0).abs() < 0.1), "{}", answer.says);
+    assert!(
+        matches!(found[..], [("cubic-stiffness", "v", k3)] if (k3 - 60.0).abs() < 2.0),
+        "{}",
+        answer.says
+    );
     assert_eq!(answer.faults[0].finding.code, "wrong-sign");
 }
 
