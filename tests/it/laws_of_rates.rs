@@ -118,3 +118,56 @@ fn a_rotor_on_two_axes() {
         answer.says
     );
 }
+
+/// Brushes drop a voltage that does not grow with the current.
+#[test]
+fn the_brushes_of_a_motor() {
+    let model = r#"
+        name = "motor"
+        [inputs]
+        u = { unit = "V" }
+        [parameters]
+        R = { value = 1, unit = "V/A", fit = true, min = 0.05, max = 20 }
+        L = { value = 0.3, unit = "V*s/A", fit = true, min = 0.01, max = 20 }
+        ke = { value = 0.5, unit = "V*s", fit = true, min = 0.01, max = 5 }
+        J = { value = 0.2, unit = "kg*m^2", fit = true, min = 0.01, max = 5 }
+        [states]
+        i = { rate = "(u - R*i - ke*w)/L", unit = "A", initial = 0 }
+        w = { rate = "ke*i/J", unit = "rad/s", initial = 0 }
+        [outputs]
+        current = { equals = "i", unit = "A" }
+        speed = { equals = "w", unit = "rad/s" }
+    "#;
+    let states =
+        run(|[i, w], u| [(12.0 * u - 1.2 * i - 1.5 * f64::tanh(i / 0.002) - 0.6 * w) / 0.4, 0.6 * i / 0.25]);
+    let voltage = inputs().iter().map(|u| 12.0 * u).collect();
+    let [current, speed] = [0, 1].map(|k| states.iter().map(|x| x[k]).collect());
+    let columns = [("u", "V", voltage, 0.0), ("current", "A", current, 0.05), ("speed", "rad/s", speed, 0.2)];
+    let answer = told(model, &columns);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("dry-friction", "i", d)] if (d - 1.5).abs() < 0.03), "{}", answer.says);
+}
+
+/// A flow through a pipe of which the model knows the inertia and a laminar loss alone.
+#[test]
+fn a_turbulent_flow() {
+    let model = r#"
+        name = "pipe"
+        [inputs]
+        head = { unit = "Pa" }
+        [parameters]
+        I = { value = 2e5, unit = "Pa*s^2/m^3", fit = true, min = 1e4, max = 1e7 }
+        R = { value = 1e5, unit = "Pa*s/m^3", fit = true, min = 0, max = 1e7 }
+        [states]
+        Q = { rate = "(head - R*Q)/I", unit = "m^3/s", initial = 0 }
+        [outputs]
+        flow = { equals = "Q", unit = "l/s" }
+    "#;
+    let states = run(|[q], u| [(5e3 * u - 5e4 * q - 4e6 * q * q.abs()) / 1e5]);
+    let head = inputs().iter().map(|u| 5e3 * u).collect();
+    let flow = states.iter().map(|x| 1e3 * x[0]).collect();
+    let answer = told(model, &[("head", "Pa", head, 0.0), ("flow", "l/s", flow, 0.2)]);
+    let found = named(&answer);
+    let is_right = |c: f64| (c / 4e6 - 1.0).abs() < 0.03;
+    assert!(matches!(found[..], [("quadratic-damping", "Q", c)] if is_right(c)), "{}", answer.says);
+}

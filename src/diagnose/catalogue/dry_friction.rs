@@ -5,7 +5,7 @@
 //! # Signature in a recording
 //! Decay of a free motion is a straight line, not an exponential; small motions stop short. The
 //! residual force jumps when the speed changes its sign, and depends on the speed by its sign
-//! alone.
+//! alone. A current through brushes or diodes drops a voltage so, whatever its size.
 //!
 //! # Equation
 //! ```text
@@ -50,12 +50,19 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 }
 
 fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
-    let v = m.speed.as_ref()?;
+    let v = m.flows(scene)?;
     let mut d = Draft::at(scene, "dry-friction", m);
-    let f = d.amplitude("Fc", &m.force, POSITIVE, "dry friction");
+    let (meaning, says) = match m.speed {
+        Some(_) => ("dry friction", format!("dry friction of {{0}} acts against {}", scene.words(v))),
+        None => (
+            "drop of constant size",
+            format!("a drop of {{0}} stands against {}, whatever its size", scene.words(v)),
+        ),
+    };
+    let f = d.amplitude("Fc", &m.force, POSITIVE, meaning);
     d.force(&m.state, &format!("-{f}*sign({v})"));
     d.start(&[m.size]);
-    d.done(&format!("dry friction of {{0}} acts against {}", scene.words(v)))
+    d.done(&says)
 }
 
 /// Friction between two bodies.

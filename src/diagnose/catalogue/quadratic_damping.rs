@@ -1,5 +1,5 @@
 //! # What it is
-//! Drag of a fluid with separated flow: bilge keels, rudders, hulls, propellers.
+//! Drag of a fluid with separated flow: bilge keels, rudders, hulls, propellers; the loss of a turbulent flow.
 //!
 //! # Signature in a recording
 //! Large swings decay faster than small ones; the residual force bends with the speed, oddly.
@@ -51,13 +51,14 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 }
 
 fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
-    let v = m.speed.as_ref()?;
+    let v = m.flows(scene)?;
     let mut d = Draft::at(scene, "quadratic-damping", m);
     let unit = m.force.over(&scene.unit(v).power(2.0));
     let c = d.amplitude("c2", &unit, POSITIVE, "damping with the square of the speed");
     d.force(&m.state, &format!("-{c}*{v}*abs({v})"));
     d.start(&[m.size / scene.size(v).powi(2)]);
-    d.done(&format!("damping of {{0}} grows with the square of {}", scene.words(v)))
+    let what = if m.speed.is_some() { "damping" } else { "a loss" };
+    d.done(&format!("{what} of {{0}} grows with the square of {}", scene.words(v)))
 }
 
 /// Damping between two bodies.

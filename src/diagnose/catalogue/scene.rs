@@ -85,6 +85,15 @@ pub struct Motion {
     pub size: f64,
 }
 
+impl Motion {
+    /// What a loss acts against: the speed, or a state that flows: a current, a flow of a volume or of a mass.
+    pub fn flows(&self, scene: &Scene) -> Option<&String> {
+        let unit = scene.unit(&self.state);
+        let is = |u: &str| Unit::parse(u).is_ok_and(|u| u.dimension() == unit.dimension());
+        self.speed.as_ref().or_else(|| ["A", "m^3/s", "kg/s"].into_iter().any(is).then_some(&self.state))
+    }
+}
+
 /// A step of the level of an output's residual.
 #[derive(Debug, Clone)]
 pub struct Shift {
