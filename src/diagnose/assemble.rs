@@ -79,7 +79,7 @@ impl Assembly<'_> {
             blind: blind.as_deref(),
             is_adrift: self.is_adrift(),
         };
-        let left = evidence.is_left();
+        let left = rest.is_left();
         let mut findings = self.findings(smaller, &before, &after);
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
         let proof = self.proof(&before, &after);

@@ -133,7 +133,10 @@ impl Paragraph<'_> {
 
     fn unknown(&self, list: &str) -> String {
         let named = |s: &String| words::signal(self.model, s);
-        let law = self.law.map(|l| l.signals.iter().map(named).collect::<Vec<_>>().join(" and "));
+        let law = self.law.map(|l| {
+            let goes = l.signals.iter().map(named).collect::<Vec<_>>().join(" and ");
+            if l.of_past { format!("what {goes} was before") } else { goes }
+        });
         if is_in(&self.found.taken) {
             let beyond = "It holds where the data are, and goes on straight beyond them.";
             return format!(

@@ -6,13 +6,9 @@ use super::choose::{CHANCE, SURE, is_wave};
 use super::few::agree_by_luck;
 use super::free_law::is_in;
 use super::innovations::Unlike;
-use super::rest::{Law, Rest};
+use super::rest::Rest;
 use super::search::{Found, is_pressed};
 
-/// Chance below which what is left counts as a law.
-const LEFT_CHANCE: f64 = 0.01;
-/// Share of the residual's square, whitened or not, that it must explain.
-const LEFT_SHARE: f64 = 0.03;
 /// Share of all that names and a law could explain together from which on, left to the law, the names
 /// only resemble.
 const RESEMBLES: f64 = 0.1;
@@ -32,12 +28,6 @@ pub struct Evidence<'a> {
 }
 
 impl Evidence<'_> {
-    /// Whether something is left that goes with a signal.
-    pub fn is_left(&self) -> bool {
-        let is_much = |l: &Law| l.beyond_luck(l.explained.max(l.lowers)) > LEFT_SHARE;
-        self.rest.p_value < LEFT_CHANCE && self.rest.laws.first().is_some_and(is_much)
-    }
-
     /// Whether the names leave too much to a law that no name has. With ρ the share of the squared error
     /// that the names leave and λ the part of it that the law takes away, the law has λρ/(1 − ρ + λρ) of
     /// all that is explained.
@@ -46,13 +36,13 @@ impl Evidence<'_> {
         let left = self.rest.laws.first().map_or(0.0, |l| l.lowers) * (1.0 - named);
         let sure = self.found.scale.trials && self.rest.p_value < IN_TRIALS.1;
         let most = if sure { IN_TRIALS.0 } else { RESEMBLES };
-        self.is_left() && left > most * (named + left)
+        self.rest.is_left() && left > most * (named + left)
     }
 
     /// Whether the model as given misses more than a constant would, and a law is left for sure: any law that holds
     /// such a model back lowers the error.
     fn ran_away(&self) -> bool {
-        self.is_adrift && self.is_left() && self.rest.p_value < SURE
+        self.is_adrift && self.rest.is_left() && self.rest.p_value < SURE
     }
 
     /// Whether an own parameter of a name has run into its bound, where it is something else.
@@ -68,7 +58,7 @@ impl Evidence<'_> {
         let Some(first) = self.found.taken.first() else {
             let found = self.found;
             let sure = found.first.p_value < SURE && !found.is_trace;
-            let left = self.is_left() && self.rest.p_value < SURE;
+            let left = self.rest.is_left() && self.rest.p_value < SURE;
             let something = left || sure || found.fallen.is_some();
             return if something { Verdict::Unknown } else { Verdict::NothingMissing };
         };
@@ -78,7 +68,7 @@ impl Evidence<'_> {
         if self.outweighs()
             || self.ran_away()
             || self.is_pressed()
-            || self.is_left() && is_wave(&first.proposal)
+            || self.rest.is_left() && is_wave(&first.proposal)
         {
             Verdict::Unknown
         } else if first.ties.is_empty() {

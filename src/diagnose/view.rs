@@ -31,6 +31,8 @@ pub struct View {
     pub planned: Vec<Option<Planned>>,
     /// Tracks of the model itself.
     pub tracks: Vec<Track>,
+    /// Number of the recording of each.
+    pub recordings: Vec<usize>,
     /// Its response to small forces, where it can be found without simulations.
     pub response: Option<Response>,
     /// The same on all samples and at the measured places, once it is asked for.
@@ -45,6 +47,7 @@ impl View {
         let records = bench.ready(&fit.model, fit.starts(), (tolerance, Vec::new()))?;
         let planned = records.iter().map(|r| r.harness.planned()).collect();
         let plain = bench::run(&records, &stand, &[])?;
+        let recordings = records.iter().flat_map(|r| r.tracks.iter().map(|_| r.recording)).collect();
         let mut noise = fit.noise.clone();
         if bench.is_trials() {
             for n in &mut noise {
@@ -66,7 +69,7 @@ impl View {
         let response = Response::of(bench, &fit.model, &stand, tolerance, &records, Places::Simulated);
         let screen = Screen::new(&own, &noise, Some(bench.seed));
         let fine = OnceLock::new();
-        Ok(Self { screen, free, stand, tolerance, planned, tracks: plain, response, fine })
+        Ok(Self { screen, free, stand, tolerance, planned, tracks: plain, recordings, response, fine })
     }
 
     /// The response on all samples and at the measured places, for what is faster than the model's own signals.

@@ -7,24 +7,31 @@
 //! # Method
 //! At each site a sum of hat functions of a signal, of products of powers of two signals, or a surface
 //! of hats over both, is scored like a mechanism of many amplitudes. The chance of the largest score
-//! counts for all of them.
+//! counts for all of them. Where none is left, what follows an input in time is looked for at each output.
 //!
 //! # References
 //! S. F. Masri, T. K. Caughey, J. Appl. Mech. 46 (1979) 433 (the restoring-force surface).
 
+mod echo;
 mod laws;
 mod surface;
 
 use super::answer::Unexplained;
 use super::bench::{Bench, Track};
-use super::catalogue::{Scene, Site};
+use super::catalogue::{Scene, Signal, SignalKind, Site, SiteKind};
 use super::screen::{Score, Screen};
 use super::view::View;
+use crate::model::Output;
 use rayon::prelude::*;
 
 /// Difference in worth, and share of it, up to which laws at two sites fit as well: what acts at one site
 /// reaches the next through the model, so that a law there follows it in part.
 const ALIKE: (f64, f64) = (3.0, 0.1);
+
+/// Chance below which what is left counts as a law.
+const LEFT_CHANCE: f64 = 0.01;
+/// Share of the residual's square, whitened or not, that it must explain.
+const LEFT_SHARE: f64 = 0.03;
 
 /// A flexible law at a site, scored.
 pub struct Law {
@@ -32,6 +39,8 @@ pub struct Law {
     pub site: Site,
     /// The signals that it depends on.
     pub signals: Vec<String>,
+    /// Whether it is what these were before, not what they are.
+    pub of_past: bool,
     /// Its score.
     pub score: Score,
     /// Places of the hats along the first signal, SI; empty for products.
@@ -69,6 +78,20 @@ pub struct Rest {
 }
 
 impl Rest {
+    /// Laws with the chance of the best.
+    fn of(view: &View, mut laws: Vec<Law>) -> Self {
+        let scores: Vec<&Score> = laws.iter().map(|l| &l.score).collect();
+        let p_value = view.screen.p_value(&scores);
+        laws.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
+        Self { laws, p_value }
+    }
+
+    /// Whether something is left that goes with a signal.
+    pub fn is_left(&self) -> bool {
+        let is_much = |l: &Law| l.beyond_luck(l.explained.max(l.lowers)) > LEFT_SHARE;
+        self.p_value < LEFT_CHANCE && self.laws.first().is_some_and(is_much)
+    }
+
     /// The best law in the answer, with the shape of the best along one signal.
     pub fn unexplained(&self) -> Option<Unexplained> {
         let best = self.laws.first()?;
@@ -130,11 +153,28 @@ pub fn look(bench: &Bench, scene: &Scene, view: &View) -> Rest {
         let tracks = s.tracks(bench, view)?;
         law(view, &tracks, (s.push.site.clone(), s.signals()), Vec::new())
     });
-    let mut laws: Vec<Law> = simple.chain(surfaces).collect();
-    let scores: Vec<&Score> = laws.iter().map(|l| &l.score).collect();
-    let p_value = view.screen.p_value(&scores);
-    laws.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
-    Rest { laws, p_value }
+    let rest = Rest::of(view, simple.chain(surfaces).collect());
+    if rest.is_left() || scene.trials {
+        return rest;
+    }
+    let mut echoes = Rest::of(view, echoes(bench, scene, view));
+    // asked second
+    echoes.p_value = (2.0 * echoes.p_value).min(1.0);
+    if echoes.is_left() { echoes } else { rest }
+}
+
+/// What follows each input in time, at each output.
+fn echoes(bench: &Bench, scene: &Scene, view: &View) -> Vec<Law> {
+    let inputs: Vec<&Signal> = scene.moving(&[SignalKind::Input]).collect();
+    let outputs = scene.model.outputs.iter().enumerate();
+    let pairs: Vec<_> = outputs.flat_map(|(k, o)| inputs.iter().map(move |u| (k, o, *u))).collect();
+    let one = |(k, output, input): (usize, &Output, &Signal)| {
+        let tracks = echo::tracks(bench, view, k, &input.name)?;
+        let site = Site { kind: SiteKind::Output, name: output.name.clone() };
+        let law = law(view, &tracks, (site, vec![input.name.clone()]), Vec::new())?;
+        Some(Law { of_past: true, ..law })
+    };
+    pairs.into_par_iter().with_max_len(1).filter_map(one).collect()
 }
 
 fn law(view: &View, tracks: &[Track], at: (Site, Vec<String>), places: Vec<f64>) -> Option<Law> {
@@ -147,6 +187,7 @@ fn law(view: &View, tracks: &[Track], at: (Site, Vec<String>), places: Vec<f64>)
     Some(Law {
         site: at.0,
         signals: at.1,
+        of_past: false,
         places,
         weights: solved.weights,
         deviations: solved.deviations,
