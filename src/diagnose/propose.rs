@@ -48,6 +48,9 @@ const LAST: usize = 8;
 const OF_CODE: usize = 5;
 const OF_SIGNALS: usize = 2;
 
+/// Cosine of directions from which on two laws of a code move the outputs alike.
+const ALIKE: f64 = 0.999;
+
 /// Values among the starts of a proposal from which on a parameter of it has a range to look over.
 const SEVERAL: usize = 5;
 /// Ratio of the largest to the smallest of them from which on they are sizes, which walks find from any start.
@@ -257,20 +260,32 @@ pub fn worth_fitting(screening: &Screening, most: usize, floor: f64) -> Vec<&Scr
         chosen.extend(next);
         turn = 1 - turn;
     }
+    let mut forms: Vec<&Screened> = Vec::new();
+    for c in &chosen {
+        let is_there = |s: &Screened| chosen.iter().any(|c| c.proposal.term == s.proposal.term);
+        forms.extend(screening.screened.iter().find(|s| is_form(c, s) && !is_there(s)));
+    }
+    chosen.extend(forms);
     chosen
+}
+
+/// Whether a law is another form of one, which moves the outputs alike while both are small, and otherwise when not.
+fn is_form(of: &Screened, s: &Screened) -> bool {
+    let (p, q) = (&of.proposal, &s.proposal);
+    p.code == q.code && p.site == q.site && p.term != q.term && is_alike(&of.score, &s.score)
 }
 
 /// Whether a proposal differs from those chosen: they hold few of its code, and fewer with its signals.
 fn is_new(chosen: &[&Screened], s: &Screened) -> bool {
     let same: Vec<&&Screened> = chosen.iter().filter(|c| c.proposal.code == s.proposal.code).collect();
-    let alike = |c: &Screened| c.score.degrees == s.score.degrees && cosine(&c.score, &s.score) > 0.999;
     let of_signals = same.iter().filter(|c| c.proposal.depends == s.proposal.depends).count();
     let most = if is_wave(&s.proposal) { OF_CODE } else { OF_SIGNALS };
-    of_signals < most && same.len() < OF_CODE && !same.iter().any(|c| alike(c))
+    of_signals < most && same.len() < OF_CODE && !same.iter().any(|c| is_alike(&c.score, &s.score))
 }
 
-fn cosine(a: &Score, b: &Score) -> f64 {
-    a.direction.iter().zip(&b.direction).map(|(x, y)| f64::from(*x) * f64::from(*y)).sum::<f64>().abs()
+fn is_alike(a: &Score, b: &Score) -> bool {
+    let along = a.direction.iter().zip(&b.direction).map(|(x, y)| f64::from(*x) * f64::from(*y)).sum::<f64>();
+    a.degrees == b.degrees && along.abs() > ALIKE
 }
 
 /// The best starts of a screened proposal inside the model, from several sizes of its effect.

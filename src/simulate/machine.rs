@@ -166,9 +166,8 @@ impl<'a, T: Scalar> Machine<'a, T> {
         let first = self.interval * self.mesh.columns;
         for (c, column) in self.program.columns.iter().enumerate() {
             let slope = self.mesh.slope[first + c];
-            let loaded = || match at_end {
-                true => self.mesh.end[first + c],
-                false => self.mesh.start[first + c] + slope * into,
+            let loaded = || {
+                if at_end { self.mesh.end[first + c] } else { self.mesh.start[first + c] + slope * into }
             };
             let value = T::constant(self.back[c].unwrap_or_else(loaded));
             self.r[at(column.value)] = match self.lead[c] {

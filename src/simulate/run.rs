@@ -243,7 +243,9 @@ impl<T: Scalar> Runner<'_, T> {
         }
         let jumping = self.m.jumping_columns();
         let delayed: Vec<_> = jumping.iter().filter_map(|(c, delay)| Some((*c, (*delay)?))).collect();
-        delayed.iter().for_each(|(c, _)| self.m.hold_back(*c, true));
+        for (c, _) in &delayed {
+            self.m.hold_back(*c, true);
+        }
         if !delayed.is_empty() && delayed.len() < jumping.len() {
             self.m.rates(t, &self.x, &mut self.k);
         }

@@ -17,6 +17,7 @@ mod cross;
 mod diagnose;
 mod diagnose_rough;
 mod dialects;
+mod echoes;
 mod endings;
 mod evidence;
 mod exchanged;

@@ -1,5 +1,5 @@
 //! # What it is
-//! A parameter grows or falls steadily: wear, warming, a leak.
+//! A parameter grows or falls steadily: wear, warming, a leak, a catalyst that dies.
 //!
 //! # Signature in a recording
 //! Fits on successive parts of the recording give values on a line.
@@ -7,6 +7,7 @@
 //! # Equation
 //! ```text
 //!     p -> p (1 + a (t - t0)),  t0 the middle of the fitted part
+//!     p -> p exp(a (t - t0)) of what decays
 //! ```
 //!
 //! # What else looks like this
@@ -35,15 +36,22 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    scene.acting_parameters().iter().filter_map(|p| at(scene, p)).collect()
+    let forms = |p: &String| [false, true].map(|decays| at(scene, p, decays));
+    scene.acting_parameters().iter().flat_map(forms).flatten().collect()
 }
 
-fn at(scene: &Scene, p: &str) -> Option<Proposal> {
+/// Along a straight line, or by the same share in the same time.
+fn at(scene: &Scene, p: &str, decays: bool) -> Option<Proposal> {
     let second = Unit::parse("s").ok()?;
     let mut d = Draft::new(scene, "parameter-drift", SiteKind::Parameter, p);
     let a = d.amplitude("a", &Unit::one().over(&second), ANY, "relative drift of the parameter");
     let middle = d.constant("t_mid", &second, 0.5 * (scene.from + scene.to), "middle of the fitted part");
-    d.replace(p, &format!("({p}*(1 + {a}*(t - {middle})))"), |_| true);
+    let (law, how) = if decays {
+        (format!("({p}*exp({a}*(t - {middle})))"), " by equal shares in equal times")
+    } else {
+        (format!("({p}*(1 + {a}*(t - {middle})))"), "")
+    };
+    d.replace(p, &law, |_| true);
     d.start(&[1.0 / scene.length()]);
-    d.done(&format!("{} drifts, relatively by {{0}}", scene.words(p)))
+    d.done(&format!("{} drifts{how}, relatively by {{0}}", scene.words(p)))
 }
