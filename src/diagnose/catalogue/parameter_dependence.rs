@@ -181,7 +181,10 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
 /// damper between two bodies has names of its own where it grows.
 fn on_arguments(scene: &Scene, p: &str, (terms, elements): (&[Expr], &[Between])) -> Vec<Proposal> {
     let found = arguments::each(scene.model, terms.iter().filter(|t| has_factor(t, p)));
-    let is_element = |x: &Expr| elements.iter().any(|b| b.parameter == p && b.difference == *x);
+    let is_element = |x: &Expr| {
+        elements.iter().any(|b| b.parameter == p && b.difference == *x)
+            || matches!(x, Expr::Name(n) if stands_alone(scene, p, n))
+    };
     let forms = [Form::Quadratic, Form::Saturating, Form::SaturatingSquare];
     let of = |x: &Expr| {
         let forms = forms.into_iter().filter(|f| f.saturates() || !is_element(x));

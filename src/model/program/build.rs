@@ -7,7 +7,7 @@ use super::graph::{Column, Graph, Id, Level, Memory, Node, PassSwitches, Switch,
 use crate::expression::{BinaryOp, Expr, Foreign, Function};
 use crate::model::Model;
 use crate::{Error, Result};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 
 /// The roots of a model in its graph.
 pub(super) struct Built {
@@ -19,7 +19,8 @@ pub(super) struct Built {
 
 /// Builds the graph of a checked model.
 pub(super) fn build(model: &Model) -> Result<Built> {
-    let mut builder = Builder { graph: Graph::default(), names: HashMap::new(), states: model.states.len() };
+    let mut builder =
+        Builder { model, graph: Graph::default(), names: HashMap::new(), states: model.states.len() };
     builder.leaves(model);
     for d in model.definition_order().map_err(|(_, e)| e)? {
         let id = builder.expression(&d.equals)?;
@@ -42,13 +43,14 @@ pub(super) fn build(model: &Model) -> Result<Built> {
     Ok(Built { graph, rates, outputs, definitions })
 }
 
-pub(super) struct Builder {
+pub(super) struct Builder<'m> {
+    model: &'m Model,
     pub(super) graph: Graph,
     names: HashMap<String, Id>,
     states: usize,
 }
 
-impl Builder {
+impl Builder<'_> {
     fn leaves(&mut self, model: &Model) {
         for (i, x) in model.inputs.iter().enumerate() {
             let id = self.graph.column(Column { input: i, delay: None });
@@ -90,12 +92,12 @@ impl Builder {
             }
             Expr::Call(f, arguments) => {
                 let ids: Result<Vec<Id>> = arguments.iter().map(|a| self.expression(a)).collect();
-                self.call(*f, &ids?)
+                self.call(*f, arguments, &ids?)
             }
         }
     }
 
-    fn call(&mut self, f: Function, x: &[Id]) -> Result<Id> {
+    fn call(&mut self, f: Function, arguments: &[Expr], x: &[Id]) -> Result<Id> {
         Ok(match f {
             Function::Atan2 => self.graph.atan2(x[0], x[1]),
             Function::Sign => self.graph.sign(x[0], 0),
@@ -116,7 +118,7 @@ impl Builder {
                 let raised = self.greater(x[0], x[1]);
                 self.lesser(raised, x[2])
             }
-            Function::Delay => return self.delay(x[0], x[1]),
+            Function::Delay => return self.delay(&arguments[0], x[0], x[1]),
             Function::Lag => self.lag(x[0], x[1]),
             Function::RateLimit => self.rate_limit(x[0], x[1]),
             Function::Backlash => self.backlash(x[0], x[1]),
@@ -190,7 +192,7 @@ impl Builder {
         next
     }
 
-    fn delay(&mut self, x: Id, time: Id) -> Result<Id> {
+    fn delay(&mut self, e: &Expr, x: Id, time: Id) -> Result<Id> {
         if self.graph.levels[time] > Level::Run {
             return Err(Error::bad_input("the time of delay(x, T) must not change during a run")
                 .with_hint("make T a parameter or an expression of parameters"));
@@ -198,9 +200,43 @@ impl Builder {
         if self.graph.levels[x] <= Level::Time {
             return Ok(self.shifted(x, time));
         }
+        if let Some(late) = self.late(e, time)? {
+            return Ok(late);
+        }
         let slot = self.graph.memories.iter().filter(|m| matches!(m, Memory::Past { .. })).count();
         self.graph.memories.push(Memory::Past { slot, signal: x, delay: time });
         Ok(self.graph.add(Node::Past(slot)))
+    }
+
+    /// What inputs make through memories, some time ago: the same memories of late inputs, whose kinks come at known
+    /// times; `None` where a state takes part.
+    fn late(&mut self, e: &Expr, by: Id) -> Result<Option<Id>> {
+        let model = self.model;
+        let definition = |n: &str| model.definitions.iter().find(|d| d.name == n);
+        let mut reached = BTreeSet::new();
+        let mut left = e.names();
+        while let Some(name) = left.pop_first() {
+            if reached.insert(name) {
+                left.extend(definition(name).into_iter().flat_map(|d| d.equals.names()));
+            }
+        }
+        if model.states.iter().any(|s| reached.contains(s.name.as_str())) {
+            return Ok(None);
+        }
+        let now = self.names.clone();
+        for name in model.inputs.iter().map(|i| i.name.as_str()).chain(["t"]) {
+            let late = self.shifted(now[name], by);
+            self.names.insert(name.to_string(), late);
+        }
+        for d in model.definition_order().map_err(|(_, e)| e)? {
+            if reached.contains(d.name.as_str()) {
+                let late = self.expression(&d.equals)?;
+                self.names.insert(d.name.clone(), late);
+            }
+        }
+        let late = self.expression(e)?;
+        self.names = now;
+        Ok(Some(late))
     }
 
     /// A node of inputs and time alone, as it was some time ago.

@@ -7,7 +7,7 @@ use crate::{Error, Result};
 /// A piece: where it is counted from, and its value, slope and two more coefficients there.
 type Piece = [Id; 5];
 
-impl Builder {
+impl Builder<'_> {
     /// curve(x, x₁, y₁, x₂, y₂, …). Its value and slope are continuous, so that its pieces need no event.
     pub(super) fn curve(&mut self, x: Id, knots: &[Id]) -> Result<Id> {
         let (at, y): (Vec<Id>, Vec<Id>) = knots.chunks(2).map(|k| (k[0], k[1])).unzip();

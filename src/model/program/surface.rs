@@ -4,7 +4,7 @@ use super::build::Builder;
 use super::graph::{Id, Level};
 use crate::{Error, Result};
 
-impl Builder {
+impl Builder<'_> {
     /// surface(x, y, [x…], [y…], [z…]): along x for each y, and then along y,
     /// z = z₁ + (x − x₁)(z₂ − z₁)/(x₂ − x₁) between the knots around x. Its slope leaps at a knot, which is an event.
     pub(super) fn surface(&mut self, x: Id, y: Id, n: usize, knots: &[Id]) -> Result<Id> {

@@ -36,6 +36,26 @@ fn delays_of_inputs_and_of_states() {
     check("delay(delay(u, T), 2*T)", t, f64::sin, |t| (t - 0.999).max(0.0).sin(), 2e-5);
 }
 
+/// What an input makes through a memory, some time ago, is what the late input makes.
+#[test]
+fn delays_of_what_remembers_an_input() {
+    let both = "T = { value = 0.333, unit = \"s\" }\nTl = { value = 0.5, unit = \"s\" }";
+    let lagged = |t: f64| t - 0.5 + 0.5 * (-t / 0.5f64).exp();
+    check("delay(lag(u, Tl), T)", both, |t| t, |t| lagged((t - 0.333).max(0.0)), 1e-6);
+    check(
+        "delay(2*u - lag(u, Tl), T)",
+        both,
+        |t| t,
+        |t| 2.0 * (t - 0.333).max(0.0) - lagged((t - 0.333).max(0.0)),
+        1e-6,
+    );
+    let twice = "delay(delay(lag(u, Tl), T), 2*T)";
+    check(twice, both, |t| t, |t| lagged((t - 0.999).max(0.0)), 1e-6);
+    // a state that takes part is remembered as it was: x = t^2/2
+    let with_state = |t: f64| lagged(t) + 0.5 * t * t;
+    check("delay(lag(u, Tl) + x/one*one, T)", both, |t| t, |t| with_state((t - 0.333).max(0.0)), 1e-4);
+}
+
 #[test]
 fn a_lag_follows() {
     // y + T y' = t: y = t - T + T exp(-t/T)
