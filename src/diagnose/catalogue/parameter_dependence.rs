@@ -122,13 +122,12 @@ impl Form {
     }
 }
 
-/// Whether a parameter times that state alone is a term of the model: its law is a damping or a stiffness, which have
-/// names of their own where they grow.
+/// Whether a parameter times that state alone, or what was found of both, is a term of the model: its law is a damping or a
+/// stiffness, which have names of their own where they grow.
 fn stands_alone(scene: &Scene, p: &str, state: &str) -> bool {
-    let is_plain = |t: &Expr| {
-        let names = t.names();
-        has_factor(t, p) && has_factor(t, state) && names.len() == 2
-    };
+    let added = &scene.model.parameters[scene.own_parameters..];
+    let is_own = |n: &str| n == p || n == state || added.iter().any(|a| a.name == n);
+    let is_plain = |t: &Expr| has_factor(t, p) && has_factor(t, state) && t.names().into_iter().all(is_own);
     let rates =
         scene.model.states.iter().map(|s| edit::terms_of(scene.model, edit::sum_of(scene.model, &s.rate)));
     rates.flatten().any(|t| is_plain(&t))
