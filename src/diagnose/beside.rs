@@ -5,8 +5,8 @@
 //! and laws that the data part fit alike while another effect is as large as what parts them.
 //!
 //! # Method
-//! Once all is found, each finding's special case and those that fitted as well as it when it was taken are fitted in
-//! its place, beside the others. Of those that lower the error of blocks left out by nearly as much as any, the one that is
+//! Once all is found, each finding's special case, its other forms and those that fitted as well as it when it was taken are
+//! fitted in its place, beside the others. Of those that lower the error of blocks left out by nearly as much as any, the one that is
 //! worth most stands there, a special case also where it is worth as much; of the others those that still fit as well are
 //! its ties.
 
@@ -76,7 +76,9 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
         let may = rivals.contains(k) || is_other(*k);
         *k != best && may && choose::alike(of(*k), of(best), &base)
     };
-    let near: Vec<usize> = (0..all.len()).filter(fits_as_well).collect();
+    let named = &all[best].proposal;
+    let is_another = |k: &usize| (all[*k].proposal.code, &all[*k].proposal.site) != (named.code, &named.site);
+    let near: Vec<usize> = (0..all.len()).filter(fits_as_well).filter(is_another).collect();
     let mut ties: Vec<Proposal> = near.iter().map(|k| all[*k].proposal.clone()).collect();
     ties.extend(unsettled);
     let rivals = near.first().map(|k| Box::new((all[best].fit.clone(), all[*k].fit.clone())));
@@ -90,30 +92,39 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
     Some(best != 0)
 }
 
-/// The special case of a finding and those that fitted as well as it, fitted in its place beside the others; none where
-/// it has none.
+/// The special case of a finding, its other forms, and those that fitted as well as it, fitted in its place beside the
+/// others; none where it has none.
 fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Option<Vec<Finished>> {
     let Taken { proposal: own, ties, .. } = &found.taken[i];
     let case = CASES.iter().find(|(code, _)| *code == own.code).map(|(_, case)| (*case, &own.site));
     let tied = ties.iter().map(|t| (t.code, &t.site, Some(t.law_of())));
     let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
     let (base, _) = found.without.get(i)?.as_ref()?;
-    if wanted.is_empty() {
-        return None;
-    }
     let view = View::of(bench, base).ok()?;
     let scene = bench.scene(&base.model, &view.stand).ok()?;
+    // a law of the same signals and the same parameter, whatever its own parameters are called
+    let is_form = |p: &Proposal| {
+        own.site.kind == SiteKind::Parameter
+            && (p.code, &p.site, p.law_of()) == (own.code, &own.site, own.law_of())
+            && p.says != own.says
+    };
     let is_wanted = |p: &Proposal| {
         let is = |law: &Option<Vec<String>>| law.as_ref().is_none_or(|law| *law == p.law_of());
-        wanted.iter().any(|(code, site, law)| (*code, *site) == (p.code, &p.site) && is(law))
+        is_form(p) || wanted.iter().any(|(code, site, law)| (*code, *site) == (p.code, &p.site) && is(law))
     };
-    let asked = catalogue::ALL.iter().filter(|m| wanted.iter().any(|(code, ..)| *code == m.code));
-    let proposed = asked.flat_map(|m| (m.propose)(&scene)).filter(is_wanted).collect();
+    let codes: Vec<&str> = wanted.iter().map(|w| w.0).chain([own.code]).collect();
+    let asked = catalogue::ALL.iter().filter(|m| codes.contains(&m.code));
+    let proposed: Vec<Proposal> = asked.flat_map(|m| (m.propose)(&scene)).filter(is_wanted).collect();
+    if proposed.is_empty() {
+        return None;
+    }
     let scored = explaining(bench, &view, proposed);
     let mut chosen: Vec<&Screened> = Vec::new();
     for s in &scored {
-        let is_same =
-            |c: &&Screened| (c.proposal.code, &c.proposal.site) == (s.proposal.code, &s.proposal.site);
+        let is_same = |c: &&Screened| {
+            (c.proposal.code, &c.proposal.site) == (s.proposal.code, &s.proposal.site)
+                && !is_form(&s.proposal)
+        };
         if chosen.len() < MOST && !chosen.iter().any(is_same) {
             chosen.push(s);
         }

@@ -1,6 +1,7 @@
 //! A gyrocompass whose readings come late: what is missing goes with the rate of turn, and is drawn against it.
 
 use crate::diagnose::diagnosed;
+use crate::laws_met::runge_kutta;
 use gyrospec::record::Channel;
 use gyrospec::{Model, Recording, Unit};
 use std::f64::consts::TAU;
@@ -96,4 +97,61 @@ fn an_instrument_that_is_logged_late_beside_another_in_one_log_is_found() {
     assert_eq!(found.findings.first().map(|f| f.code.as_str()), Some("clock-offset"), "{}", found.says);
     let offset = &found.findings[0].parameters[0];
     assert!(offset.low < late && late < offset.high && offset.high - offset.low < 0.1, "{offset:?}");
+}
+
+/// A turntable whose angle a second logger reads, with a clock of its own: what the model makes is known before alone,
+/// so that of two loggers the fast one reads late.
+#[test]
+fn the_clock_of_a_second_logger_runs_fast_or_slow() {
+    let model = r#"
+        name = "turntable"
+        [inputs]
+        torque = { unit = "N*m" }
+        [parameters]
+        J = { value = 2, unit = "kg*m^2" }
+        c = { value = 0.3, unit = "N*m*s", fit = true, min = 0 }
+        k = { value = 1, unit = "N*m", fit = true, min = 0 }
+        [states]
+        a = { rate = "w", unit = "rad", initial = 0 }
+        w = { rate = "(torque - c*w - k*a)/J", unit = "rad/s", initial = 0 }
+        [outputs]
+        speed = { equals = "w", unit = "rad/s" }
+        angle = { equals = "a", unit = "rad" }
+    "#;
+    let torque = |t: f64| (0.9 * t).sin() + 0.8 * (2.3 * t + 1.0).cos() + 0.6 * (0.31 * t).sin();
+    let (step, count) = (0.1, 1500);
+    let states = runge_kutta(
+        (step, count, 20),
+        |t| [torque(t)],
+        |[a, w]: [f64; 2], [u]| [w, (u - 0.4 * w - 1.3 * a) / 2.0],
+    );
+    for fast in [7e-4, -7e-4] {
+        let time: Vec<f64> = (0..count).map(|i| step * i as f64).collect();
+        let unit = |text: &str| Unit::parse(text).unwrap();
+        let noisy = |k: usize, size: f64| -> Vec<f64> {
+            let noise = crate::diagnose::noise(count, 3 + k as u64);
+            states.iter().zip(noise).map(|(x, e)| x[k] + size * e).collect()
+        };
+        let first = time.iter().map(|t| torque(*t)).collect();
+        let mut channels = vec![
+            Channel::new("torque", unit("N*m"), time.clone(), first),
+            Channel::new("speed", unit("rad/s"), time.clone(), noisy(1, 0.005)),
+            Channel::new(
+                "angle",
+                unit("rad"),
+                time.iter().map(|t| t * (1.0 + fast)).collect::<Vec<f64>>(),
+                noisy(0, 0.005),
+            ),
+        ];
+        channels[2].table = 1;
+        let recording = Recording::from_channels("night", channels).unwrap();
+        let answer = diagnosed(&Model::parse(model).unwrap(), recording).answer;
+        let finding = &answer.findings[0];
+        assert_eq!((answer.findings.len(), finding.code.as_str()), (1, "clock-drift"), "{}", answer.says);
+        // where the second runs slow, the first runs fast against it
+        let site = if fast > 0.0 { "angle" } else { "speed" };
+        assert_eq!(finding.site.name, site, "{}", answer.says);
+        let rate = finding.parameters[0].value;
+        assert!((rate - 7e-4).abs() < 3e-5, "{}", answer.says);
+    }
 }

@@ -426,3 +426,64 @@ fn a_limit_and_a_loss_that_a_bend_of_the_input_stands_for() {
     };
     assert!(found.len() == 2 && loss.is_some_and(is_radiation), "{}", answer.says);
 }
+
+/// A friction that the model has, smoothed, and its excess near rest, which the model lacks.
+#[test]
+fn friction_that_is_larger_near_rest_than_the_model_says() {
+    let model = r#"
+        name = "wrist"
+        [inputs]
+        torque = { unit = "N*m" }
+        [parameters]
+        J = { value = 0.8, unit = "kg*m^2" }
+        b = { value = 1, unit = "N*m*s", fit = true, min = 0 }
+        Fc = { value = 1, unit = "N*m", fit = true, min = 0 }
+        k = { value = 10, unit = "N*m", fit = true, min = 0 }
+        w0 = { value = 0.03, unit = "rad/s" }
+        [definitions]
+        rubs = { equals = "b*w + Fc*tanh(w/w0)", unit = "N*m" }
+        [states]
+        q = { rate = "w", unit = "rad", initial = 0 }
+        w = { rate = "(torque - rubs - k*q)/J", unit = "rad/s", initial = 0 }
+        [outputs]
+        angle = { equals = "q", unit = "rad" }
+    "#;
+    let rubs = |w: f64| 1.6 * w + (1.4 + 1.9 * f64::exp(-(w / 0.3).powi(2))) * f64::tanh(w / 0.03);
+    let states = run(|[q, w], u| [w, (6.0 * u - rubs(w) - 14.0 * q) / 0.8]);
+    let angle = states.iter().map(|x| x[0]).collect();
+    let torque = inputs().iter().map(|u| 6.0 * u).collect();
+    let answer = told(model, &[("torque", "N*m", torque, 0.0), ("angle", "rad", angle, 0.005)]);
+    let found = named(&answer);
+    assert!(
+        matches!(found[..], [("stribeck-friction", "w", f)] if (f - 1.9).abs() < 0.15),
+        "{}",
+        answer.says
+    );
+}
+
+/// A leak through an opening goes with the root of what stands above the air outside.
+#[test]
+fn a_vessel_leaks_to_the_air() {
+    let model = r#"
+        name = "vessel"
+        [inputs]
+        valve = { unit = "1" }
+        [parameters]
+        a = { value = 0.2, unit = "1/s", fit = true, min = 0 }
+        b = { value = 0.5, unit = "1/s", fit = true, min = 0 }
+        ps = { value = 700, unit = "kPa" }
+        pa = { value = 101.3, unit = "kPa" }
+        [states]
+        p = { rate = "a*valve*(ps - p) - b*(p - pa)", unit = "kPa", initial = 101.3 }
+        [outputs]
+        pressure = { equals = "p", unit = "kPa" }
+    "#;
+    // x = p - pa, in kPa
+    let valve = |u: f64| 2.0 + 0.6 * u;
+    let states = run(|[x], u| [0.3 * valve(u) * (598.7 - x) - 0.25 * x - 8.0 * f64::sqrt(x.max(0.0))]);
+    let pressure = states.iter().map(|x| 101.3 + x[0]).collect();
+    let opened = inputs().iter().map(|u| valve(*u)).collect();
+    let answer = told(model, &[("valve", "1", opened, 0.0), ("pressure", "kPa", pressure, 0.3)]);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("square-root-flow", "p", k)] if (k - 8.0).abs() < 0.4), "{}", answer.says);
+}

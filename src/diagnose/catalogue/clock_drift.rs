@@ -6,7 +6,8 @@
 //!
 //! # Equation
 //! ```text
-//!     u(t) -> u(t + rate (t - t0)) for each channel of the table
+//!     u(t) -> u(t + rate (t - t0)) for each input of the table,
+//!     y(t) -> y(t - rate (t - t0)) for each output, of a clock that is fast
 //! ```
 //!
 //! # What else looks like this
@@ -31,41 +32,88 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 )
 .shifting_time();
 
-/// Parts of the recording, over which the shift is straight.
+/// Parts of the recording, over which the shift is straight: of inputs, and where outputs that have to be remembered go
+/// with them, each part of which costs a mesh and a past.
 const PARTS: u32 = 8;
+const FEWER: u32 = 4;
+/// The largest rate, and what it is.
+const MOST: f64 = 0.2;
+const RATE: &str = "by how much the clock runs fast, s a second";
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    scene.clocks().iter().filter_map(|t| at(scene, t)).collect()
+    let mut all: Vec<Proposal> = scene.clocks().iter().filter_map(|t| of_inputs(scene, t)).collect();
+    all.extend(scene.sensor_clocks().iter().filter_map(|(inputs, outputs)| fast(scene, inputs, outputs)));
+    all
 }
 
-fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
-    let first = inputs.first()?;
-    let mut d = Draft::new(scene, "clock-drift", SiteKind::Input, first);
-    let rate = d.amplitude("rate", &Unit::one(), (-0.2, 0.2), "by how much the clock runs fast, s a second");
-    d.term(&format!("{first} on a clock of another rate"));
-    let second = Unit::parse("s").ok()?;
-    // The shift goes on growing in what is held out.
-    let (from, to) = scene.whole;
-    let start = d.constant("t0", &second, from, "beginning of the recording");
-    let part = (to - from) / f64::from(PARTS);
-    let width = d.constant("part", &second, part, "an eighth of the recording");
-    for input in inputs {
+/// A time that grows with the recording, straight over each of its parts.
+struct Shift {
+    start: String,
+    part: String,
+    parts: u32,
+}
+
+impl Shift {
+    fn of(scene: &Scene, d: &mut Draft, parts: u32) -> Option<Self> {
+        let second = Unit::parse("s").ok()?;
+        // The shift goes on growing in what is held out.
+        let (from, to) = scene.whole;
+        let start = d.constant("t0", &second, from, "beginning of the recording");
+        let part = (to - from) / f64::from(parts);
+        let part = d.constant("part", &second, part, "a part of the recording");
+        Some(Self { start, part, parts })
+    }
+
+    /// Something later by a rate times the time since the beginning.
+    fn late(&self, what: &str, rate: &str) -> String {
+        let Self { start, part, parts } = self;
         // Between its grid points the shift is interpolated.
         let copy = |i: u32| {
-            let weight = if i == PARTS {
-                format!("clamp((t - {start})/{width} - {}, 0, 1)", PARTS - 1)
+            let weight = if i == *parts {
+                format!("clamp((t - {start})/{part} - {}, 0, 1)", parts - 1)
             } else {
-                format!("max(0, 1 - abs((t - {start})/{width} - {i}))")
+                format!("max(0, 1 - abs((t - {start})/{part} - {i}))")
             };
-            format!("delay({input}, -{rate}*{i}*{width})*{weight}")
+            format!("delay({what}, {rate}*{i}*{part})*{weight}")
         };
-        let copies: Vec<String> = (0..=PARTS).map(copy).collect();
-        d.replace(input, &format!("({})", copies.join(" + ")), |_| true);
+        (0..=*parts).map(copy).collect::<Vec<String>>().join(" + ")
     }
-    d.term(&format!("{first}(t + {rate}*(t - {start}))"));
+}
+
+/// What a table of inputs alone holds is known before and after.
+fn of_inputs(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
+    let first = inputs.first()?;
+    let mut d = Draft::new(scene, "clock-drift", SiteKind::Input, first);
+    let rate = d.amplitude("rate", &Unit::one(), (-MOST, MOST), RATE);
+    d.term(&format!("{first} on a clock of another rate"));
+    let shift = Shift::of(scene, &mut d, PARTS)?;
+    for input in inputs {
+        d.replace(input, &format!("({})", shift.late(input, &format!("-{rate}"))), |_| true);
+    }
     d.start(&[20.0 * scene.step / scene.length()]);
-    d.done(&format!("the clock of {} gains {{0}} s a second on the others", scene.words(first)))
+    d.done(&says(scene, first))
+}
+
+/// What a model makes is known before alone: of several clocks with outputs one is fast and reads late.
+fn fast(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal> {
+    let first = outputs.first()?;
+    let mut d = Draft::new(scene, "clock-drift", SiteKind::Output, first);
+    let rate = d.amplitude("rate", &Unit::one(), (0.0, MOST), RATE);
+    d.term(&format!("{first} on a clock of another rate"));
+    let shift = Shift::of(scene, &mut d, if inputs.is_empty() { PARTS } else { FEWER })?;
+    for input in inputs {
+        d.replace(input, &format!("({})", shift.late(input, &format!("-{rate}"))), |_| true);
+    }
+    for output in outputs {
+        d.output(output, &shift.late("{}", &rate));
+    }
+    d.start(&[20.0 * scene.step / scene.length()]);
+    d.done(&says(scene, first))
+}
+
+fn says(scene: &Scene, first: &str) -> String {
+    format!("the clock of {} gains {{0}} s a second on the others", scene.words(first))
 }

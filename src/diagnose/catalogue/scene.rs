@@ -302,6 +302,20 @@ impl Scene<'_> {
         self.tables.iter().filter(own).map(inputs).filter(|names: &Vec<String>| !names.is_empty()).collect()
     }
 
+    /// The inputs and the outputs of each table that holds outputs, where several do.
+    pub fn sensor_clocks(&self) -> Vec<(Vec<String>, Vec<String>)> {
+        let held = |table: &Vec<String>| {
+            let inputs = self.model.inputs.iter().map(|i| i.name.clone());
+            let outputs = self.model.outputs.iter().map(|o| o.name.clone());
+            (
+                inputs.filter(|n| table.contains(n)).collect::<Vec<_>>(),
+                outputs.filter(|n| table.contains(n)).collect::<Vec<_>>(),
+            )
+        };
+        let all: Vec<_> = self.tables.iter().map(held).filter(|(_, outputs)| !outputs.is_empty()).collect();
+        if all.len() > 1 { all } else { Vec::new() }
+    }
+
     /// A draft in a table of trials whose model has a lag factor 1 + w²T², with what it consists of.
     pub fn richer_lag(&self, code: &'static str) -> Option<(Draft<'_>, MasslessLag)> {
         let output = self.model.outputs.first().filter(|_| self.trials)?;

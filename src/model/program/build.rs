@@ -9,6 +9,9 @@ use crate::model::Model;
 use crate::{Error, Result};
 use std::collections::{BTreeSet, HashMap};
 
+/// Delays of one expression up to which each has memories of its own.
+const COPIES: usize = 2;
+
 /// The roots of a model in its graph.
 pub(super) struct Built {
     pub graph: Graph,
@@ -209,7 +212,8 @@ impl Builder<'_> {
     }
 
     /// What inputs make through memories, some time ago: the same memories of late inputs, whose kinks come at known
-    /// times; `None` where a state takes part.
+    /// times; `None` where a state takes part, or where so many delays of it are asked for that one memory with its past is
+    /// less than a memory for each.
     fn late(&mut self, e: &Expr, by: Id) -> Result<Option<Id>> {
         let model = self.model;
         let definition = |n: &str| model.definitions.iter().find(|d| d.name == n);
@@ -221,6 +225,9 @@ impl Builder<'_> {
             }
         }
         if model.states.iter().any(|s| reached.contains(s.name.as_str())) {
+            return Ok(None);
+        }
+        if self.delays_of(e) > COPIES {
             return Ok(None);
         }
         let now = self.names.clone();
@@ -237,6 +244,23 @@ impl Builder<'_> {
         let late = self.expression(e)?;
         self.names = now;
         Ok(Some(late))
+    }
+
+    /// How often some delay of an expression stands in the model.
+    fn delays_of(&self, e: &Expr) -> usize {
+        let model = self.model;
+        let definitions = model.definitions.iter().map(|d| &d.equals);
+        let rates = model.states.iter().map(|s| &s.rate);
+        let all = definitions.chain(rates).chain(model.outputs.iter().map(|o| &o.equals));
+        let mut count = 0;
+        for part in all {
+            part.visit(&mut |x| {
+                if let Expr::Call(Function::Delay, arguments) = x {
+                    count += usize::from(arguments[0] == *e);
+                }
+            });
+        }
+        count
     }
 
     /// A node of inputs and time alone, as it was some time ago.
