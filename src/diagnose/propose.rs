@@ -15,7 +15,7 @@
 //! Coefficients start at a third and at the whole of the term that they stand beside, never near zero.
 
 use super::bench::{self, Bench, Stand, Track};
-use super::catalogue::{self, Proposal, Scene};
+use super::catalogue::{self, Proposal, Scene, SiteKind};
 use super::choose::{CHANCE, is_wave};
 use super::compared::same_tracks;
 use super::foretold::Foretold;
@@ -269,10 +269,12 @@ pub fn worth_fitting(screening: &Screening, most: usize, floor: f64) -> Vec<&Scr
     chosen
 }
 
-/// Whether a law is another form of one, which moves the outputs alike while both are small, and otherwise when not.
+/// Whether a change of a parameter is another form of one, which moves the outputs alike while both are small, and otherwise
+/// when not.
 fn is_form(of: &Screened, s: &Screened) -> bool {
     let (p, q) = (&of.proposal, &s.proposal);
-    p.code == q.code && p.site == q.site && p.term != q.term && is_alike(&of.score, &s.score)
+    let is_other = p.code == q.code && p.site == q.site && p.term != q.term;
+    is_other && p.site.kind == SiteKind::Parameter && is_alike(&of.score, &s.score)
 }
 
 /// Whether a proposal differs from those chosen: they hold few of its code, and fewer with its signals.

@@ -36,17 +36,18 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 /// with them, each part of which costs a mesh and a past.
 const PARTS: u32 = 8;
 const FEWER: u32 = 4;
-/// The largest rate, and what it is.
+/// The largest rate.
 const MOST: f64 = 0.2;
-const RATE: &str = "by how much the clock runs fast, s a second";
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    let mut all: Vec<Proposal> = scene.clocks().iter().filter_map(|t| of_inputs(scene, t)).collect();
-    all.extend(scene.sensor_clocks().iter().filter_map(|(inputs, outputs)| fast(scene, inputs, outputs)));
-    all
+    let of_inputs = scene.clocks().into_iter().map(|inputs| (inputs, Vec::new()));
+    of_inputs
+        .chain(scene.sensor_clocks())
+        .filter_map(|(inputs, outputs)| at(scene, &inputs, &outputs))
+        .collect()
 }
 
 /// A time that grows with the recording, straight over each of its parts.
@@ -83,27 +84,20 @@ impl Shift {
     }
 }
 
-/// What a table of inputs alone holds is known before and after.
-fn of_inputs(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
-    let first = inputs.first()?;
-    let mut d = Draft::new(scene, "clock-drift", SiteKind::Input, first);
-    let rate = d.amplitude("rate", &Unit::one(), (-MOST, MOST), RATE);
+/// What inputs hold is known before and after, what a model makes before alone: of several clocks with outputs one is fast
+/// and reads late.
+fn at(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal> {
+    let first = outputs.first().or(inputs.first())?;
+    let (kind, least, parts) = match (inputs.is_empty(), outputs.is_empty()) {
+        (_, true) => (SiteKind::Input, -MOST, PARTS),
+        (true, false) => (SiteKind::Output, 0.0, PARTS),
+        (false, false) => (SiteKind::Output, 0.0, FEWER),
+    };
+    let mut d = Draft::new(scene, "clock-drift", kind, first);
+    let rate =
+        d.amplitude("rate", &Unit::one(), (least, MOST), "by how much the clock runs fast, s a second");
     d.term(&format!("{first} on a clock of another rate"));
-    let shift = Shift::of(scene, &mut d, PARTS)?;
-    for input in inputs {
-        d.replace(input, &format!("({})", shift.late(input, &format!("-{rate}"))), |_| true);
-    }
-    d.start(&[20.0 * scene.step / scene.length()]);
-    d.done(&says(scene, first))
-}
-
-/// What a model makes is known before alone: of several clocks with outputs one is fast and reads late.
-fn fast(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal> {
-    let first = outputs.first()?;
-    let mut d = Draft::new(scene, "clock-drift", SiteKind::Output, first);
-    let rate = d.amplitude("rate", &Unit::one(), (0.0, MOST), RATE);
-    d.term(&format!("{first} on a clock of another rate"));
-    let shift = Shift::of(scene, &mut d, if inputs.is_empty() { PARTS } else { FEWER })?;
+    let shift = Shift::of(scene, &mut d, parts)?;
     for input in inputs {
         d.replace(input, &format!("({})", shift.late(input, &format!("-{rate}"))), |_| true);
     }
@@ -111,9 +105,5 @@ fn fast(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal
         d.output(output, &shift.late("{}", &rate));
     }
     d.start(&[20.0 * scene.step / scene.length()]);
-    d.done(&says(scene, first))
-}
-
-fn says(scene: &Scene, first: &str) -> String {
-    format!("the clock of {} gains {{0}} s a second on the others", scene.words(first))
+    d.done(&format!("the clock of {} gains {{0}} s a second on the others", scene.words(first)))
 }
