@@ -100,11 +100,15 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     let tied = ties.iter().map(|t| (t.code, &t.site, Some(t.law_of())));
     let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
     let (base, _) = found.without.get(i)?.as_ref()?;
+    let may_have_forms = own.site.kind == SiteKind::Parameter;
+    if wanted.is_empty() && !may_have_forms {
+        return None;
+    }
     let view = View::of(bench, base).ok()?;
     let scene = bench.scene(&base.model, &view.stand).ok()?;
     // a law of the same signals and the same parameter, whatever its own parameters are called
     let is_form = |p: &Proposal| {
-        own.site.kind == SiteKind::Parameter
+        may_have_forms
             && (p.code, &p.site, p.law_of()) == (own.code, &own.site, own.law_of())
             && p.says != own.says
     };
