@@ -276,12 +276,10 @@ pub(super) fn inlined(model: &Model, e: &Expr) -> Expr {
 
 /// Whether inputs, time and parameters alone make it, definitions already inlined.
 fn is_data(model: &Model, e: &Expr) -> bool {
-    use Function::{Backlash, Hysteresis, Lag, RateLimit};
-    let remembers = |f: Function| matches!(f, Backlash | Hysteresis | Lag | RateLimit);
     let mut is_data = true;
     e.visit(&mut |part| match part {
         Expr::Name(name) => is_data &= !model.states.iter().any(|s| s.name == *name),
-        Expr::Call(f, _) => is_data &= !remembers(*f),
+        Expr::Call(f, _) => is_data &= !f.keeps_state(),
         _ => {}
     });
     is_data
@@ -289,13 +287,12 @@ fn is_data(model: &Model, e: &Expr) -> bool {
 
 /// Whether the model is computed step by step, so that signs are held over a step.
 fn is_dynamic(model: &Model) -> bool {
-    use Function::{Backlash, Delay, Hysteresis, Lag, RateLimit};
     let steps = |e: &Expr| {
         let mut found = false;
         e.visit(&mut |part| {
             found |= match part {
-                Expr::Call(Backlash | Hysteresis | Lag | RateLimit, _) => true,
-                Expr::Call(Delay, x) => !is_data(model, &inlined(model, &x[0])),
+                Expr::Call(f, _) if f.keeps_state() => true,
+                Expr::Call(Function::Delay, x) => !is_data(model, &inlined(model, &x[0])),
                 _ => false,
             }
         });

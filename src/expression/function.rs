@@ -190,6 +190,11 @@ impl Function {
         }
     }
 
+    /// Whether it is computed by a state or a held value of its own.
+    pub(crate) fn keeps_state(self) -> bool {
+        matches!(self, Self::Lag | Self::Backlash | Self::Hysteresis | Self::RateLimit)
+    }
+
     /// Whether its value depends on the past of its first argument.
     pub fn has_memory(self) -> bool {
         matches!(

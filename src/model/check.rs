@@ -5,7 +5,7 @@ use super::{Definition, Model};
 use crate::expression::{Expr, Scope, Units};
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 impl Model {
     /// Checks the model as a whole: distinct names, no cycles, dimensions of every expression, no unit that may mean
@@ -106,6 +106,20 @@ impl Model {
             walk.visit(i)?;
         }
         Ok(walk.done)
+    }
+
+    /// The definitions that an expression uses, by itself or through others, each once however often it stands.
+    pub(crate) fn used_by<'a>(&'a self, e: &'a Expr) -> Vec<&'a Definition> {
+        let (mut used, mut left) = (Vec::new(), vec![e]);
+        let mut seen = HashSet::new();
+        while let Some(e) = left.pop() {
+            let fresh = e.names().into_iter().filter(|n| seen.insert(*n));
+            let new: Vec<&Definition> =
+                fresh.filter_map(|n| self.definitions.iter().find(|d| d.name == n)).collect();
+            left.extend(new.iter().map(|d| &d.equals));
+            used.extend(new);
+        }
+        used
     }
 }
 

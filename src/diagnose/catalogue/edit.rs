@@ -270,15 +270,7 @@ pub enum Place<'a> {
 
 /// Whether a name occurs in an expression or in a definition that it uses.
 pub fn reaches(model: &Model, e: &Expr, name: &str) -> bool {
-    let mut opened = Opened::new(model);
-    let mut left = vec![e];
-    while let Some(e) = left.pop() {
-        if e.mentions(name) {
-            return true;
-        }
-        left.extend(e.names().into_iter().filter_map(|n| opened.once(n)).map(|d| &d.equals));
-    }
-    false
+    e.mentions(name) || model.used_by(e).iter().any(|d| d.equals.mentions(name))
 }
 
 /// Whether a name stands in an expression outside its sines and cosines.

@@ -3,11 +3,11 @@
 //! Everything that jumps or kinks becomes switches (sign registers); everything with memory
 //! becomes hidden states, held values or kept pasts.
 
-use super::graph::{Column, Graph, Id, Level, Memory, Node, PassSwitches, Switch, Two, reachable};
-use crate::expression::{BinaryOp, Expr, Foreign, Function};
-use crate::model::Model;
+use super::graph::{Column, Graph, Id, Level, Memory, Node};
+use crate::expression::{BinaryOp, Expr, Function};
+use crate::model::{Definition, Model};
 use crate::{Error, Result};
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 
 /// Delays of one expression up to which each has memories of its own.
 const COPIES: usize = 2;
@@ -22,8 +22,8 @@ pub(super) struct Built {
 
 /// Builds the graph of a checked model.
 pub(super) fn build(model: &Model) -> Result<Built> {
-    let mut builder =
-        Builder { model, graph: Graph::default(), names: HashMap::new(), states: model.states.len() };
+    let (graph, names) = (Graph::default(), HashMap::new());
+    let mut builder = Builder { model, graph, names, states: model.states.len(), late_by: None };
     builder.leaves(model);
     for d in model.definition_order().map_err(|(_, e)| e)? {
         let id = builder.expression(&d.equals)?;
@@ -51,6 +51,8 @@ pub(super) struct Builder<'m> {
     pub(super) graph: Graph,
     names: HashMap<String, Id>,
     states: usize,
+    /// By how much all is late that is built now.
+    late_by: Option<Id>,
 }
 
 impl Builder<'_> {
@@ -93,14 +95,15 @@ impl Builder<'_> {
                     BinaryOp::Pow => self.graph.power(a, b),
                 })
             }
+            Expr::Call(Function::Delay, x) => self.delay(&x[0], &x[1]),
             Expr::Call(f, arguments) => {
                 let ids: Result<Vec<Id>> = arguments.iter().map(|a| self.expression(a)).collect();
-                self.call(*f, arguments, &ids?)
+                self.call(*f, &ids?)
             }
         }
     }
 
-    fn call(&mut self, f: Function, arguments: &[Expr], x: &[Id]) -> Result<Id> {
+    fn call(&mut self, f: Function, x: &[Id]) -> Result<Id> {
         Ok(match f {
             Function::Atan2 => self.graph.atan2(x[0], x[1]),
             Function::Sign => self.graph.sign(x[0], 0),
@@ -121,7 +124,6 @@ impl Builder<'_> {
                 let raised = self.greater(x[0], x[1]);
                 self.lesser(raised, x[2])
             }
-            Function::Delay => return self.delay(&arguments[0], x[0], x[1]),
             Function::Lag => self.lag(x[0], x[1]),
             Function::RateLimit => self.rate_limit(x[0], x[1]),
             Function::Backlash => self.backlash(x[0], x[1]),
@@ -195,55 +197,46 @@ impl Builder<'_> {
         next
     }
 
-    fn delay(&mut self, e: &Expr, x: Id, time: Id) -> Result<Id> {
-        if self.graph.levels[time] > Level::Run {
+    /// x(t − T), T the same during a run: what inputs and time alone make is made of late inputs, whose kinks come at known
+    /// times; of anything else, and where that would be more memories than one with its past, the past is kept.
+    fn delay(&mut self, e: &Expr, time: &Expr) -> Result<Id> {
+        let by = self.expression(time)?;
+        if self.graph.levels[by] > Level::Run {
             return Err(Error::bad_input("the time of delay(x, T) must not change during a run")
                 .with_hint("make T a parameter or an expression of parameters"));
         }
-        if self.graph.levels[x] <= Level::Time {
-            return Ok(self.shifted(x, time));
+        let used = self.model.used_by(e);
+        let all = || used.iter().map(|d| &d.equals).chain([e]);
+        let is_of_states = all().any(|e| self.model.states.iter().any(|s| e.mentions(&s.name)));
+        if !is_of_states && (self.delays_of(e) <= COPIES || !all().any(keeps_state)) {
+            return self.late(e, &used, by);
         }
-        if let Some(late) = self.late(e, time)? {
-            return Ok(late);
-        }
+        let signal = self.expression(e)?;
         let slot = self.graph.memories.iter().filter(|m| matches!(m, Memory::Past { .. })).count();
-        self.graph.memories.push(Memory::Past { slot, signal: x, delay: time });
+        self.graph.memories.push(Memory::Past { slot, signal, delay: by });
         Ok(self.graph.add(Node::Past(slot)))
     }
 
-    /// What inputs make through memories, some time ago: the same memories of late inputs, whose kinks come at known
-    /// times; `None` where a state takes part, or where so many delays of it are asked for that one memory with its past is
-    /// less than a memory for each.
-    fn late(&mut self, e: &Expr, by: Id) -> Result<Option<Id>> {
-        let model = self.model;
-        let definition = |n: &str| model.definitions.iter().find(|d| d.name == n);
-        let mut reached = BTreeSet::new();
-        let mut left = e.names();
-        while let Some(name) = left.pop_first() {
-            if reached.insert(name) {
-                left.extend(definition(name).into_iter().flat_map(|d| d.equals.names()));
+    /// An expression of inputs and time, and the definitions that it uses, some time ago.
+    fn late(&mut self, e: &Expr, used: &[&Definition], by: Id) -> Result<Id> {
+        let total = self.late_by.map_or(by, |outer| self.graph.sum(outer, by));
+        let (outer, now) = (self.late_by.replace(total), self.names.clone());
+        for (input, x) in self.model.inputs.iter().enumerate() {
+            let id = self.graph.column(Column { input, delay: Some(total) });
+            self.names.insert(x.name.clone(), id);
+        }
+        let t = self.graph.add(Node::Time);
+        let t = self.graph.difference(t, total);
+        self.names.insert("t".to_string(), t);
+        for d in self.model.definition_order().map_err(|(_, e)| e)? {
+            if used.iter().any(|u| u.name == d.name) {
+                let id = self.expression(&d.equals)?;
+                self.names.insert(d.name.clone(), id);
             }
         }
-        if model.states.iter().any(|s| reached.contains(s.name.as_str())) {
-            return Ok(None);
-        }
-        if self.delays_of(e) > COPIES {
-            return Ok(None);
-        }
-        let now = self.names.clone();
-        for name in model.inputs.iter().map(|i| i.name.as_str()).chain(["t"]) {
-            let late = self.shifted(now[name], by);
-            self.names.insert(name.to_string(), late);
-        }
-        for d in model.definition_order().map_err(|(_, e)| e)? {
-            if reached.contains(d.name.as_str()) {
-                let late = self.expression(&d.equals)?;
-                self.names.insert(d.name.clone(), late);
-            }
-        }
-        let late = self.expression(e)?;
-        self.names = now;
-        Ok(Some(late))
+        let id = self.expression(e)?;
+        (self.late_by, self.names) = (outer, now);
+        Ok(id)
     }
 
     /// How often some delay of an expression stands in the model.
@@ -262,59 +255,11 @@ impl Builder<'_> {
         }
         count
     }
+}
 
-    /// A node of inputs and time alone, as it was some time ago.
-    fn shifted(&mut self, x: Id, by: Id) -> Id {
-        let mut map: HashMap<Id, Id> = HashMap::new();
-        let needed = reachable(&self.graph, &[x], PassSwitches::Yes);
-        for (id, _) in needed.iter().enumerate().filter(|(_, needed)| **needed) {
-            let new = self.shifted_node(id, by, &map);
-            map.insert(id, new);
-        }
-        map[&x]
-    }
-
-    fn shifted_node(&mut self, id: Id, by: Id, map: &HashMap<Id, Id>) -> Id {
-        let g = &mut self.graph;
-        if g.levels[id] <= Level::Run {
-            return id;
-        }
-        match g.nodes[id] {
-            Node::Time => g.difference(id, by),
-            Node::Column(c) => {
-                let Column { input, delay } = g.columns[c];
-                let total = delay.map_or(by, |d| g.sum(d, by));
-                g.column(Column { input, delay: Some(total) })
-            }
-            Node::Sign(k) => {
-                let Switch { argument, half_width, at_zero, is_smooth, .. } = g.switches[k];
-                match half_width {
-                    None if is_smooth => g.side(map[&argument]),
-                    Some(w) => g.relay(map[&argument], map.get(&w).copied().unwrap_or(w)),
-                    None => g.sign(map[&argument], at_zero),
-                }
-            }
-            Node::Two(op, a, b) => {
-                let (a, b) = (map[&a], map[&b]);
-                match op {
-                    Two::Add => g.sum(a, b),
-                    Two::Sub => g.difference(a, b),
-                    Two::Mul => g.product(a, b),
-                    Two::Div => g.quotient(a, b),
-                    Two::Pow => g.power(a, b),
-                    Two::Atan2 => g.atan2(a, b),
-                }
-            }
-            Node::Negative(a) => g.negative(map[&a]),
-            Node::One(f, a) => g.one(f, map[&a]),
-            Node::Whole(a, n) => g.add(Node::Whole(map[&a], n)),
-            Node::Select(s, a, b) => g.select(map[&s], map[&a], map[&b]),
-            Node::Foreign(call, result) => {
-                let (f, arguments) = g.calls[call].clone();
-                let then: Vec<Id> = arguments.iter().map(|a| map.get(a).copied().unwrap_or(*a)).collect();
-                g.foreign(Foreign::of(f.code(), result), &then)
-            }
-            _ => id,
-        }
-    }
+/// Whether some part of an expression is a state of its own.
+fn keeps_state(e: &Expr) -> bool {
+    let mut found = false;
+    e.visit(&mut |part| found |= matches!(part, Expr::Call(f, _) if f.keeps_state()));
+    found
 }
