@@ -100,7 +100,7 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     let tied = ties.iter().map(|t| (t.code, &t.site, Some(t.law_of())));
     let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
     let (base, _) = found.without.get(i)?.as_ref()?;
-    let may_have_forms = own.site.kind == SiteKind::Parameter;
+    let may_have_forms = own.site.kind == SiteKind::Parameter || own.code == "dry-friction";
     if wanted.is_empty() && !may_have_forms {
         return None;
     }

@@ -94,7 +94,7 @@ pub fn proposals(bench: &Bench, scene: &Scene, taken: &[Taken]) -> Vec<Proposal>
     if bench.separate || bench.recordings.len() > 1 {
         proposals.retain(|p| !super::choose::is_anchored(p));
     }
-    proposals.retain(|p| !super::choose::is_repeated(p, taken));
+    proposals.retain(|p| !p.refines && !super::choose::is_repeated(p, taken));
     proposals
 }
 

@@ -9,15 +9,16 @@
 //! Two heats: a few steps from the best starts of each proposal, with a solver as rough as the residual
 //! that the model leaves now allows; a few more for the better half, or, where one plainly lowers what is left, for
 //! those whose sum of squares falls by some share of its fall, as logarithms. Those that then fall by a fair share of
-//! it are fitted to the end. One whose own steps were
+//! it are fitted to the end, and the likeliest to first order: many forms of one slow effect may lower the squares more
+//! than that, and yet be less sure beside noise as slow. One whose own steps were
 //! spent in a heat is told by the best that it reached, so that it can be asked whether it matters.
 //!
 //! # References
 //! O. Maron, A. W. Moore, Artificial Intelligence Review 11 (1997) 193 (racing).
 
-use super::bench::Bench;
+use super::bench::{Bench, Stand};
 use super::catalogue::Proposal;
-use super::choose::MUCH;
+use super::choose::{MUCH, floor};
 use super::foretold::Foretold;
 use super::measure::Scale;
 use super::propose::{Screened, starts};
@@ -37,6 +38,8 @@ const SECOND: usize = 12;
 const FAIR: [f64; 2] = [0.25, 0.6];
 /// Proposals that are fitted to the end at most, and at least: where one plainly lowers what is left, and else.
 const LAST: (usize, [usize; 2]) = (8, [3, 6]);
+/// Share of what a proposal's direction foretells that its first heat must keep.
+const KEPT: f64 = 0.5;
 /// Runs that the heats of a proposal take, about, and as many its last fit.
 const RUNS: usize = 20;
 
@@ -89,7 +92,11 @@ pub fn run(
     let mut field = heats(bench, view, given, (chosen, &foretold), (now, scale));
     let is_plain = fall(&field, now) > MUCH;
     let least = LAST.1[usize::from(!is_plain)];
-    let last = ahead(&field, now, FAIR[1]).clamp(least, LAST.0).min(field.len());
+    let mut last = ahead(&field, now, FAIR[1]).clamp(least, LAST.0).min(field.len());
+    if let Some(likeliest) = likelier_behind(&field, last, now) {
+        field.swap(last, likeliest);
+        last += 1;
+    }
     let mut others = field.split_off(last);
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
@@ -118,6 +125,10 @@ fn heats<'s>(
             walk(bench, &stand.placed(&s.proposal.model), stand.initials, HEATS[0], view)
         });
         let best = walks.map(|fit| Runner::new(s, fit, scale)).reduce(Runner::or);
+        let best = best.map(|best| match held_first(bench, view, &best, now) {
+            Some(fit) => best.or(Runner::new(s, fit, scale)),
+            None => best,
+        });
         foretold.done(RUNS);
         best
     };
@@ -142,6 +153,23 @@ fn heats<'s>(
     field
 }
 
+/// A few steps of a proposal that kept less than it foretold, from its size and the fitted parameters as they fit each other
+/// while its shapes are held: from a size that is far off the shapes run away first.
+fn held_first(bench: &Bench, view: &View, best: &Runner<'_>, now: f64) -> Option<Fit> {
+    let (s, p) = (best.screened, &best.screened.proposal);
+    let is_kept = best.left < (1.0 - KEPT * s.explained) * now;
+    if is_kept || s.explained < MUCH || p.amplitudes.is_empty() || p.amplitudes.len() == p.added.len() {
+        return None;
+    }
+    let stand = view.stand.extended(&p.model, &p.quiet(&s.start));
+    let mut held = stand.placed(&p.model);
+    let shapes = (0..p.added.len()).filter(|k| !p.amplitudes.contains(k)).map(|k| &p.added[k].name);
+    let names: Vec<&String> = shapes.collect();
+    held.parameters.iter_mut().filter(|x| names.contains(&&x.name)).for_each(|x| x.fit = false);
+    let sized = walk(bench, &held, stand.initials, HEATS[0], view)?;
+    walk(bench, &Stand::of(&sized).placed(&p.model), sized.starts(), HEATS[1], view)
+}
+
 /// The largest fall of ln Σe² in a sorted field.
 fn fall(field: &[Runner<'_>], now: f64) -> f64 {
     field.first().map_or(0.0, |r| (now / r.left).ln())
@@ -151,6 +179,13 @@ fn fall(field: &[Runner<'_>], now: f64) -> f64 {
 fn ahead(field: &[Runner<'_>], now: f64, share: f64) -> usize {
     let least = share * fall(field, now);
     field.iter().take_while(|r| (now / r.left).ln() >= least).count()
+}
+
+/// The likeliest to first order, where it stands behind those that are fitted to the end and yet lowers what is left.
+fn likelier_behind(field: &[Runner<'_>], last: usize, now: f64) -> Option<usize> {
+    let statistic = |i: &usize| field[*i].screened.score.statistic;
+    let likeliest = (0..field.len()).max_by(|a, b| statistic(a).total_cmp(&statistic(b)))?;
+    (likeliest >= last && (now / field[likeliest].left).ln() > floor(0.0)).then_some(likeliest)
 }
 
 fn sort(field: &mut [Runner<'_>]) {

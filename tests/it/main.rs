@@ -28,6 +28,7 @@ mod fields;
 mod fit;
 mod fmu;
 mod foreign_tables;
+mod forms;
 mod formula;
 mod fuzz;
 mod fuzz_diagnose;

@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     s' = … + c u,  perhaps c u sin(heading) or c u cos(heading)
+//!     s' = … + c u |u|      as wind acts, where u turns about or changes much
 //!     d v |v| -> d (v + c u) |v + c u|      where u is a speed as v is
 //!     a cos(heading) -> a cos(heading) - c u sin(heading)   and at the same time
 //!     a sin(heading) -> a sin(heading) + c u cos(heading)   where u is the second component of the vector (a, u)
@@ -40,6 +41,9 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     propose,
 );
 
+/// Mean of a signal in units of its spread up to which its square is not as good as straight.
+const BENT: f64 = 4.0;
+
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all = Vec::new();
     let signals: Vec<&Signal> =
@@ -52,6 +56,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         for factor in scene.factors(signal) {
             all.extend(motions.iter().filter_map(|m| at(scene, m, signal, &factor)));
             if factor.is_empty() {
+                all.extend(motions.iter().filter_map(|m| by_square(scene, m, signal)));
                 all.extend(motions.iter().filter_map(|m| relative(scene, m, signal)));
             }
             let definitions = scene.moving(&[SignalKind::Definition]);
@@ -148,6 +153,22 @@ fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Propos
     d.force(&m.state, &format!("{c}*{part}{factor}"));
     d.start(&[m.size / signal.spread]);
     d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(&m.state)))
+}
+
+/// A channel that acts by its square, against the side from which it comes.
+fn by_square(scene: &Scene, m: &Motion, signal: &Signal) -> Option<Proposal> {
+    let state = scene.model.states.iter().find(|s| s.name == m.state)?;
+    let is_there = edit::reaches(scene.model, &state.rate, &signal.name);
+    if signal.kind != SignalKind::Channel || is_there || signal.mean.abs() > BENT * signal.spread {
+        return None;
+    }
+    let u = &signal.name;
+    let mut d = Draft::at(scene, "cross-coupling", m);
+    let c = d.amplitude("c", &m.force.over(&signal.unit.of_differences().power(2.0)), ANY, "coupling");
+    d.uses(u);
+    d.force(&m.state, &format!("{c}*{u}*abs({u})"));
+    d.start(&[m.size / signal.size().powi(2)]);
+    d.done(&format!("{} acts on {} by its square, {{0}}", scene.words(u), scene.words(&m.state)))
 }
 
 /// A channel that is added to a state in the laws that bend: wind to a speed, a current to that of a ship.

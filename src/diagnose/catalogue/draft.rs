@@ -84,6 +84,8 @@ pub struct Proposal {
     pub limits: Vec<Limits>,
     /// A parameter p of the model that makes up for it: what was p is p/(1 + a·level) with the first added parameter a.
     pub makes_up: Option<(String, f64)>,
+    /// Whether it is asked for only in the place of what was found, as a finer form of it.
+    pub refines: bool,
     /// What it puts in the place of what: new and old.
     pub replaced: Vec<(Expr, Expr)>,
 }
@@ -182,6 +184,7 @@ impl<'a> Draft<'a> {
             neutral: None,
             limits: Vec::new(),
             makes_up: None,
+            refines: false,
             replaced: Vec::new(),
         };
         Self { scene, proposal, failed: false }
@@ -225,6 +228,11 @@ impl<'a> Draft<'a> {
         self.proposal.added.push(Added { name: name.clone(), unit });
         self.proposal.limits.push(limits);
         name
+    }
+
+    /// Asks for it only in the place of what was found.
+    pub fn refines(&mut self) {
+        self.proposal.refines = true;
     }
 
     /// Adds a fitted parameter that scales the effect.
@@ -302,6 +310,14 @@ impl<'a> Draft<'a> {
     pub fn rate_of(&self, state: &str) -> String {
         let own = self.proposal.model.states.iter().find(|s| s.name == state);
         own.map_or_else(String::new, |s| format!("({})", s.rate))
+    }
+
+    /// What a term in the innermost sum of a state's rate makes of that rate.
+    pub fn felt(&mut self, state: &str, text: &str) -> Option<String> {
+        let e = self.read(text)?;
+        let model = &self.proposal.model;
+        let state = model.states.iter().find(|s| s.name == state)?;
+        Some(edit::with_sum(model, edit::opened(model, &state.rate), &|_| e.clone()).to_string())
     }
 
     /// Sets the rate of a state.

@@ -10,6 +10,7 @@
 //! # Equation
 //! ```text
 //!     M v' = … - Fc sign(v),  Fc >= 0
+//!     M v' = … - Fc tanh(v/vs)             where it turns over not at once
 //!     c (v - w) -> c (v - w) + Fc sign(v - w) of a damper between two bodies
 //! ```
 //!
@@ -37,7 +38,10 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
+    let mut all: Vec<Proposal> = Vec::new();
+    for m in scene.motions() {
+        all.extend([at(scene, &m), rounded(scene, &m)].into_iter().flatten());
+    }
     all.extend(between::all(scene, Of::Speeds).iter().filter_map(|b| rubs(scene, b)));
     all.extend(scene.richer_lag("dry-friction").and_then(|(mut d, lag)| {
         let f = d.amplitude("Fc_T", &lag.acceleration_unit(scene), POSITIVE, "dry friction over stiffness");
@@ -63,6 +67,20 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.force(&m.state, &format!("-{f}*sign({v})"));
     d.start(&[m.size]);
     d.done(&says)
+}
+
+/// Friction that turns over within a range of speeds, small beside those of the recording.
+fn rounded(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let v = m.speed.as_ref()?;
+    let spread = scene.signal(v)?.spread;
+    let mut d = Draft::at(scene, "dry-friction", m);
+    let f = d.amplitude("Fc", &m.force, POSITIVE, "dry friction");
+    d.refines();
+    let within = (5e-3 * spread, 0.1 * spread);
+    let vs = d.parameter("vs", &scene.unit(v), within, "speed within which it turns over");
+    d.force(&m.state, &format!("-{f}*tanh({v}/{vs})"));
+    d.start(&[m.size, 0.02 * spread]);
+    d.done(&format!("dry friction of {{0}} acts against {}, and turns over within {{1}}", scene.words(v)))
 }
 
 /// Friction between two bodies.

@@ -8,7 +8,7 @@
 //! # Equation
 //! ```text
 //!     z'' + 2 zeta W z' + W^2 z = W^2 q,  M v' = … - c (q - z)    or    q -> z where it is used
-//!     M v' = … - c p,  p = W^2 z + 2 zeta W z',  z'' = v' - p     where the model has a speed and no position
+//!     M v' = … - c p,  p = (W^2 z + 2 zeta W z')/(1 + c/M),  z'' = v' - p     where the model has a speed and no position
 //! ```
 //!
 //! # What else looks like this
@@ -71,7 +71,8 @@ fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
 }
 
 /// A part behind an elastic joint, where the model has the speed alone. What swings are the twist of the joint and its
-/// rate, the slip, so that both parts start with one speed.
+/// rate, the slip, so that both parts start with one speed; W is the frequency that a recording shows, at which they swing
+/// against each other: z'' + 2 zeta W z' + W^2 z is what the forces make without the second part, whatever its inertia.
 fn carried(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let v = m.speed.as_ref().filter(|_| m.position.is_none())?;
     let second = Unit::parse("s").ok()?;
@@ -82,7 +83,8 @@ fn carried(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let twist =
         d.state("zr_shift", &scene.unit(v).times(&second), Initial::Number(0.0), "twist of the joint");
     let slip = d.state("zr_rate", &scene.unit(v), Initial::Number(0.0), "its rate");
-    let pull = format!("({w}^2*{twist} + 2*{zeta}*{w}*{slip})");
+    let share = d.felt(&m.state, &c)?;
+    let pull = format!("(({w}^2*{twist} + 2*{zeta}*{w}*{slip})/(1 + {share}))");
     d.force(&m.state, &format!("-{c}*{pull}"));
     let own = d.rate_of(&m.state);
     d.rate(&twist, &slip);
@@ -91,7 +93,7 @@ fn carried(scene: &Scene, m: &Motion) -> Option<Proposal> {
         d.start(&[m.size / (w * scene.size(v)), w, 0.1]);
     }
     d.done(&format!(
-        "{} carries a second part through an elastic joint, which swings at {{1}}",
+        "{} carries a second part through an elastic joint, on which both swing at {{1}}",
         scene.words(v)
     ))
 }

@@ -8,6 +8,8 @@
 //! # Equation
 //! ```text
 //!     M v' = … - kz z,  z = hysteresis(q, gap): follows q, held within gap/2
+//!     z' = q' - |q'| z/z0                       as Dahl has it: the slip comes by and by
+//!     y = … + kz z                              of a reading or a voltage, either way
 //! ```
 //!
 //! # What else looks like this
@@ -18,12 +20,13 @@
 //! P. R. Dahl, Aerospace Corp. TOR-158 (1968).
 //!
 //! # Example
-//! An instrument hung on wire-rope isolators.
+//! An instrument hung on wire-rope isolators; the voltage of a cell, which is another while it charges.
 
 use super::{
     Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY,
-    draft::POSITIVE,
+    draft::POSITIVE, edit,
 };
+use crate::model::{Initial, Output};
 use crate::units::Unit;
 
 /// An elastic part that slips.
@@ -39,8 +42,15 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    let mut all: Vec<Proposal> = scene.motions().iter().filter_map(|m| at(scene, m)).collect();
+    let mut all: Vec<Proposal> = Vec::new();
+    for m in scene.motions() {
+        all.extend([at(scene, &m), by_and_by(scene, &m)].into_iter().flatten());
+    }
     all.extend(scene.moving(&[SignalKind::Input]).filter_map(|u| fed(scene, u)));
+    for o in &scene.model.outputs {
+        let behind = scene.model.states.iter().filter(|s| edit::reaches(scene.model, &o.equals, &s.name));
+        all.extend(behind.flat_map(|s| read(scene, o, &s.name)));
+    }
     all
 }
 
@@ -56,6 +66,55 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
         d.start(&[m.size / (fraction * signal.spread), fraction * 2.0 * signal.spread]);
     }
     d.done(&format!("a part of stiffness {{0}} gives with {} and slips beyond {{1}}", scene.words(q)))
+}
+
+/// A part that gives with a state and slips by and by: `act` puts its deflection z into the model, and
+/// z' = q' - |q'| z/z0.
+fn dahl(d: &mut Draft, scene: &Scene, q: &str, act: impl FnOnce(&mut Draft, &str)) -> Option<()> {
+    let signal = scene.signal(q)?;
+    let range = signal.max - signal.min;
+    let unit = scene.unit(q);
+    let slips = d.parameter("z0", &unit, (1e-4 * range, 2.0 * range), "deflection at which it slips");
+    let z = d.state("z_slip", &unit, Initial::Number(0.0), "deflection of the slipping part");
+    act(d, &z);
+    let rate = d.rate_of(q);
+    d.rate(&z, &format!("{rate} - abs{rate}*{z}/{slips}"));
+    Some(())
+}
+
+fn by_and_by(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let q = m.position.as_ref()?;
+    let mut d = Draft::at(scene, "hysteresis", m);
+    let k = d.amplitude("kz", &m.force.over(&scene.unit(q)), POSITIVE, "stiffness of the slipping part");
+    dahl(&mut d, scene, q, |d, z| d.force(&m.state, &format!("-{k}*{z}")))?;
+    let spread = scene.signal(q)?.spread;
+    for fraction in [0.1, 0.5] {
+        d.start(&[m.size / (fraction * spread), fraction * spread]);
+    }
+    d.done(&format!("a part of stiffness {{0}} gives with {} and slips by and by, at {{1}}", scene.words(q)))
+}
+
+/// A loop of an output over a state.
+fn read(scene: &Scene, o: &Output, q: &str) -> Vec<Proposal> {
+    let loops = |slips: bool| {
+        let (signal, own) = (scene.signal(q)?, scene.signal(&o.name)?);
+        let mut d = Draft::new(scene, "hysteresis", SiteKind::Output, &o.name);
+        let unit = scene.unit(&o.name).over(&scene.unit(q));
+        let k = d.amplitude("kz", &unit, ANY, "height of the loop over its width");
+        let range = signal.max - signal.min;
+        if slips {
+            dahl(&mut d, scene, q, |d, z| d.output(&o.name, &format!("{{}} + {k}*{z}")))?;
+        } else {
+            let gap = d.parameter("gap", &signal.unit, (1e-4 * range, 2.0 * range), "width of the loop");
+            d.output(&o.name, &format!("{{}} + {k}*hysteresis({q}, {gap})"));
+        }
+        for fraction in [0.1, 0.5] {
+            let width = if slips { fraction } else { 2.0 * fraction } * signal.spread;
+            d.start(&[0.1 * own.spread / signal.spread, width]);
+        }
+        d.done(&format!("{} runs in a loop over {} of width {{1}}", scene.words(&o.name), scene.words(q)))
+    };
+    [false, true].into_iter().filter_map(loops).collect()
 }
 
 fn fed(scene: &Scene, u: &Signal) -> Option<Proposal> {

@@ -21,6 +21,9 @@
 //! # Example
 //! A drone whose three axes are modelled each for itself.
 
+use crate::expression::{BinaryOp, Expr};
+use crate::units::Unit;
+
 use super::terms::has_factor;
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, draft::ANY, edit};
 
@@ -45,9 +48,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all = Vec::new();
     for m in scene.motions() {
         for (i, a) in signals.iter().enumerate() {
-            all.extend(signals[i..].iter().filter_map(|b| at(scene, &m, a, b)));
+            all.extend(signals[i..].iter().flat_map(|b| acting(scene, &m, a, b)));
         }
-        all.extend(turning(scene, &signals).filter_map(|(a, b)| at(scene, &m, a, b)));
+        all.extend(turning(scene, &signals).flat_map(|(a, b)| acting(scene, &m, a, b)));
     }
     all.extend(gyroscopic(scene, &signals));
     all
@@ -102,7 +105,30 @@ fn pair(scene: &Scene, [m, n]: [&Motion; 2], rotor: &Signal) -> Option<Proposal>
     ))
 }
 
-fn at(scene: &Scene, m: &Motion, a: &Signal, b: &Signal) -> Option<Proposal> {
+/// A product as it is, and over whatever moves under the terms of that rate, as a length that changes.
+fn acting(scene: &Scene, m: &Motion, a: &Signal, b: &Signal) -> Vec<Proposal> {
+    let plain = at(scene, m, a, b, None);
+    let others = if plain.is_some() { levers(scene, m) } else { Vec::new() };
+    plain.into_iter().chain(others.iter().filter_map(|l| at(scene, m, a, b, Some(l)))).collect()
+}
+
+/// What the terms of a rate are divided by, where it moves.
+fn levers(scene: &Scene, m: &Motion) -> Vec<Expr> {
+    let Some(state) = scene.model.states.iter().find(|s| s.name == m.state) else { return Vec::new() };
+    let moves = |e: &Expr| scene.signals.iter().any(|s| edit::reaches(scene.model, e, &s.name));
+    let mut all: Vec<Expr> = Vec::new();
+    for term in edit::terms_of(scene.model, edit::sum_of(scene.model, &state.rate)) {
+        if let Expr::Binary(BinaryOp::Div, _, under) = term
+            && moves(&under)
+            && !all.contains(&under)
+        {
+            all.push(*under);
+        }
+    }
+    all
+}
+
+fn at(scene: &Scene, m: &Motion, a: &Signal, b: &Signal, lever: Option<&Expr>) -> Option<Proposal> {
     let own = |s: &Signal| [&m.speed, &m.position].into_iter().flatten().any(|n| *n == s.name);
     // its own square is a damping or a stiffness, the square of an input has a name of its own, and of squares of states
     // only that of a speed acts: the centrifugal force
@@ -111,19 +137,23 @@ fn at(scene: &Scene, m: &Motion, a: &Signal, b: &Signal) -> Option<Proposal> {
         return None;
     }
     let rate = &scene.model.states.iter().find(|s| s.name == m.state)?.rate;
-    let both = |t: &crate::expression::Expr| has_factor(t, &a.name) && has_factor(t, &b.name);
+    let both = |t: &Expr| has_factor(t, &a.name) && has_factor(t, &b.name);
     if a.name != b.name && edit::terms_of(scene.model, edit::sum_of(scene.model, rate)).iter().any(both) {
         return None;
     }
     let mut d = Draft::at(scene, "product-coupling", m);
-    let unit = m.force.over(&scene.unit(&a.name).times(&scene.unit(&b.name)));
-    let c = d.amplitude("c", &unit, ANY, "coupling");
+    let product = scene.unit(&a.name).times(&scene.unit(&b.name));
+    let (per, size, over) = match lever {
+        None => (Unit::one(), 1.0, String::new()),
+        Some(l) => (scene.unit_of(l), scene.size_of(l), format!("/({l})")),
+    };
+    let c = d.amplitude("c", &m.force.times(&per).over(&product), ANY, "coupling");
     d.uses(&a.name);
     d.uses(&b.name);
-    d.force(&m.state, &format!("{c}*{}*{}", a.name, b.name));
-    d.start(&[m.size / (a.size() * b.size())]);
+    d.force(&m.state, &format!("{c}*{}*{}{over}", a.name, b.name));
+    d.start(&[m.size * size / (a.size() * b.size())]);
     d.done(&format!(
-        "{} times {} acts on {}, {{0}}",
+        "{} times {}{over} acts on {}, {{0}}",
         scene.words(&a.name),
         scene.words(&b.name),
         scene.words(&m.state)

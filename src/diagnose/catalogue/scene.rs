@@ -231,6 +231,13 @@ impl Scene<'_> {
         self.signal(name).map(Signal::size).filter(|s| *s > 0.0 && s.is_finite()).unwrap_or(1.0)
     }
 
+    /// An expression at the sizes of its signals, without its sign; 1 where that is not known.
+    pub fn size_of(&self, e: &Expr) -> f64 {
+        let parameter = |n: &str| self.model.parameters.iter().find(|p| p.name == n).map(|p| p.value);
+        let value = e.value(&|n| self.signal(n).map(Signal::size).or_else(|| parameter(n)));
+        value.map(f64::abs).filter(|x| *x > 0.0 && x.is_finite()).unwrap_or(1.0)
+    }
+
     /// Unit of a signal.
     pub fn unit(&self, name: &str) -> Unit {
         self.signal(name).map_or_else(Unit::one, |s| s.unit.of_differences())
