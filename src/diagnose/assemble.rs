@@ -15,7 +15,7 @@ use super::paragraph::Paragraph;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::{Found, Taken};
-use super::verdict::{Evidence, Proven, settle, with_faults, with_noise, with_patches};
+use super::verdict::{Evidence, Proven, missed, settle, with_faults, with_noise, with_patches};
 use super::view::View;
 use super::{Diagnosis, Request, answer, backward, innovations, locate, next, pictures, words};
 use crate::Result;
@@ -151,10 +151,10 @@ impl Assembly<'_> {
             findings,
             faults: self.faults.clone(),
             unexplained: if left { rest.unexplained() } else { None },
+            notes: self.notes(held_out, missed(verdict, &proof)),
             proof,
             next_experiment,
             parameters: self.parameters(),
-            notes: self.notes(held_out),
             made: self.made(),
         };
         budget.begin("pictures");
@@ -406,10 +406,10 @@ impl Assembly<'_> {
     }
 
     /// What a reader should know: what was not compared, what ended at a bound, what was left unfinished.
-    fn notes(&self, held_out: usize) -> Vec<String> {
+    fn notes(&self, held_out: usize, missed: Option<String>) -> Vec<String> {
         let fits = [&self.found.base, &self.found.last];
         let warnings = fits.into_iter().flat_map(|f| f.warnings.iter().map(|w| w.message.clone()));
-        let mut all: Vec<String> = self.ended_early.map(unfinished).into_iter().collect();
+        let mut all: Vec<String> = self.ended_early.map(unfinished).into_iter().chain(missed).collect();
         if self.is_left && held_out == 0 {
             all.push(NOT_HELD_OUT.into());
         }

@@ -188,6 +188,17 @@ fn falls_short(proof: &[Proof]) -> bool {
     proof.iter().any(is_much) && gone < ENOUGH * all
 }
 
+/// What to know of a model that nothing is missing from and that yet misses what was held out by more than noise.
+pub fn missed(verdict: Verdict, proof: &[Proof]) -> Option<String> {
+    let times = |p: &Proof| p.holdout_before / p.noise_floor;
+    let is_much = |p: &&Proof| verdict == Verdict::NothingMissing && times(p) > MORE_THAN_NOISE;
+    let worst = proof.iter().filter(is_much).max_by(|a, b| times(a).total_cmp(&times(b)))?;
+    let (output, often) = (&worst.output, times(worst));
+    Some(format!(
+        "“{output}” is off by {often:.1} times its noise where it was held out, and no test sees a law in what is left: slow noise looks so, and so does a disturbance that nobody recorded"
+    ))
+}
+
 /// The verdict on physics and data: the faults take it only where nothing physical stands beside them, or
 /// where they leave the question `open`. Names that stand by what was held out have answered it.
 pub fn with_faults(physics: Verdict, faults: &[DataFault], open: bool) -> Verdict {
@@ -202,6 +213,15 @@ pub fn with_faults(physics: Verdict, faults: &[DataFault], open: bool) -> Verdic
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_misses_what_was_held_out_is_told_beside_nothing_missing() {
+        let of = |verdict, before| missed(verdict, &[proof(before, before, 0.0)]);
+        assert!(of(Verdict::NothingMissing, 1.2).is_some_and(|s| s.contains("“y” is off by 2.4 times")));
+        assert_eq!(of(Verdict::NothingMissing, 0.9), None);
+        assert_eq!(of(Verdict::NothingMissing, f64::NAN), None);
+        assert_eq!(of(Verdict::Unknown, 1.2), None);
+    }
 
     fn proof(before: f64, after: f64, low: f64) -> Proof {
         Proof {
