@@ -191,6 +191,7 @@ impl Function {
     }
 
     /// Whether it is computed by a state or a held value of its own.
+    #[cfg(feature = "diagnose")]
     pub(crate) fn keeps_state(self) -> bool {
         matches!(self, Self::Lag | Self::Backlash | Self::Hysteresis | Self::RateLimit)
     }

@@ -10,6 +10,7 @@
 //!     p -> p (1 + a x^2)                 with a state, an input or a channel that goes through 0
 //!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
 //!     p -> p exp(a (u - mean u))
+//!     p -> p + c (u - p)                 with a channel in the place of a known p of its kind, c = 1
 //!     and the same with an output that is no state, as its expression stands
 //!     c -> c (1 + a sign(v))             with the speed, or the difference of two, that a damper c multiplies
 //!     p x -> p x (1 + a x^2), p x/(1 + a |x|), p x/(1 + a x^2)    with what p multiplies, as a tyre with its slip
@@ -52,6 +53,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let names = scene.acting_parameters();
     let pairs = names.iter().flat_map(|p| signals.iter().map(move |s| (p, *s)));
     let mut all: Vec<Proposal> = pairs.clone().filter_map(|(p, s)| at(scene, p, s)).collect();
+    all.extend(pairs.clone().filter_map(|(p, s)| in_place(scene, p, s)));
     if !scene.trials {
         let terms = arguments::terms(scene.model);
         let forms = |p: &str, s: &Signal| {
@@ -233,6 +235,22 @@ fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
     d.replace(p, &format!("({p}*(1 + {a}*{part}))"), |_| true);
     d.start(&[0.3 / signal.spread]);
     d.done(&format!("{} varies with {}, relatively by {{0}}", scene.words(p), scene.words(&signal.name)))
+}
+
+/// A recorded quantity in the place of a known one of its kind: the temperature of a room that the model holds at a value.
+fn in_place(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
+    let own = scene.model.parameters.iter().find(|own| own.name == p && !own.fit)?;
+    let s = &signal.name;
+    let is_kind = own.unit.dimension() == signal.unit.dimension() && !own.unit.dimension().is_none();
+    if signal.kind != SignalKind::Channel || !is_kind {
+        return None;
+    }
+    let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
+    let c = d.amplitude("c", &Unit::one(), ANY, "share of the recorded quantity in the parameter's place");
+    d.uses(s);
+    d.replace(p, &format!("({p} + {c}*({s} - {p}))"), |_| true);
+    d.start(&[1.0]);
+    d.done(&format!("{} stands in the place of {}, {{0}} of it", scene.words(s), scene.words(p)))
 }
 
 /// The dampers of a model: a parameter, and the speed, or the difference of two, that it multiplies.
