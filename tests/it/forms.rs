@@ -159,7 +159,9 @@ fn what_is_late_beside_a_slow_room() {
         room[i] = 0.995 * room[i - 1] + 0.1 * room[i];
     }
     // what the model holds at 24 degC is about 24.7 degC
-    room.iter_mut().for_each(|r| *r += 0.7);
+    for r in &mut room {
+        *r += 0.7;
+    }
     let at = |t: f64| {
         let i = (t / step).round() as usize;
         room[i.min(count - 1)]
