@@ -17,7 +17,7 @@ use super::rest::{self, Rest};
 use super::search::{Found, Taken};
 use super::verdict::{Evidence, Proven, missed, settle, with_faults, with_noise, with_patches};
 use super::view::View;
-use super::{Diagnosis, Request, answer, backward, innovations, locate, next, pictures, words};
+use super::{Diagnosis, Request, answer, backward, inert, innovations, locate, next, pictures, words};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
@@ -163,7 +163,10 @@ impl Assembly<'_> {
             answer,
             pictures,
             before: self.found.base,
-            after: self.found.last,
+            after: Fit {
+                model: inert::tidied(self.found.last.model.clone(), self.request.model),
+                ..self.found.last
+            },
             held: (before, after),
             recordings: self.bench.recordings,
         })

@@ -15,7 +15,7 @@ use super::watch::spread;
 use crate::Result;
 use crate::model::Model;
 use crate::record::{Channel, Recording};
-use crate::simulate::{Options, Simulator};
+use crate::simulate::{GAP_STEPS, Options, Simulator};
 
 /// Shares of the gap, up to its end, over which the input is moved.
 const PARTS: [f64; 3] = [1.0, 0.618, 0.382];
@@ -40,7 +40,7 @@ pub fn traces(
 ) -> Result<Vec<(usize, f64, f64)>> {
     let mut found = Vec::new();
     for input in model.inputs.iter().filter_map(|i| recording.find(&i.name)) {
-        for gap in gaps(input) {
+        for gap in input.gaps(GAP_STEPS) {
             let run = |size: f64, part: f64| -> Result<(Simulator, Vec<Vec<f64>>)> {
                 let mut moved = recording.clone();
                 if let Some(c) = moved.channels.iter_mut().find(|c| c.name == input.name) {
@@ -80,15 +80,7 @@ fn spread_of(c: &Channel) -> f64 {
 
 /// Whether an input of a model has a gap.
 pub fn has_gaps(model: &Model, recording: &Recording) -> bool {
-    model.inputs.iter().filter_map(|i| recording.find(&i.name)).any(|c| !gaps(c).is_empty())
-}
-
-/// Stretches without samples that are too long for a straight line.
-fn gaps(c: &Channel) -> Vec<(f64, f64)> {
-    let time: Vec<f64> = c.samples().map(|s| s.0).collect();
-    let step = c.median_step().unwrap_or(0.0);
-    let is_gap = |w: &&[f64]| w[1] - w[0] > crate::simulate::GAP_STEPS * step;
-    time.windows(2).filter(is_gap).map(|w| (w[0], w[1])).collect()
+    model.inputs.iter().filter_map(|i| recording.find(&i.name)).any(|c| !c.gaps(GAP_STEPS).is_empty())
 }
 
 /// A channel with samples in a gap: a straight line, moved by a size over the last part of the gap.

@@ -1,9 +1,9 @@
 //! A model in which one of its findings does nothing.
 
 use super::catalogue::{Proposal, edit};
-use crate::expression::Expr;
-use crate::model::Model;
-use std::collections::HashMap;
+use crate::expression::{BinaryOp, Expr, Function};
+use crate::model::{Model, Parameter};
+use std::collections::{BTreeSet, HashMap};
 
 /// How a finding is kept from acting.
 pub enum Inert<'p> {
@@ -59,8 +59,75 @@ impl<'p> Inert<'p> {
     }
 }
 
+/// A model without the terms that parameters fixed at 0 have left of what was tried and dropped, nor these parameters; those of
+/// the given model stay.
+pub fn tidied(mut model: Model, given: &Model) -> Model {
+    let is_own = |name: &str| given.parameters.iter().any(|p| p.name == name);
+    let is_idle = |p: &Parameter| !p.fit && p.value == 0.0 && !is_own(&p.name);
+    let idle: Vec<String> = model.parameters.iter().filter(|p| is_idle(p)).map(|p| p.name.clone()).collect();
+    let mut used = BTreeSet::new();
+    edit::for_each(&mut model, |_, e| {
+        if idle.iter().any(|name| e.mentions(name)) {
+            let without = edit::rebuilt(e, &|part| folded(part, &idle));
+            // where a 0 stands that is no term, as in a lag, it stays
+            if !idle.iter().any(|name| without.mentions(name)) {
+                *e = without;
+            }
+        }
+        used.extend(e.names().into_iter().map(str::to_owned));
+    });
+    model.parameters.retain(|p| is_own(&p.name) || p.fit || used.contains(&p.name));
+    model
+}
+
+/// A sum, product or quotient with one of some names, which are 0, as a part of it; anything else as it is.
+fn folded(e: Expr, idle: &[String]) -> Expr {
+    let is_nothing = |e: &Expr| match e {
+        Expr::Number(x) => *x == 0.0,
+        Expr::Name(n) => idle.contains(n),
+        _ => false,
+    };
+    let is_one = |e: &Expr| *e == Expr::Number(1.0);
+    match e {
+        Expr::Neg(a) if is_nothing(&a) => Expr::Number(0.0),
+        Expr::Binary(BinaryOp::Mul, a, b) if is_nothing(&a) || is_nothing(&b) => Expr::Number(0.0),
+        Expr::Binary(BinaryOp::Div, a, _) if is_nothing(&a) => Expr::Number(0.0),
+        Expr::Binary(BinaryOp::Add, a, b) if is_nothing(&a) => *b,
+        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) if is_nothing(&b) => *a,
+        Expr::Binary(BinaryOp::Sub, a, b) if is_nothing(&a) => Expr::Neg(b),
+        Expr::Binary(BinaryOp::Mul, a, b) if is_one(&a) => *b,
+        Expr::Binary(BinaryOp::Mul | BinaryOp::Div, a, b) if is_one(&b) => *a,
+        Expr::Call(Function::Exp, a) if is_nothing(&a[0]) => Expr::Number(1.0),
+        other => other,
+    }
+}
+
 /// What each state of a model has, from a list of those of a model that may have more.
 pub fn kept<T: Copy>(model: &Model, larger: &Model, values: &[T]) -> Vec<T> {
     let has = |name: &String| model.states.iter().any(|s| s.name == *name);
     larger.states.iter().zip(values).filter(|(s, _)| has(&s.name)).map(|(_, v)| *v).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_dropped_leaves_no_terms() {
+        let of = |parameters: &str, rate: &str| {
+            let text = format!(
+                "name = 'm'\n[inputs]\nu = {{ unit = '1/s' }}\n[parameters]\n{parameters}\n[states]\nx = {{ rate = '{rate}', unit = '1', initial = 0 }}\n[outputs]\ny = {{ equals = 'x', unit = '1' }}"
+            );
+            Model::parse(&text).unwrap()
+        };
+        let own = "b = { value = 0, unit = '1/s' }\nc = { value = 1, unit = '1/s', fit = true }";
+        let given = of(own, "u - b*x - c*x");
+        let more = "\nF = { value = 0, unit = '1/s' }\na = { value = 0, unit = '1' }\nT = { value = 0, unit = 's' }\nd = { value = 2, unit = '1' }";
+        let tidy = tidied(of(&format!("{own}{more}"), "u - b*x - c*(1 + a*(x - d)) - F*sign(x)"), &given);
+        assert_eq!(tidy.states[0].rate.to_string(), "u - b*x - c");
+        assert_eq!(tidy.parameters.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["b", "c"]);
+        let late = of(&format!("{own}{more}"), "u - c*delay(x, T) - exp(a*x)*c");
+        let tidy = tidied(late.clone(), &given);
+        assert_eq!(tidy.states[0].rate, late.states[0].rate);
+    }
 }

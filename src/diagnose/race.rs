@@ -18,7 +18,7 @@
 
 use super::bench::{Bench, Stand};
 use super::catalogue::Proposal;
-use super::choose::{MUCH, floor};
+use super::choose::{MUCH, floor, is_anchored};
 use super::foretold::Foretold;
 use super::measure::Scale;
 use super::propose::{Screened, starts};
@@ -181,10 +181,12 @@ fn ahead(field: &[Runner<'_>], now: f64, share: f64) -> usize {
     field.iter().take_while(|r| (now / r.left).ln() >= least).count()
 }
 
-/// The likeliest to first order, where it stands behind those that are fitted to the end and yet lowers what is left.
+/// The likeliest to first order that another recording could confirm, where it stands behind those that are fitted to the
+/// end and yet lowers what is left.
 fn likelier_behind(field: &[Runner<'_>], last: usize, now: f64) -> Option<usize> {
     let statistic = |i: &usize| field[*i].screened.score.statistic;
-    let likeliest = (0..field.len()).max_by(|a, b| statistic(a).total_cmp(&statistic(b)))?;
+    let lasting = (0..field.len()).filter(|i| !is_anchored(&field[*i].screened.proposal));
+    let likeliest = lasting.max_by(|a, b| statistic(a).total_cmp(&statistic(b)))?;
     (likeliest >= last && (now / field[likeliest].left).ln() > floor(0.0)).then_some(likeliest)
 }
 

@@ -93,6 +93,27 @@ impl Channel {
         Some(*steps.select_nth_unstable_by(middle, f64::total_cmp).1)
     }
 
+    /// The longest step between its times that is no gap, s: so many usual ones, or what a clock as uneven as this makes by
+    /// chance.
+    pub(crate) fn longest_step(&self, usual: f64) -> f64 {
+        let mut steps: Vec<f64> = self.time.windows(2).map(|w| w[1] - w[0]).collect();
+        let Some(last) = steps.len().checked_sub(1) else { return 0.0 };
+        let mut quantile = |i: usize| *steps.select_nth_unstable_by(i, f64::total_cmp).1;
+        let [median, long] = [last.div_ceil(2), (0.9 * last as f64).round() as usize].map(&mut quantile);
+        // P(step > x) = exp(-(x - median)/s)/2 beyond the median; of n steps the longest is beyond this once in a hundred times
+        let s = (long - median) / 5.0f64.ln();
+        let by_chance = median + s * (0.5 * steps.len() as f64 / 0.01).max(1.0).ln();
+        by_chance.max(usual * median)
+    }
+
+    /// The samples on both sides of each stretch without any that is longer than [`Self::longest_step`], s.
+    pub(crate) fn gaps(&self, usual: f64) -> Vec<(f64, f64)> {
+        let longest = self.longest_step(usual);
+        let after = self.samples().skip(1);
+        let pairs = self.samples().zip(after).map(|(a, b)| (a.0, b.0));
+        pairs.filter(|(from, to)| to - from > longest).collect()
+    }
+
     /// The value at a time between its samples, by its [`Hold`]; `None` in a gap and outside.
     pub fn value_at(&self, time: f64) -> Option<f64> {
         let next = self.time.partition_point(|&t| t <= time);

@@ -17,21 +17,19 @@ pub(super) struct Samples {
     pub gaps: Vec<(f64, f64)>,
 }
 
-/// A gap is a stretch of missing samples longer than this many usual steps.
+/// A gap is a stretch of missing samples longer than this many usual steps, and than an uneven clock makes by chance.
 pub const GAP_STEPS: f64 = 3.5;
 
 impl Samples {
     pub fn of(channel: &Channel) -> Self {
         let missing = channel.values.iter().any(|v| v.is_nan());
-        let step = channel.median_step().unwrap_or(0.0);
         let (time, values): (Arc<[f64]>, Arc<[f64]>) = if missing {
             let (t, v): (Vec<f64>, Vec<f64>) = channel.samples().unzip();
             (t.into(), v.into())
         } else {
             (channel.time.clone(), channel.values.as_slice().into())
         };
-        let gaps = time.windows(2).filter(|w| w[1] - w[0] > GAP_STEPS * step).map(|w| (w[0], w[1])).collect();
-        Self { time, values, hold: channel.hold, gaps }
+        Self { time, values, hold: channel.hold, gaps: channel.gaps(GAP_STEPS) }
     }
 
     pub fn range(&self) -> Option<(f64, f64)> {

@@ -239,6 +239,29 @@ fn gaps_are_holes_in_values_or_times() {
     assert_eq!(quality::gaps(&Channel::new("x", Unit::one(), time, vec![1.0; 1000])), None);
 }
 
+/// Rows two seconds apart and a waiting time beyond: of a hundred such clocks about one has a gap by chance.
+#[test]
+fn a_clock_that_waits_at_random_has_no_gaps() {
+    let gap = |seed: u64, lost: f64| {
+        let mut rng = ChaCha12Rng::seed_from_u64(seed);
+        let mut t = 0.0;
+        let next = |i: usize| {
+            t += 2.0 - 11.0 * rng.random::<f64>().ln() + if i == 700 { lost } else { 0.0 };
+            t
+        };
+        let time: Vec<f64> = (0..2000).map(next).collect();
+        let values = time.iter().map(|t| (0.01 * t).sin()).collect();
+        let found = faults(Channel::new("x", Unit::one(), time, values));
+        found.into_iter().find(|f| f.kind == FaultKind::Gap)
+    };
+    let by_chance = (0..200).filter(|seed| gap(*seed, 0.0).is_some()).count();
+    assert!(by_chance <= 8, "{by_chance}");
+    for seed in 0..50 {
+        let fault = gap(seed, 600.0).unwrap();
+        assert!(fault.size > 600.0 && fault.samples > 40, "{fault:?}");
+    }
+}
+
 #[test]
 fn an_angle_that_jumps_by_a_turn_is_found_unless_marked() {
     let heading =

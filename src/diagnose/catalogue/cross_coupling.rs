@@ -8,7 +8,7 @@
 //! # Equation
 //! ```text
 //!     s' = … + c u,  perhaps c u sin(heading) or c u cos(heading)
-//!     s' = … + c u |u|      as wind acts, where u turns about or changes much
+//!     s' = … + c u |u|, c u^2      as wind acts, where u turns about or changes much
 //!     d v |v| -> d (v + c u) |v + c u|      where u is a speed as v is
 //!     a cos(heading) -> a cos(heading) - c u sin(heading)   and at the same time
 //!     a sin(heading) -> a sin(heading) + c u cos(heading)   where u is the second component of the vector (a, u)
@@ -41,7 +41,9 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     propose,
 );
 
-/// Mean of a signal in units of its spread up to which its square is not as good as straight.
+/// Mean of a signal in units of its spread from which on a coupling feels it about its mean, and up to which its square is
+/// not as good as straight.
+const CENTRED: f64 = 2.0;
 const BENT: f64 = 4.0;
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
@@ -56,7 +58,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         for factor in scene.factors(signal) {
             all.extend(motions.iter().filter_map(|m| at(scene, m, signal, &factor)));
             if factor.is_empty() {
-                all.extend(motions.iter().filter_map(|m| by_square(scene, m, signal)));
+                all.extend(motions.iter().flat_map(|m| unaltered(scene, m, signal)));
                 all.extend(motions.iter().filter_map(|m| relative(scene, m, signal)));
             }
             let definitions = scene.moving(&[SignalKind::Definition]);
@@ -155,20 +157,29 @@ fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Propos
     d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(&m.state)))
 }
 
-/// A channel that acts by its square, against the side from which it comes.
-fn by_square(scene: &Scene, m: &Motion, signal: &Signal) -> Option<Proposal> {
-    let state = scene.model.states.iter().find(|s| s.name == m.state)?;
-    let is_there = edit::reaches(scene.model, &state.rate, &signal.name);
-    if signal.kind != SignalKind::Channel || is_there || signal.mean.abs() > BENT * signal.spread {
-        return None;
+/// A channel that acts as it is recorded: in proportion though its mean outweighs its motion, by its square, and by that
+/// against the side from which it comes.
+fn unaltered(scene: &Scene, m: &Motion, signal: &Signal) -> Vec<Proposal> {
+    let (u, mean) = (&signal.name, signal.mean.abs() / signal.spread);
+    let state = scene.model.states.iter().find(|s| s.name == m.state);
+    let is_there = state.is_none_or(|s| edit::reaches(scene.model, &s.rate, u));
+    if signal.kind != SignalKind::Channel || is_there {
+        return Vec::new();
     }
-    let u = &signal.name;
-    let mut d = Draft::at(scene, "cross-coupling", m);
-    let c = d.amplitude("c", &m.force.over(&signal.unit.of_differences().power(2.0)), ANY, "coupling");
-    d.uses(u);
-    d.force(&m.state, &format!("{c}*{u}*abs({u})"));
-    d.start(&[m.size / signal.size().powi(2)]);
-    d.done(&format!("{} acts on {} by its square, {{0}}", scene.words(u), scene.words(&m.state)))
+    let laws = [
+        (mean >= CENTRED, 1.0, u.clone(), ""),
+        (mean < BENT, 2.0, format!("{u}*abs({u})"), " by its square"),
+        (mean < 1.0, 2.0, format!("{u}^2"), " by its square, from either side alike"),
+    ];
+    let of = |power: f64, law: &str, how: &str| {
+        let mut d = Draft::at(scene, "cross-coupling", m);
+        let c = d.amplitude("c", &m.force.over(&signal.unit.of_differences().power(power)), ANY, "coupling");
+        d.uses(u);
+        d.force(&m.state, &format!("{c}*{law}"));
+        d.start(&[m.size / signal.size().powf(power)]);
+        d.done(&format!("{} acts on {}{how}, {{0}}", scene.words(u), scene.words(&m.state)))
+    };
+    laws.into_iter().filter(|l| l.0).filter_map(|(_, power, law, how)| of(power, &law, how)).collect()
 }
 
 /// A channel that is added to a state in the laws that bend: wind to a speed, a current to that of a ship.

@@ -26,6 +26,7 @@ use super::{
     Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY,
     draft::POSITIVE, edit,
 };
+use crate::expression::Expr;
 use crate::model::{Initial, Output};
 use crate::units::Unit;
 
@@ -47,7 +48,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         all.extend([at(scene, &m), by_and_by(scene, &m)].into_iter().flatten());
     }
     all.extend(scene.moving(&[SignalKind::Input]).filter_map(|u| fed(scene, u)));
-    for o in &scene.model.outputs {
+    // what gives a state as it is errs by a gap, if at all
+    for o in scene.model.outputs.iter().filter(|o| !matches!(o.equals, Expr::Name(_))) {
         let behind = scene.model.states.iter().filter(|s| edit::reaches(scene.model, &o.equals, &s.name));
         all.extend(behind.flat_map(|s| read(scene, o, &s.name)));
     }
@@ -75,7 +77,7 @@ fn dahl(d: &mut Draft, scene: &Scene, q: &str, act: impl FnOnce(&mut Draft, &str
     let range = signal.max - signal.min;
     let unit = scene.unit(q);
     let slips = d.parameter("z0", &unit, (1e-4 * range, 2.0 * range), "deflection at which it slips");
-    let z = d.state("z_slip", &unit, Initial::Number(0.0), "deflection of the slipping part");
+    let z = d.state("z_slip", &unit, Initial::Fit, "deflection of the slipping part");
     act(d, &z);
     let rate = d.rate_of(q);
     d.rate(&z, &format!("{rate} - abs{rate}*{z}/{slips}"));
@@ -83,7 +85,7 @@ fn dahl(d: &mut Draft, scene: &Scene, q: &str, act: impl FnOnce(&mut Draft, &str
 }
 
 fn by_and_by(scene: &Scene, m: &Motion) -> Option<Proposal> {
-    let q = m.position.as_ref()?;
+    let q = m.position.as_ref().filter(|_| m.speed.is_some())?;
     let mut d = Draft::at(scene, "hysteresis", m);
     let k = d.amplitude("kz", &m.force.over(&scene.unit(q)), POSITIVE, "stiffness of the slipping part");
     dahl(&mut d, scene, q, |d, z| d.force(&m.state, &format!("-{k}*{z}")))?;

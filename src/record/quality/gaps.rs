@@ -1,14 +1,12 @@
 //! Purpose: where samples are missing.
 //!
 //! Method: runs of NaN, and steps of time that are long against the others: more than 2.5 times
-//! the median and twice the ninetieth percentile, so that a clock which is merely uneven has no
-//! gaps.
+//! the median and longer than a clock which is merely uneven makes by chance.
 
 use super::{Fault, FaultKind, quantile, steps};
 use crate::record::{Channel, Span};
 
 const LONG_AGAINST_MEDIAN: f64 = 2.5;
-const LONG_AGAINST_UNEVEN: f64 = 2.0;
 
 /// The gaps of a channel: spans from the last sample before to the first after; `size` is the
 /// longest, s. Sure where more than a tenth of the samples is lost, or a stretch of more than a
@@ -16,8 +14,7 @@ const LONG_AGAINST_UNEVEN: f64 = 2.0;
 pub fn gaps(channel: &Channel) -> Option<Fault> {
     let time = &channel.time;
     let usual = quantile(steps(time), 0.5)?;
-    let uneven = quantile(steps(time), 0.9)?;
-    let long = (LONG_AGAINST_MEDIAN * usual).max(LONG_AGAINST_UNEVEN * uneven);
+    let long = channel.longest_step(LONG_AGAINST_MEDIAN);
     let mut spans = Vec::new();
     let mut missing = 0;
     let mut last: Option<usize> = None;
