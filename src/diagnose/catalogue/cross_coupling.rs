@@ -41,9 +41,10 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     propose,
 );
 
-/// Mean of a signal in units of its spread from which on a coupling feels it about its mean, and up to which its square is
-/// not as good as straight.
+/// Mean of a signal in units of its spread from which on a coupling feels it about its mean, from which on it acts as a constant
+/// does, and up to which its square is not as good as straight.
 const CENTRED: f64 = 2.0;
+const CONSTANT: f64 = 8.0;
 const BENT: f64 = 4.0;
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
@@ -167,7 +168,7 @@ fn unaltered(scene: &Scene, m: &Motion, signal: &Signal) -> Vec<Proposal> {
         return Vec::new();
     }
     let laws = [
-        (mean >= CENTRED, 1.0, u.clone(), ""),
+        ((CENTRED..CONSTANT).contains(&mean), 1.0, u.clone(), ""),
         (mean < BENT, 2.0, format!("{u}*abs({u})"), " by its square"),
         (mean < 1.0, 2.0, format!("{u}^2"), " by its square, from either side alike"),
     ];
