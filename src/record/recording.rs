@@ -107,6 +107,7 @@ impl Channel {
     }
 
     /// The samples on both sides of each stretch without any that is longer than [`Self::longest_step`], s.
+    #[cfg(feature = "diagnose")]
     pub(crate) fn gaps(&self, usual: f64) -> Vec<(f64, f64)> {
         let longest = self.longest_step(usual);
         let after = self.samples().skip(1);
