@@ -65,6 +65,44 @@ fn wind_acts_by_its_square() {
     assert!(matches!(found[..], [("cross-coupling", "w", c)] if (c - 0.1).abs() < 2e-3), "{}", answer.says);
 }
 
+/// Wind whose mean outweighs its motion acts mean and all, and by its square from either side alike: no offset stands beside
+/// the one, no product with its own past in the place of the other.
+#[test]
+fn wind_acts_as_it_is_recorded() {
+    let model = r#"
+        name = "cart"
+        [inputs]
+        push = { unit = "N" }
+        [parameters]
+        m = { value = 2, unit = "kg", fit = true, min = 0.1 }
+        b = { value = 3, unit = "N*s/m", fit = true, min = 0 }
+        [states]
+        v = { rate = "(push - b*v)/m", unit = "m/s", initial = 0 }
+        [outputs]
+        speed = { equals = "v", unit = "m/s" }
+    "#;
+    let found = |mean: f64, law: &dyn Fn(f64) -> f64| {
+        let states = run_with_two(|[v], [u, w]| [(u + law(mean + w) - 1.8 * v) / 1.5]);
+        let speed = states.iter().map(|x| x[0]).collect();
+        let wind = second_inputs().into_iter().map(|w| mean + w).collect();
+        let columns =
+            [("push", "N", inputs(), 0.0), ("wind", "m/s", wind, 0.0), ("speed", "m/s", speed, 0.01)];
+        told(model, &columns)
+    };
+    let plain = found(8.0, &|w| 0.4 * w);
+    assert!(
+        matches!(named(&plain)[..], [("cross-coupling", "v", c)] if (c - 0.4).abs() < 5e-3),
+        "{}",
+        plain.says
+    );
+    let even = found(0.0, &|w| 0.2 * w * w);
+    assert!(
+        matches!(named(&even)[..], [("cross-coupling", "v", c)] if (c - 0.2).abs() < 5e-3),
+        "{}",
+        even.says
+    );
+}
+
 /// A load on a rope that is hauled: the force of Coriolis, over the length.
 #[test]
 fn a_rope_that_is_hauled() {
