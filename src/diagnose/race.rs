@@ -163,9 +163,11 @@ fn held_first(bench: &Bench, view: &View, best: &Runner<'_>, now: f64) -> Option
     }
     let stand = view.stand.extended(&p.model, &p.quiet(&s.start));
     let mut held = stand.placed(&p.model);
-    let shapes = (0..p.added.len()).filter(|k| !p.amplitudes.contains(k)).map(|k| &p.added[k].name);
-    let names: Vec<&String> = shapes.collect();
-    held.parameters.iter_mut().filter(|x| names.contains(&&x.name)).for_each(|x| x.fit = false);
+    let sizes = p.amplitude_numbers();
+    for (number, own) in held.parameters.iter_mut().enumerate() {
+        let is_shape = !sizes.contains(&number) && p.added.iter().any(|a| a.name == own.name);
+        own.fit &= !is_shape;
+    }
     let sized = walk(bench, &held, stand.initials, HEATS[0], view)?;
     walk(bench, &Stand::of(&sized).placed(&p.model), sized.starts(), HEATS[1], view)
 }

@@ -47,10 +47,11 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     }
     let mut all = Vec::new();
     for m in scene.motions() {
+        let levers = levers(scene, &m);
         for (i, a) in signals.iter().enumerate() {
-            all.extend(signals[i..].iter().flat_map(|b| acting(scene, &m, a, b)));
+            all.extend(signals[i..].iter().flat_map(|b| acting(scene, &m, [a, b], &levers)));
         }
-        all.extend(turning(scene, &signals).flat_map(|(a, b)| acting(scene, &m, a, b)));
+        all.extend(turning(scene, &signals).flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
     }
     all.extend(gyroscopic(scene, &signals));
     all
@@ -106,10 +107,9 @@ fn pair(scene: &Scene, [m, n]: [&Motion; 2], rotor: &Signal) -> Option<Proposal>
 }
 
 /// A product as it is, and over whatever moves under the terms of that rate, as a length that changes.
-fn acting(scene: &Scene, m: &Motion, a: &Signal, b: &Signal) -> Vec<Proposal> {
-    let plain = at(scene, m, a, b, None);
-    let others = if plain.is_some() { levers(scene, m) } else { Vec::new() };
-    plain.into_iter().chain(others.iter().filter_map(|l| at(scene, m, a, b, Some(l)))).collect()
+fn acting(scene: &Scene, m: &Motion, [a, b]: [&Signal; 2], levers: &[Expr]) -> Vec<Proposal> {
+    let over = std::iter::once(None).chain(levers.iter().map(Some));
+    over.filter_map(|lever| at(scene, m, a, b, lever)).collect()
 }
 
 /// What the terms of a rate are divided by, where it moves.
