@@ -31,6 +31,7 @@ mod lines;
 mod locate;
 mod located;
 mod measure;
+mod namesakes;
 mod next;
 mod paragraph;
 #[doc(hidden)]
@@ -62,6 +63,7 @@ use assemble::Assembly;
 use bench::Bench;
 use compared::Cut;
 use faults::{Cleaned, Left, Spoiled};
+use namesakes::Namesakes;
 use prove::Held;
 use search::Found;
 use std::time::{Duration, Instant};
@@ -115,8 +117,17 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     let request = &Request { model: &model, ..*request };
     let (recordings, separate) =
         (request.model.all_joined(request.recordings)?, request.model.all_joined(request.separate)?);
+    let namesakes = Namesakes::of(request.model, recordings.iter().chain(&*separate));
+    let (recordings, separate) = (namesakes.apart(&recordings), namesakes.apart(&separate));
     let request = &Request { recordings: &recordings, separate: &separate, ..*request };
     setup::keep_apart(request.model, request.recordings, request.separate)?;
+    let mut diagnosis = both_ways(request)?;
+    diagnosis.answer.notes.extend(namesakes.notes);
+    Ok(diagnosis)
+}
+
+/// The diagnosis as fit and proof stand, or with both exchanged.
+fn both_ways(request: &Request<'_>) -> Result<Diagnosis> {
     let begin = Instant::now();
     let first = as_it_stands(request)?;
     let Some(recordings) = exchanged::asked(request, &first) else { return Ok(first) };

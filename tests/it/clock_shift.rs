@@ -99,25 +99,78 @@ fn an_instrument_that_is_logged_late_beside_another_in_one_log_is_found() {
     assert!(offset.low < late && late < offset.high && offset.high - offset.low < 0.1, "{offset:?}");
 }
 
+const TURNTABLE: &str = r#"
+name = "turntable"
+[inputs]
+torque = { unit = "N*m" }
+[parameters]
+J = { value = 2, unit = "kg*m^2" }
+c = { value = 0.3, unit = "N*m*s", fit = true, min = 0 }
+k = { value = 1, unit = "N*m", fit = true, min = 0 }
+[states]
+a = { rate = "w", unit = "rad", initial = 0 }
+w = { rate = "(torque - c*w - k*a)/J", unit = "rad/s", initial = 0 }
+[outputs]
+speed = { equals = "w", unit = "rad/s" }
+angle = { equals = "a", unit = "rad" }
+"#;
+
+/// A turntable with a spring, whose angle and speed two loggers read: time, and both with noise; nothing is left out but
+/// that the rows of the second are stamped early by so much.
+fn turntable(early: f64) -> Recording {
+    let torque = |t: f64| (0.9 * t).sin() + 0.8 * (2.3 * t + 1.0).cos() + 0.6 * (0.31 * t).sin();
+    let (step, count, finer) = (0.1, 1500, 10);
+    // Rows of the second logger that hold what was a little later: taken from a finer run.
+    let fine = runge_kutta(
+        (step / finer as f64, count * finer, 4),
+        |t| [torque(t)],
+        |[a, w]: [f64; 2], [u]| [w, (u - 0.4 * w - 1.3 * a) / 2.0],
+    );
+    let later = (early * finer as f64 / step).round() as i64;
+    let unit = |text: &str| Unit::parse(text).unwrap();
+    let time: Vec<f64> = (0..count).map(|i| step * i as f64).collect();
+    let read = |k: usize, shift: i64| -> Vec<f64> {
+        let noise = crate::diagnose::noise(count, 3 + k as u64);
+        let at =
+            |i: usize| fine[(i as i64 * finer as i64 + shift).clamp(0, fine.len() as i64 - 1) as usize][k];
+        noise.iter().enumerate().map(|(i, e)| at(i) + 0.005 * e).collect()
+    };
+    let mut channels = vec![
+        Channel::new(
+            "torque",
+            unit("N*m"),
+            time.clone(),
+            time.iter().map(|t| torque(*t)).collect::<Vec<f64>>(),
+        ),
+        Channel::new("speed", unit("rad/s"), time.clone(), read(1, 0)),
+        Channel::new("angle", unit("rad"), time, read(0, later)),
+    ];
+    channels[2].table = 1;
+    Recording::from_channels("night", channels).unwrap()
+}
+
+/// What a logger with the input and an output stamps late, and what one without inputs stamps early, is one thing; an
+/// output that is late by itself is a late sensor.
+#[test]
+fn a_second_logger_stamps_early_or_late() {
+    // A run that is read ahead begins where the turntable was a little later than at its given beginning.
+    let model = Model::parse(&TURNTABLE.replace("initial = 0", "initial = \"fit\"")).unwrap();
+    for (early, code, site) in [(0.07, "clock-offset", "speed"), (-0.07, "output-delay", "angle")] {
+        let answer = diagnosed(&model, turntable(early)).answer;
+        let finding = &answer.findings[0];
+        assert_eq!((answer.findings.len(), finding.code.as_str()), (1, code), "{}", answer.says);
+        assert_eq!(finding.site.name, site, "{}", answer.says);
+        let found = &finding.parameters[0];
+        assert!(found.low < 0.07 && 0.07 < found.high && found.high - found.low < 0.01, "{}", answer.says);
+    }
+    let answer = diagnosed(&model, turntable(0.0)).answer;
+    assert!(answer.findings.is_empty(), "{}", answer.says);
+}
+
 /// A turntable whose angle a second logger reads, with a clock of its own: what the model makes is known before alone,
 /// so that of two loggers the fast one reads late.
 #[test]
 fn the_clock_of_a_second_logger_runs_fast_or_slow() {
-    let model = r#"
-        name = "turntable"
-        [inputs]
-        torque = { unit = "N*m" }
-        [parameters]
-        J = { value = 2, unit = "kg*m^2" }
-        c = { value = 0.3, unit = "N*m*s", fit = true, min = 0 }
-        k = { value = 1, unit = "N*m", fit = true, min = 0 }
-        [states]
-        a = { rate = "w", unit = "rad", initial = 0 }
-        w = { rate = "(torque - c*w - k*a)/J", unit = "rad/s", initial = 0 }
-        [outputs]
-        speed = { equals = "w", unit = "rad/s" }
-        angle = { equals = "a", unit = "rad" }
-    "#;
     let torque = |t: f64| (0.9 * t).sin() + 0.8 * (2.3 * t + 1.0).cos() + 0.6 * (0.31 * t).sin();
     let (step, count) = (0.1, 1500);
     let states = runge_kutta(
@@ -145,7 +198,7 @@ fn the_clock_of_a_second_logger_runs_fast_or_slow() {
         ];
         channels[2].table = 1;
         let recording = Recording::from_channels("night", channels).unwrap();
-        let answer = diagnosed(&Model::parse(model).unwrap(), recording).answer;
+        let answer = diagnosed(&Model::parse(TURNTABLE).unwrap(), recording).answer;
         let finding = &answer.findings[0];
         assert_eq!((answer.findings.len(), finding.code.as_str()), (1, "clock-drift"), "{}", answer.says);
         // where the second runs slow, the first runs fast against it

@@ -53,6 +53,7 @@ mod lines;
 mod located;
 mod lti;
 mod moments;
+mod namesakes;
 mod navigation;
 mod options;
 mod parts;

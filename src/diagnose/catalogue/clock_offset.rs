@@ -10,7 +10,11 @@
 //! ```text
 //!     u(t) -> u(t + offset) for each channel of the table
 //!     u(t) -> u(t + offset), offset >= 0, for an input or all of them in a table with an output: late is input-delay
+//!     u(t) -> u(t + offset), y(t) -> y(t - offset), offset >= 0, for inputs and outputs of one table or of all others,
+//!             where several tables hold outputs: a logger that is early is all the others late
 //! ```
+//! What is read ahead begins ahead: where states begin at given numbers and not at rest, their beginning is off by what they
+//! move in that time.
 //!
 //! # What else looks like this
 //! input-delay, output-delay (only late, and of one channel); a lag at low frequency.
@@ -39,7 +43,51 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         return Vec::new();
     }
     let of_tables = scene.clocks().iter().filter_map(|names| of_table(scene, names)).collect::<Vec<_>>();
-    of_tables.into_iter().chain(in_rows(scene).iter().filter_map(|names| of_rows(scene, names))).collect()
+    let of_loggers = loggers(scene);
+    let of_loggers = of_loggers.iter().filter_map(|(inputs, outputs)| of_logger(scene, inputs, outputs));
+    let of_rows = in_rows(scene);
+    let of_rows = of_rows.iter().filter_map(|names| of_row(scene, names));
+    of_tables.into_iter().chain(of_loggers).chain(of_rows).collect()
+}
+
+/// Inputs and outputs that may be stamped late together: those of a table with outputs, and those of all others.
+fn loggers(scene: &Scene) -> Vec<(Vec<String>, Vec<String>)> {
+    let (inputs, outputs) = (&scene.model.inputs, &scene.model.outputs);
+    let but = |names: Vec<String>, not: &[String]| names.into_iter().filter(|n| !not.contains(n)).collect();
+    let mut found: Vec<(Vec<String>, Vec<String>)> = Vec::new();
+    for (own, read) in scene.sensor_clocks() {
+        let others = (
+            but(inputs.iter().map(|i| i.name.clone()).collect(), &own),
+            but(outputs.iter().map(|o| o.name.clone()).collect(), &read),
+        );
+        for logger in [(own, read), others] {
+            // One output by itself that is late is output-delay.
+            let alone = logger.0.is_empty() && logger.1.len() < 2;
+            if !alone && !logger.1.is_empty() && !found.contains(&logger) {
+                found.push(logger);
+            }
+        }
+    }
+    found
+}
+
+/// What a logger with outputs holds, against the others.
+fn of_logger(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal> {
+    let first = outputs.first()?;
+    let mut d = Draft::new(scene, "clock-offset", SiteKind::Output, first);
+    let meaning = "time by which the stamps are late";
+    let offset = d.parameter("offset", &Unit::parse("s").ok()?, (0.0, 0.1 * scene.length()), meaning);
+    shift(&mut d, inputs, &offset);
+    for output in outputs {
+        d.output(output, &format!("delay({{}}, {offset})"));
+    }
+    for start in scene.delays() {
+        d.start(&[start]);
+    }
+    let others = scene.model.outputs.iter().map(|o| &o.name).filter(|n| !outputs.contains(n));
+    let others: Vec<String> = others.map(|n| scene.words(n)).collect();
+    let first = scene.words(first);
+    d.done(&format!("the stamps of the table of {first} are {{0}} late against those of {}, or these as much early", others.join(", ")))
 }
 
 /// Inputs that stand in the rows of an output: each, and all that the model has.
@@ -69,7 +117,7 @@ fn of_table(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
 }
 
 /// Inputs against the outputs of the same rows.
-fn of_rows(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
+fn of_row(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
     let mut d = Draft::new(scene, "clock-offset", SiteKind::Input, inputs.first()?);
     let meaning = "time by which they are late";
     let offset = d.parameter("offset", &Unit::parse("s").ok()?, (0.0, 0.1 * scene.length()), meaning);
