@@ -84,7 +84,7 @@ fn replace(bench: &Bench, separate: &[Recording], found: &mut Found, (i, progres
         return;
     }
     let (proposal, p_value, tried) = (r.proposal.clone(), r.p_value, r.tried);
-    let taken = Taken { proposal, p_value, tried, ties, elsewhere, rivals: None };
+    let taken = Taken { proposal, p_value, tried, ties, elsewhere, others: Vec::new(), rivals: None };
     found.replaces(i, taken, r.fit.clone());
     backward::stand(bench, separate, found);
 }

@@ -6,7 +6,7 @@
 //!
 //! # Method
 //! Once all is found, each finding's special case, its other forms and those that fitted as well as it when it was taken are
-//! fitted in its place, beside the others. Of those that lower the error of blocks left out by nearly as much as any, the one that is
+//! fitted in its place, beside the others; where something is left, also those that lowered the error nearly as much. Of those that lower the error of blocks left out by nearly as much as any, the one that is
 //! worth most stands there, a special case also where it is worth as much; of the others those that still fit as well are
 //! its ties.
 
@@ -86,7 +86,7 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
     let chosen = all.swap_remove(best);
     found.replaces(
         i,
-        Taken { proposal: chosen.proposal, p_value, tried, ties, elsewhere, rivals },
+        Taken { proposal: chosen.proposal, p_value, tried, ties, elsewhere, others: Vec::new(), rivals },
         chosen.fit,
     );
     Some(best != 0)
@@ -95,9 +95,11 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
 /// The special case of a finding, its other forms, and those that fitted as well as it, fitted in its place beside the
 /// others; none where it has none.
 fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Option<Vec<Finished>> {
-    let Taken { proposal: own, ties, .. } = &found.taken[i];
+    let Taken { proposal: own, ties, others, .. } = &found.taken[i];
     let case = CASES.iter().find(|(code, _)| *code == own.code).map(|(_, case)| (*case, &own.site));
-    let tied = ties.iter().map(|t| (t.code, &t.site, Some(t.law_of())));
+    // where something is left, what was nearly as good may have been it
+    let nearly = others.iter().filter(|_| found.rest.p_value < choose::CHANCE);
+    let tied = ties.iter().chain(nearly).map(|t| (t.code, &t.site, Some(t.law_of())));
     let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
     let (base, _) = found.without.get(i)?.as_ref()?;
     let may_have_forms = own.site.kind == SiteKind::Parameter || own.code == "dry-friction";

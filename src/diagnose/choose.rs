@@ -166,6 +166,8 @@ pub struct Choice {
     pub rival: Option<usize>,
     /// Numbers of all that fit as well.
     pub near: Vec<usize>,
+    /// Those that lower the error nearly as much and fit less well.
+    pub others: Vec<Proposal>,
 }
 
 /// Whether an extension fits as well as another, with no more parameters; both with how good they are, against the model
@@ -242,5 +244,7 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
             rival = rival.or(Some(i));
         }
     }
-    Some(Choice { best, ties, elsewhere, rival, near })
+    let others = rivals.into_iter().filter(|i| *i != best && !near.contains(i));
+    let others = others.map(|i| round.fitted[i].proposal.clone()).collect();
+    Some(Choice { best, ties, elsewhere, rival, near, others })
 }

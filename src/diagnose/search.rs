@@ -64,6 +64,8 @@ pub struct Taken {
     pub ties: Vec<Proposal>,
     /// The same mechanism at other sites that fit as well.
     pub elsewhere: Vec<Proposal>,
+    /// Others that lowered the error nearly as much when it was taken, and fitted less well.
+    pub others: Vec<Proposal>,
     /// The model fitted with it, and with the first of those that fit as well, when it was taken.
     pub rivals: Option<Box<(Fit, Fit)>>,
 }

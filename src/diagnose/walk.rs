@@ -133,7 +133,7 @@ impl Walk<'_> {
     }
 
     fn takes(&mut self, mut round: Round, choice: Choice, next: View, now: &Measure) {
-        let Choice { best, ties, elsewhere, rival, .. } = choice;
+        let Choice { best, ties, elsewhere, rival, others, .. } = choice;
         let fits = |i: usize| (round.fitted[best].fit.clone(), round.fitted[i].fit.clone());
         let rivals = rival.map(|i| Box::new(fits(i)));
         let joint = self.joint(&round.fitted[best]);
@@ -146,7 +146,7 @@ impl Walk<'_> {
         }
         self.adds(r, next, now);
         if let Some(last) = self.taken.last_mut() {
-            (last.ties, last.elsewhere, last.rivals) = (ties, elsewhere, rivals);
+            (last.ties, last.elsewhere, last.others, last.rivals) = (ties, elsewhere, others, rivals);
         }
         self.first.get_or_insert(round.screening);
     }
@@ -162,6 +162,7 @@ impl Walk<'_> {
             tried: r.tried,
             ties: Vec::new(),
             elsewhere: Vec::new(),
+            others: Vec::new(),
             rivals: None,
         });
     }

@@ -160,6 +160,30 @@ pub fn terms_of(model: &Model, sum: &Expr) -> Vec<Expr> {
     terms
 }
 
+/// The terms of a sum as laws: of a term that is a sum of laws over parameters, as forces over a mass, those.
+pub fn laws_of(model: &Model, sum: &Expr) -> Vec<Expr> {
+    let opened = |term: Expr| match laws_over(model, &term) {
+        Some(sum) => laws_of(model, sum),
+        None => vec![term],
+    };
+    terms_of(model, sum).into_iter().flat_map(opened).collect()
+}
+
+/// The sum of laws, parameters times signals, that a quotient by parameters is.
+fn laws_over<'e>(model: &'e Model, term: &'e Expr) -> Option<&'e Expr> {
+    let Expr::Binary(BinaryOp::Div, over, under) = term else { return None };
+    let is_parameter = |n: &str| model.parameters.iter().any(|p| p.name == n);
+    let sum = match &**over {
+        Expr::Name(n) => &model.definitions.iter().find(|d| d.name == *n)?.equals,
+        Expr::Neg(a) => a,
+        other => other,
+    };
+    let is_law =
+        |t: &Expr| matches!(t, Expr::Binary(BinaryOp::Mul, _, _)) && t.names().into_iter().any(is_parameter);
+    let is_constant = under.names().into_iter().all(is_parameter);
+    (is_constant && is_sum(sum) && terms_of(model, sum).iter().any(is_law)).then_some(sum)
+}
+
 /// Whether the sum in a rate has a term that is a signal times parameters and numbers.
 pub fn has_term_in(model: &Model, rate: &Expr, signal: &str) -> bool {
     coefficients(model, rate, signal).next().is_some()
@@ -179,7 +203,7 @@ fn coefficients<'m>(model: &'m Model, rate: &Expr, signal: &str) -> impl Iterato
         let known = others.map(|n| model.parameters.iter().find(|p| p.name == n)).collect::<Option<_>>()?;
         is_product_with(t, signal).then_some(known)
     };
-    let found: Vec<_> = terms_of(model, sum_of(model, rate)).iter().filter_map(of).collect();
+    let found: Vec<_> = laws_of(model, sum_of(model, rate)).iter().filter_map(of).collect();
     found.into_iter()
 }
 

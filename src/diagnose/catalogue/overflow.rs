@@ -36,6 +36,9 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 /// Share of a level's range above its lowest below which no edge is looked for: there it is a loss in proportion.
 const INSIDE: f64 = 0.15;
 
+/// Shares of a level's range at which an edge is looked for.
+const EDGES: [f64; 6] = [0.3, 0.45, 0.6, 0.75, 0.87, 0.97];
+
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
     let levels: Vec<&Motion> = motions.iter().filter(|m| m.speed.is_none()).collect();
@@ -69,8 +72,8 @@ fn at(scene: &Scene, m: &Motion, into: Option<&Motion>) -> Option<Proposal> {
         d.force(&next.state, &format!("{share}*{k}*{flow}"));
         says += &format!("; {{2}} of it enters {}", scene.words(&next.state));
     }
-    for fraction in [0.6, 0.8, 0.95] {
-        let level = signal.mean + fraction * (signal.max - signal.mean);
+    for fraction in EDGES {
+        let level = signal.min + fraction * (signal.max - signal.min);
         let mut start = vec![5.0 * m.size / (signal.max - signal.mean), level];
         start.extend(into.map(|_| 0.5));
         d.start(&start);

@@ -131,7 +131,7 @@ fn stands_alone(scene: &Scene, p: &str, state: &str) -> bool {
     let is_own = |n: &str| n == p || n == state || added.iter().any(|a| a.name == n);
     let is_plain = |t: &Expr| has_factor(t, p) && has_factor(t, state) && t.names().into_iter().all(is_own);
     let rates =
-        scene.model.states.iter().map(|s| edit::terms_of(scene.model, edit::sum_of(scene.model, &s.rate)));
+        scene.model.states.iter().map(|s| edit::laws_of(scene.model, edit::sum_of(scene.model, &s.rate)));
     rates.flatten().any(|t| is_plain(&t))
 }
 

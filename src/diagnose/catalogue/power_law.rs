@@ -43,8 +43,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
     for m in scene.motions() {
         let rate = scene.model.states.iter().find(|s| s.name == m.state).map(|s| &s.rate);
-        let terms =
-            rate.map(|r| edit::terms_of(scene.model, edit::sum_of(scene.model, r))).unwrap_or_default();
+        let terms = rate.map(|r| terms(scene, r)).unwrap_or_default();
         for term in &terms {
             let driver = driver(scene, &m, term);
             all.extend(driver.and_then(|x| at(scene, &m, term, &x)));
@@ -55,6 +54,16 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         }
     }
     all.dedup_by(|a, b| a.term == b.term);
+    all
+}
+
+/// The laws of a rate; where it is no sum of any, as the difference of two levels over a time, itself.
+fn terms(scene: &Scene, rate: &Expr) -> Vec<Expr> {
+    let (whole, sum) = (edit::opened(scene.model, rate), edit::sum_of(scene.model, rate));
+    let mut all = edit::laws_of(scene.model, sum);
+    if whole != sum {
+        all.push(whole.clone());
+    }
     all
 }
 
@@ -92,12 +101,13 @@ fn driver(scene: &Scene, m: &Motion, term: &Expr) -> Option<Driver> {
         return None;
     }
     let power = others.iter().map(|f| powered(f).1).sum();
+    let is_over = matches!(term, Expr::Binary(BinaryOp::Div, _, under) if is_parameter(under));
     let is_difference = |x: &Expr| {
         let Expr::Binary(BinaryOp::Sub, a, b) = x else { return false };
         [a, b].into_iter().all(|e| matches!(**e, Expr::Name(_)))
     };
     let fits = *x == Expr::name(own) || is_difference(x) && x.mentions(own);
-    (fits && !known.is_empty()).then(|| Driver { x: x.clone(), factor: others[0].clone(), power })
+    (fits && (is_over || !known.is_empty())).then(|| Driver { x: x.clone(), factor: others[0].clone(), power })
 }
 
 fn at(scene: &Scene, m: &Motion, term: &Expr, driver: &Driver) -> Option<Proposal> {

@@ -138,7 +138,7 @@ fn at(scene: &Scene, m: &Motion, a: &Signal, b: &Signal, lever: Option<&Expr>) -
     }
     let rate = &scene.model.states.iter().find(|s| s.name == m.state)?.rate;
     let both = |t: &Expr| has_factor(t, &a.name) && has_factor(t, &b.name);
-    if a.name != b.name && edit::terms_of(scene.model, edit::sum_of(scene.model, rate)).iter().any(both) {
+    if a.name != b.name && edit::laws_of(scene.model, edit::sum_of(scene.model, rate)).iter().any(both) {
         return None;
     }
     let mut d = Draft::at(scene, "product-coupling", m);

@@ -120,6 +120,7 @@ pub fn instead(
             tried: law.tried,
             ties: Vec::new(),
             elsewhere: Vec::new(),
+            others: Vec::new(),
             rivals: None,
         });
         (current, now) = (law.fit, law.measure);
