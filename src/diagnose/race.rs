@@ -10,17 +10,18 @@
 //! that the model leaves now allows; a few more for the better half, or, where one plainly lowers what is left, for
 //! those whose sum of squares falls by some share of its fall, as logarithms. Those that then fall by a fair share of
 //! it are fitted to the end, and the likeliest to first order: many forms of one slow effect may lower the squares more
-//! than that, and yet be less sure beside noise as slow. One whose own steps were
-//! spent in a heat is told by the best that it reached, so that it can be asked whether it matters.
+//! than that, and yet be less sure beside noise as slow. Where one is plainly likelier than the model as it is, those that
+//! gain little of its likelihood go no further: it is already that of the linear problem around where they are. One whose
+//! own steps were spent in a heat is told by the best that it reached, so that it can be asked whether it matters.
 //!
 //! # References
 //! O. Maron, A. W. Moore, Artificial Intelligence Review 11 (1997) 193 (racing).
 
 use super::bench::{Bench, Stand};
 use super::catalogue::Proposal;
-use super::choose::{MUCH, floor, is_anchored};
+use super::choose::{MUCH, RIVAL, TIE, floor, is_anchored};
 use super::foretold::Foretold;
-use super::measure::Scale;
+use super::measure::{Measure, Scale};
 use super::propose::{Screened, starts};
 use super::view::View;
 use crate::estimate::fit::{Effort, Progress};
@@ -40,6 +41,9 @@ const FAIR: [f64; 2] = [0.25, 0.6];
 const LAST: (usize, [usize; 2]) = (8, [3, 6]);
 /// Share of what a proposal's direction foretells that its first heat must keep.
 const KEPT: f64 = 0.5;
+/// Gain in log-likelihood from which on one is plainly likelier, and the shares of it that another must gain to go on to the
+/// second heat and to the end. None with less than a share of 1 - COMMUTES of it can be named.
+const LIKELIER: (f64, [f64; 2]) = (20.0, [0.3, 0.5]);
 /// Runs that the heats of a proposal take, about, and as many its last fit.
 const RUNS: usize = 20;
 
@@ -74,22 +78,34 @@ pub struct Finished {
     pub is_cut: bool,
 }
 
+/// What proposals are compared with.
+#[derive(Clone, Copy)]
+pub struct Against<'a> {
+    /// What the model leaves now, weighed by the scale.
+    pub squares: f64,
+    /// Its log-likelihood; none where the choice will not be by likelihood.
+    pub likelihood: Option<f64>,
+    /// The scale of comparison.
+    pub scale: &'a Scale,
+}
+
 /// Fits proposals: gives the best of them, fitted to the end, and those that were cut before.
 pub fn run(
     bench: &Bench,
     view: &View,
     given: &[f64],
     chosen: &[&Screened],
-    (now, scale): (f64, &Scale),
+    against: Against<'_>,
     progress: &dyn Progress,
 ) -> Vec<Finished> {
+    let now = against.squares;
     if chosen.is_empty() {
         return Vec::new();
     }
     bench.budget.begin("heats");
     let stage = format!("fitting the {} likeliest of them", chosen.len());
     let foretold = Foretold::begin(bench, progress, &stage, RUNS * (chosen.len() + LAST.1[0]));
-    let mut field = heats(bench, view, given, (chosen, &foretold), (now, scale));
+    let mut field = heats(bench, view, given, (chosen, &foretold), against);
     let is_plain = fall(&field, now) > MUCH;
     let least = LAST.1[usize::from(!is_plain)];
     let mut last = ahead(&field, now, FAIR[1]).clamp(least, LAST.0).min(field.len());
@@ -98,6 +114,8 @@ pub fn run(
         last += 1;
     }
     let mut others = field.split_off(last);
+    let (field, unlikely) = by_likelihood(field, against, LIKELIER.1[1]);
+    others.extend(unlikely);
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
     let ended = field.into_par_iter().with_max_len(1).filter_map(|r| {
@@ -118,8 +136,9 @@ fn heats<'s>(
     view: &View,
     given: &[f64],
     (chosen, foretold): (&[&'s Screened], &Foretold<'_>),
-    (now, scale): (f64, &Scale),
+    against: Against<'_>,
 ) -> Vec<Runner<'s>> {
+    let Against { squares: now, scale, .. } = against;
     let first = |s: &&'s Screened| {
         let walks = starts(bench, view, given, s, scale).into_iter().filter_map(|stand| {
             walk(bench, &stand.placed(&s.proposal.model), stand.initials, HEATS[0], view)
@@ -136,7 +155,10 @@ fn heats<'s>(
     sort(&mut field);
     let is_plain = fall(&field, now) > MUCH;
     let on = if is_plain { ahead(&field, now, FAIR[0]).max(LAST.1[0]) } else { SECOND };
-    let rest = field.split_off(on.min(SECOND).min(field.len()));
+    let mut rest = field.split_off(on.min(SECOND).min(field.len()));
+    let (field, unlikely) = by_likelihood(field, against, LIKELIER.1[0]);
+    rest.extend(unlikely);
+    sort(&mut rest);
     let second = |r: Runner<'s>| {
         let longer = walk(bench, &r.fit.model, r.fit.starts(), HEATS[1], view);
         match longer {
@@ -151,6 +173,33 @@ fn heats<'s>(
     sort(&mut field);
     field.extend(rest);
     field
+}
+
+/// A sorted field parted into those that go on and those that gain less than a share of the largest gain in likelihood of
+/// those that can be chosen, where that is plain. The first in squares that is as likely as the model goes on in any
+/// case: it may be tried.
+fn by_likelihood<'s>(
+    field: Vec<Runner<'s>>,
+    against: Against<'_>,
+    share: f64,
+) -> (Vec<Runner<'s>>, Vec<Runner<'s>>) {
+    let Some(before) = against.likelihood else { return (field, Vec::new()) };
+    let gain = |r: &Runner<'_>| Measure::of(&r.fit, against.scale).likelihood - before;
+    let gains: Vec<f64> = field.par_iter().map(gain).collect();
+    let tried = gains.iter().position(|g| *g > -TIE);
+    let falls: Vec<f64> = field.iter().map(|r| (against.squares / r.left).ln()).collect();
+    let least = RIVAL * tried.map_or(0.0, |i| falls[i]);
+    let largest = gains.iter().zip(&falls).filter(|(_, f)| **f >= least).map(|(g, _)| *g).fold(0.0, f64::max);
+    if largest < LIKELIER.0 {
+        return (field, Vec::new());
+    }
+    let (on, off): (Vec<_>, Vec<_>) = field
+        .into_iter()
+        .zip(gains)
+        .enumerate()
+        .partition(|(i, (_, g))| *g >= share * largest || Some(*i) == tried);
+    let runners = |part: Vec<(usize, (Runner<'s>, f64))>| part.into_iter().map(|(_, (r, _))| r).collect();
+    (runners(on), runners(off))
 }
 
 /// A few steps of a proposal that kept less than it foretold, from its size and the fitted parameters as they fit each other

@@ -27,9 +27,10 @@ use super::choose::{CHANCE, SURE, floor, gain};
 use super::compared::{patiently, same_samples};
 use super::measure::{Measure, Scale};
 use super::propose::{Screened, explaining};
+use super::race::{self, Against};
 use super::search::{Found, Taken, is_over};
 use super::view::View;
-use super::{Diagnosis, prove, race};
+use super::{Diagnosis, prove};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::Progress;
@@ -229,8 +230,9 @@ fn best_of(
     let bench = ground.bench;
     let tried = screened.len() as f64;
     let chosen = likeliest(screened);
-    let squares = ground.scale.squares(current);
-    let fitted = race::run(bench, view, ground.given, &chosen, (squares, ground.scale), ground.progress);
+    // a curve is chosen by what it lowers in blocks left out
+    let against = Against { squares: ground.scale.squares(current), likelihood: None, scale: ground.scale };
+    let fitted = race::run(bench, view, ground.given, &chosen, against, ground.progress);
     ground.cut.set(ground.cut.get() || fitted.iter().any(|f| f.is_cut));
     let measured = fitted.into_iter().filter(|f| same_samples(current, &f.fit)).map(|f| {
         let measure = Measure::of(&f.fit, ground.scale);
