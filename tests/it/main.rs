@@ -85,6 +85,7 @@ mod slower_rows;
 mod steady_tone;
 mod strapdown;
 mod strapdown_command;
+mod styles;
 mod swing_in_company;
 mod symbolic;
 mod terminal;

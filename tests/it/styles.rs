@@ -1,0 +1,134 @@
+//! The same laws in models that are written in another way, at a level in the middle of what is recorded, and beside
+//! another effect that hides which law it is.
+
+use crate::laws_met::{inputs, named, run, told};
+
+/// A tank with a weir in the middle of its range: above it the outflow is three times as steep.
+#[test]
+fn an_edge_in_the_middle_of_what_a_level_does() {
+    let model = r#"
+        name = "tank"
+        [inputs]
+        q = { unit = "m^3/s" }
+        [parameters]
+        A = { value = 1, unit = "m^2", fit = true, min = 0.01 }
+        k = { value = 1, unit = "m^2/s", fit = true, min = 0 }
+        [states]
+        h = { rate = "(q - k*h)/A", unit = "m", initial = "fit" }
+        [outputs]
+        level = { equals = "h", unit = "m" }
+    "#;
+    // from its mean level of 2 m without the weir; the edge lies at 1.7 m
+    let flow = |u: f64| 1.6 + 0.5 * u;
+    let states = run(|[h], u| [(flow(u) - 0.8 * h - 1.6 * (h - 1.7).max(0.0)) / 0.4]);
+    let level = states.iter().map(|x| x[0]).collect();
+    let given = inputs().into_iter().map(flow).collect();
+    let answer = told(model, &[("q", "m^3/s", given, 0.0), ("level", "m", level, 0.005)]);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("overflow", "h", k)] if (k - 1.6).abs() < 0.08), "{}", answer.says);
+    assert!((answer.findings[0].parameters[1].value - 1.7).abs() < 0.02, "{}", answer.says);
+}
+
+/// A seat on a shaken floor; spring and damper stand together over the mass.
+#[test]
+fn a_damper_harder_one_way_in_a_sum_over_the_mass() {
+    let model = r#"
+        name = "seat"
+        [inputs]
+        shaking = { unit = "m/s^2" }
+        [parameters]
+        m = { value = 2, unit = "kg" }
+        k = { value = 10, unit = "N/m", fit = true, min = 0 }
+        c = { value = 1, unit = "N*s/m", fit = true, min = 0 }
+        [states]
+        x = { rate = "v", unit = "m", initial = 0 }
+        v = { rate = "-shaking - (k*x + c*v)/m", unit = "m/s", initial = 0 }
+        [outputs]
+        stroke = { equals = "x", unit = "m" }
+    "#;
+    let states = run(|[x, v], u| [v, -u - (14.0 * x + 3.0 * v + 1.5 * v.abs()) / 2.0]);
+    let stroke = states.iter().map(|x| x[0]).collect();
+    let answer = told(model, &[("shaking", "m/s^2", inputs(), 0.0), ("stroke", "m", stroke, 0.003)]);
+    let found = named(&answer);
+    assert!(
+        matches!(found[..], [("parameter-dependence", "c", a)] if (a - 0.5).abs() < 0.03),
+        "{}",
+        answer.says
+    );
+}
+
+/// A lock chamber that fills with the root of the difference of both levels; the model has a time constant.
+#[test]
+fn a_root_of_a_difference_over_a_time() {
+    let model = r#"
+        name = "lock"
+        [inputs]
+        outside = { unit = "m" }
+        [parameters]
+        T = { value = 1, unit = "s", fit = true, min = 0.01 }
+        [states]
+        h = { rate = "(outside - h)/T", unit = "m", initial = "fit" }
+        [outputs]
+        inside = { equals = "h", unit = "m" }
+    "#;
+    let states = run(|[h], u| {
+        let d = u - h;
+        [0.9 * d / (d.abs() + 1e-4).sqrt()]
+    });
+    let inside = states.iter().map(|x| x[0]).collect();
+    let answer = told(model, &[("outside", "m", inputs(), 0.0), ("inside", "m", inside, 0.01)]);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("power-law", "h", p)] if (p + 0.5).abs() < 0.02), "{}", answer.says);
+}
+
+/// A boat that turns, seen by its heading and its rate: the rudder acts late, and while that is not known another law
+/// than the cubic damping seems likelier.
+#[test]
+fn a_cubic_damping_beside_a_late_rudder() {
+    let model = r#"
+        name = "boat"
+        [inputs]
+        rudder = { unit = "rad" }
+        [parameters]
+        T = { value = 1, unit = "s", fit = true, min = 0.01 }
+        K = { value = 1, unit = "1/s", fit = true, min = 0 }
+        [states]
+        a = { rate = "r", unit = "rad", initial = "fit" }
+        r = { rate = "(K*rudder - r)/T", unit = "rad/s", initial = "fit" }
+        [outputs]
+        heading = { equals = "a", unit = "rad" }
+        turning = { equals = "r", unit = "rad/s" }
+    "#;
+    let step = 0.02;
+    let given = inputs();
+    let late = 8;
+    let rudder: Vec<f64> = (0..given.len()).map(|i| given[i.saturating_sub(late)]).collect();
+    let (mut a, mut r) = (0.0, 0.0);
+    let (mut heading, mut turning) = (Vec::new(), Vec::new());
+    for i in 0..given.len() {
+        heading.push(a);
+        turning.push(r);
+        let next = rudder[(i + 1).min(given.len() - 1)];
+        let fine = 50;
+        for s in 0..fine {
+            let u = rudder[i] + (next - rudder[i]) * (f64::from(s) + 0.5) / f64::from(fine);
+            let rate = |r: f64| (1.2 * u - r - 0.6 * r.powi(3)) / 0.7;
+            let h = step / f64::from(fine);
+            let middle = r + 0.5 * h * rate(r);
+            a += h * middle;
+            r += h * rate(middle);
+        }
+    }
+    let answer = told(
+        model,
+        &[
+            ("rudder", "rad", given, 0.0),
+            ("heading", "rad", heading, 0.01),
+            ("turning", "rad/s", turning, 0.01),
+        ],
+    );
+    let found = named(&answer);
+    let of = |code: &str| found.iter().find(|f| f.0 == code).map_or(f64::NAN, |f| f.2);
+    assert!((of("cubic-damping") - 0.6).abs() < 0.03, "{}", answer.says);
+    assert!((of("input-delay") - 0.16).abs() < 0.01 && found.len() == 2, "{}", answer.says);
+}
