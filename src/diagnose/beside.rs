@@ -5,8 +5,8 @@
 //! and laws that the data part fit alike while another effect is as large as what parts them.
 //!
 //! # Method
-//! Once all is found, each finding's special case, its other forms and those that fitted as well as it when it was taken are
-//! fitted in its place, beside the others; where something is left, also those that lowered the error nearly as much. Of those that lower the error of blocks left out by nearly as much as any, the one that is
+//! Once all is found, each finding's special case, its other forms and those that fitted as well as it when it was taken, or
+//! lowered the error nearly as much, are fitted in its place, beside the others. Of those that lower the error of blocks left out by nearly as much as any, the one that is
 //! worth most stands there, a special case also where it is worth as much; of the others those that still fit as well are
 //! its ties.
 
@@ -31,7 +31,7 @@ const CASES: [(&str, &str); 4] = [
 ];
 
 /// Others that are fitted in the place of a finding, at most.
-const MOST: usize = 4;
+const MOST: usize = 6;
 
 /// Settles what stands in the place of each of several findings, and drops what that makes needless.
 pub fn settle(bench: &Bench, separate: &[Recording], found: &mut Found, progress: &dyn Progress) {
@@ -97,9 +97,7 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
 fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Option<Vec<Finished>> {
     let Taken { proposal: own, ties, others, .. } = &found.taken[i];
     let case = CASES.iter().find(|(code, _)| *code == own.code).map(|(_, case)| (*case, &own.site));
-    // where something is left, what was nearly as good may have been it
-    let nearly = others.iter().filter(|_| found.rest.p_value < choose::CHANCE);
-    let tied = ties.iter().chain(nearly).map(|t| (t.code, &t.site, Some(t.law_of())));
+    let tied = ties.iter().chain(others).map(|t| (t.code, &t.site, Some(t.law_of())));
     let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
     let (base, _) = found.without.get(i)?.as_ref()?;
     let may_have_forms = own.site.kind == SiteKind::Parameter || own.code == "dry-friction";
@@ -124,12 +122,14 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     if proposed.is_empty() {
         return None;
     }
-    let scored = explaining(bench, &view, proposed);
+    let mut scored = explaining(bench, &view, proposed);
+    let fitted_as_well = |p: &Proposal| ties.iter().any(|t| (t.code, &t.site) == (p.code, &p.site));
+    scored.sort_by_key(|s| !fitted_as_well(&s.proposal));
     let mut chosen: Vec<&Screened> = Vec::new();
     for s in &scored {
         let is_same = |c: &&Screened| {
-            (c.proposal.code, &c.proposal.site) == (s.proposal.code, &s.proposal.site)
-                && !is_form(&s.proposal)
+            let of = |p: &Proposal| (p.code, p.site.clone(), p.added.len());
+            of(&c.proposal) == of(&s.proposal) && !is_form(&s.proposal)
         };
         if chosen.len() < MOST && !chosen.iter().any(is_same) {
             chosen.push(s);

@@ -7,7 +7,8 @@
 //!
 //! # Equation
 //! ```text
-//!     z'' + 2 zeta W z' + W^2 z = W^2 q,  M v' = … - c (q - z)    or    q -> z where it is used
+//!     z'' = p,  M v' = … - c p/W^2,  p = W^2 (q - z) + 2 zeta W (v - z')
+//!     z'' + 2 zeta W z' + W^2 z = W^2 q,  q -> z where it is used
 //!     M v' = … - c p,  p = (W^2 z + 2 zeta W z')/(1 + c/M),  z'' = v' - p     where the model has a speed and no position
 //! ```
 //!
@@ -41,29 +42,24 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     all
 }
 
-struct Absorber {
-    shift: String,
-    rate: String,
-    frequency: String,
-}
-
-fn absorber(d: &mut Draft, scene: &Scene, q: &str) -> Option<Absorber> {
+/// The states of a second part: its shift and its rate.
+fn part(d: &mut Draft, scene: &Scene, q: &str) -> Option<[String; 2]> {
     let turn = Unit::parse("rad/s").ok()?;
-    let (w, zeta) = swing(d, scene)?;
     let z = d.state("zr_shift", &scene.unit(q), Initial::Number(0.0), "shift of the second part");
     let r = d.state("zr_rate", &scene.unit(q).times(&turn), Initial::Number(0.0), "its rate");
     d.rate(&z, &r);
-    d.rate(&r, &format!("{w}^2*({q} - {z}) - 2*{zeta}*{w}*{r}"));
-    Some(Absorber { shift: z, rate: r, frequency: w })
+    Some([z, r])
 }
 
+/// A part that hangs on a position by a spring and a damper, both of which push back.
 fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
-    let q = m.position.as_ref()?;
-    m.speed.as_ref()?;
+    let (q, v) = (m.position.as_ref()?, m.speed.as_ref()?);
     let mut d = Draft::at(scene, "extra-resonance", m);
     let c = d.amplitude("c", &m.force.over(&scene.unit(q)), POSITIVE, "stiffness of the coupling");
-    let part = absorber(&mut d, scene, q)?;
-    d.force(&m.state, &format!("-{c}*({q} - {})", part.shift));
+    let (w, zeta) = swing(&mut d, scene)?;
+    let [z, r] = part(&mut d, scene, q)?;
+    d.rate(&r, &format!("{w}^2*({q} - {z}) + 2*{zeta}*{w}*({v} - {r})"));
+    d.force(&m.state, &format!("-{c}*(({q} - {z}) + 2*{zeta}/{w}*({v} - {r}))"));
     for w in scene.frequencies() {
         d.start(&[m.size / scene.size(q), w, 0.1]);
     }
@@ -81,8 +77,8 @@ fn carried(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let c = d.amplitude("c", &unit, POSITIVE, "inertia of the second part");
     let (w, zeta) = swing(&mut d, scene)?;
     let twist =
-        d.state("zr_shift", &scene.unit(v).times(&second), Initial::Number(0.0), "twist of the joint");
-    let slip = d.state("zr_rate", &scene.unit(v), Initial::Number(0.0), "its rate");
+        d.state("zr_shift", &scene.unit(v).times(&second), Initial::Fit, "twist of the joint");
+    let slip = d.state("zr_rate", &scene.unit(v), Initial::Fit, "its rate");
     let share = d.felt(&m.state, &c)?;
     let pull = format!("(({w}^2*{twist} + 2*{zeta}*{w}*{slip})/(1 + {share}))");
     d.force(&m.state, &format!("-{c}*{pull}"));
@@ -109,12 +105,14 @@ fn swing(d: &mut Draft, scene: &Scene) -> Option<(String, String)> {
 fn after(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let s = &m.state;
     let mut d = Draft::at(scene, "extra-resonance", m);
-    let part = absorber(&mut d, scene, s)?;
-    let own = [part.shift.clone(), part.rate.clone()];
-    d.replace(s, &part.shift, |p| {
+    let (w, zeta) = swing(&mut d, scene)?;
+    let own = part(&mut d, scene, s)?;
+    let [z, r] = &own;
+    d.rate(r, &format!("{w}^2*({s} - {z}) - 2*{zeta}*{w}*{r}"));
+    d.replace(s, z, |p| {
         p != Place::Rate(s) && !matches!(p, Place::Output(_)) && !own.iter().any(|n| p == Place::Rate(n))
     });
-    d.term(&format!("{s} through a resonance at {}", part.frequency));
+    d.term(&format!("{s} through a resonance at {w}"));
     for w in scene.frequencies() {
         d.start(&[w, 0.5]);
     }
