@@ -132,3 +132,102 @@ fn a_cubic_damping_beside_a_late_rudder() {
     assert!((of("cubic-damping") - 0.6).abs() < 0.03, "{}", answer.says);
     assert!((of("input-delay") - 0.16).abs() < 0.01 && found.len() == 2, "{}", answer.says);
 }
+
+/// A floor with a machine that hangs on it by a spring and a damper: both push back, and nothing else is named.
+#[test]
+fn what_hangs_on_a_floor_pushes_by_its_damper_too() {
+    let model = r#"
+        name = "floor"
+        [inputs]
+        push = { unit = "m/s^2" }
+        [parameters]
+        k = { value = 60, unit = "1/s^2", fit = true, min = 1 }
+        d = { value = 1, unit = "1/s", fit = true, min = 0 }
+        [states]
+        x = { rate = "v", unit = "m", initial = 0 }
+        v = { rate = "push - k*x - d*v", unit = "m/s", initial = 0 }
+        [outputs]
+        floor = { equals = "x", unit = "m" }
+    "#;
+    // a tenth of the mass, 1.1 Hz alone, a tenth of critical damping
+    let (share, w) = (0.1, 6.9);
+    let states = run(|[x, v, z, r], u| {
+        let pull = w * w * (x - z) + 0.2 * w * (v - r);
+        [v, u - 50.0 * x - 1.5 * v - share * pull, r, pull]
+    });
+    let floor = states.iter().map(|x| x[0]).collect();
+    let answer = told(model, &[("push", "m/s^2", inputs(), 0.0), ("floor", "m", floor, 0.001)]);
+    let found = named(&answer);
+    let c = share * w * w;
+    assert!(matches!(found[..], [("extra-resonance", "v", f)] if (f - c).abs() < 0.1 * c), "{}", answer.says);
+    let values: Vec<f64> = answer.findings[0].parameters.iter().map(|p| p.value).collect();
+    assert!((values[1] - w).abs() < 0.1 && (values[2] - 0.1).abs() < 0.02, "{}", answer.says);
+}
+
+/// A float that rolls with large angles: its damping is quadratic and its restoring softens. Each hides the other.
+#[test]
+fn a_softening_spring_beside_a_quadratic_damping() {
+    let model = r#"
+        name = "float"
+        [inputs]
+        slope = { unit = "rad" }
+        [parameters]
+        w0 = { value = 2.4, unit = "rad/s", fit = true, min = 0.1 }
+        zeta = { value = 0.1, unit = "1", fit = true, min = 0, max = 1 }
+        [states]
+        a = { rate = "p", unit = "rad", initial = "fit" }
+        p = { rate = "-2*zeta*w0*p - w0^2*a + w0^2*slope", unit = "rad/s", initial = "fit" }
+        [outputs]
+        roll = { equals = "a", unit = "rad" }
+    "#;
+    let slope = |u: f64| 0.06 * u;
+    let w = 2.1f64;
+    let states = run(|[a, p], u| {
+        [p, -2.0 * 0.03 * w * p - w * w * (a - 0.5 * a.powi(3)) + w * w * slope(u) - 0.4 * p * p.abs()]
+    });
+    let roll = states.iter().map(|x| x[0]).collect();
+    let given = inputs().into_iter().map(slope).collect();
+    let answer = told(model, &[("slope", "rad", given, 0.0), ("roll", "rad", roll, 0.003)]);
+    let found = named(&answer);
+    let of = |code: &str| found.iter().find(|f| f.0 == code).map_or(f64::NAN, |f| f.2);
+    assert!((of("cubic-stiffness") + 0.5 * w * w).abs() < 0.2, "{}", answer.says);
+    assert!((of("quadratic-damping") - 0.4).abs() < 0.04 && found.len() == 2, "{}", answer.says);
+}
+
+/// A vessel that takes up late what is given, and gives it off by a rate that saturates.
+#[test]
+fn a_rate_that_saturates_beside_a_late_dose() {
+    let model = r#"
+        name = "vessel"
+        [inputs]
+        dose = { unit = "kg/s" }
+        [parameters]
+        k = { value = 1, unit = "1/s", fit = true, min = 0 }
+        h = { value = 4, unit = "1/s", fit = true, min = 0.1 }
+        [states]
+        first = { rate = "dose - h*first", unit = "kg", initial = "fit" }
+        body = { rate = "h*first - k*body", unit = "kg", initial = "fit" }
+        [outputs]
+        reads = { equals = "body", unit = "kg" }
+    "#;
+    let dose = |u: f64| 1.2 + 0.25 * u;
+    let given: Vec<f64> = inputs().into_iter().map(dose).collect();
+    let at = |t: f64| {
+        let place = ((t - 0.3) / 0.02).clamp(0.0, given.len() as f64 - 1.0);
+        let i = (place as usize).min(given.len() - 2);
+        given[i] + (given[i + 1] - given[i]) * (place - i as f64)
+    };
+    let states = crate::laws_met::runge_kutta(
+        (0.02, given.len(), 10),
+        |t| [at(t)],
+        |[f, b], [u]| [u - 3.0 * f, 3.0 * f - 1.1 * b / (1.0 + b / 4.0)],
+    );
+    let reads = states.iter().map(|x| x[1]).collect();
+    let answer = told(model, &[("dose", "kg/s", given.clone(), 0.0), ("reads", "kg", reads, 0.01)]);
+    let says = &answer.says;
+    let codes: Vec<&str> = answer.findings.iter().map(|f| f.code.as_str()).collect();
+    assert!(codes.len() == 2 && codes.contains(&"saturable-rate"), "{codes:?} {says}");
+    let late = answer.findings.iter().find(|f| ["input-delay", "output-delay"].contains(&f.code.as_str()));
+    let late = late.unwrap_or_else(|| panic!("{codes:?} {says}")).parameters[0].value;
+    assert!((late - 0.3).abs() < 0.03, "{late} {says}");
+}
