@@ -87,7 +87,10 @@ fn of_logger(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Pro
     let others = scene.model.outputs.iter().map(|o| &o.name).filter(|n| !outputs.contains(n));
     let others: Vec<String> = others.map(|n| scene.words(n)).collect();
     let first = scene.words(first);
-    d.done(&format!("the stamps of the table of {first} are {{0}} late against those of {}, or these as much early", others.join(", ")))
+    d.done(&format!(
+        "the stamps of the table of {first} are {{0}} late against those of {}, or these as much early",
+        others.join(", ")
+    ))
 }
 
 /// Inputs that stand in the rows of an output: each, and all that the model has.

@@ -76,8 +76,7 @@ fn carried(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let unit = m.force.over(&scene.unit(v).over(&second));
     let c = d.amplitude("c", &unit, POSITIVE, "inertia of the second part");
     let (w, zeta) = swing(&mut d, scene)?;
-    let twist =
-        d.state("zr_shift", &scene.unit(v).times(&second), Initial::Fit, "twist of the joint");
+    let twist = d.state("zr_shift", &scene.unit(v).times(&second), Initial::Fit, "twist of the joint");
     let slip = d.state("zr_rate", &scene.unit(v), Initial::Fit, "its rate");
     let share = d.felt(&m.state, &c)?;
     let pull = format!("(({w}^2*{twist} + 2*{zeta}*{w}*{slip})/(1 + {share}))");

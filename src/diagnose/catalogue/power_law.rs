@@ -107,7 +107,11 @@ fn driver(scene: &Scene, m: &Motion, term: &Expr) -> Option<Driver> {
         [a, b].into_iter().all(|e| matches!(**e, Expr::Name(_)))
     };
     let fits = *x == Expr::name(own) || is_difference(x) && x.mentions(own);
-    (fits && (is_over || !known.is_empty())).then(|| Driver { x: x.clone(), factor: others[0].clone(), power })
+    (fits && (is_over || !known.is_empty())).then(|| Driver {
+        x: x.clone(),
+        factor: others[0].clone(),
+        power,
+    })
 }
 
 fn at(scene: &Scene, m: &Motion, term: &Expr, driver: &Driver) -> Option<Proposal> {
