@@ -1,6 +1,7 @@
 //! The recordings on the bench: free runs of any model on their fitted parts.
 
 use super::catalogue::Scene;
+use super::foretold;
 use super::measure::after_beginning;
 use super::watch::{LOOKS, Looks, Watched, spread};
 use crate::estimate::fit::harness::{Record, Unknown};
@@ -172,6 +173,14 @@ impl Bench {
     /// What one fit may spend.
     pub fn part(&self) -> Budget {
         self.budget.part(FITS)
+    }
+
+    /// What a fit may spend that is a small part of a search: so many runs as long as those of the model as given, which
+    /// ends one whose runs have become many times as long.
+    pub fn runs(&self, count: u64) -> Budget {
+        let usual = self.budget.stages().into_iter().find(|s| s.name == foretold::FIRST_FIT && s.runs > 0);
+        let part = self.part();
+        usual.map_or_else(|| part.clone(), |s| part.at_most(count * (s.steps / s.runs).max(1)))
     }
 
     /// Options of a fit on this bench.

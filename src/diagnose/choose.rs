@@ -5,7 +5,7 @@
 //!
 //! # Method
 //! An extension stands if its likelihood ratio stands after Holm's correction and its gain over parts
-//! left out is above the floor. Of those near the largest gain the likeliest is taken, or one of less gain that is likelier by far; others within
+//! left out is above the floor. Of those near the largest gain the likeliest is taken, or one of less gain and the more likelihood; others within
 //! the tolerance of the likelihood are ties. Parts that commute in a linear model have a wider
 //! tolerance, because they differ only by what the recording began with. The same change of one parameter or
 //! of another is two laws: as likely, they are ties.
@@ -33,8 +33,8 @@ pub const FLOOR: f64 = 0.02;
 pub const TIE: f64 = 3.0;
 /// Share of the largest free-run gain that a likelier rival must reach.
 pub const RIVAL: f64 = 0.75;
-/// Share of it that is enough for one that gains so many times the likelihood of those.
-const BY_FAR: (f64, f64) = (0.6, 2.0);
+/// Share of it that is enough for one whose gains of both, multiplied, are larger.
+const ENOUGH: f64 = 0.6;
 /// Share of its gain by which an extension that commutes with another may differ from it.
 const COMMUTES: f64 = 0.2;
 /// Share of the free-run gain by which parts that commute may differ for what they began with alone.
@@ -191,12 +191,12 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let chance = |r: &Refitted| if seen || gain(now, r) > MUCH { CHANCE } else { CHANCE * CHANCE };
     let passes = |r: &Refitted| r.p_value < chance(r) && gain(now, r) > r.floor && !r.is_pressed();
     let largest = round.fitted.iter().filter(|r| passes(r)).map(|r| gain(now, r)).fold(0.0, f64::max);
-    let likelier = |r: &Refitted| r.measure.likelihood - now.likelihood;
+    // a smaller gain is enough where the likelihood gains the more
+    let both = |r: &Refitted| gain(now, r) * (worth(r) - now.likelihood);
     let near = |r: &Refitted| passes(r) && gain(now, r) >= RIVAL * largest;
-    let most = round.fitted.iter().filter(|r| near(r)).map(likelier).fold(0.0, f64::max);
-    let by_far =
-        |r: &Refitted| passes(r) && gain(now, r) >= BY_FAR.0 * largest && likelier(r) >= BY_FAR.1 * most;
-    let is_rival = |i: &usize| near(&round.fitted[*i]) || by_far(&round.fitted[*i]);
+    let most = round.fitted.iter().filter(|r| near(r)).map(both).fold(0.0, f64::max);
+    let is_likelier = |r: &Refitted| passes(r) && gain(now, r) >= ENOUGH * largest && both(r) > most;
+    let is_rival = |i: &usize| near(&round.fitted[*i]) || is_likelier(&round.fitted[*i]);
     let rivals: Vec<usize> = (0..round.fitted.len()).filter(is_rival).collect();
     let likeliest = rivals
         .iter()

@@ -20,6 +20,8 @@ use crate::estimate::Fit;
 use crate::simulate::Early;
 use rayon::prelude::*;
 
+/// Times the squares of the model as it is from which on sensitivities promise nothing.
+const BLOWN_UP: f64 = 10.0;
 /// Share of what is left that the retried may spend together: one part in so many.
 const RETRIES: u64 = 2;
 
@@ -34,8 +36,10 @@ pub fn retry(
     if bench.budget.cut() == Some(Early::Time) {
         return Vec::new();
     }
-    let may_stand =
-        |r: &Refitted| r.is_cut && r.p_value < CHANCE && (now / promised(&r.fit, scale)).ln() > r.floor;
+    let is_near = |r: &Refitted| scale.squares(&r.fit) < BLOWN_UP * now;
+    let may_stand = |r: &Refitted| {
+        r.is_cut && r.p_value < CHANCE && is_near(r) && (now / promised(&r.fit, scale)).ln() > r.floor
+    };
     let count = fitted.iter().filter(|r| may_stand(r)).count() as u64;
     let share = bench.budget.rest().part(RETRIES * count.max(1));
     fitted.par_iter_mut().with_max_len(1).filter(|r| may_stand(r)).for_each(|r| {

@@ -44,6 +44,9 @@ const KEPT: f64 = 0.5;
 /// Gain in log-likelihood from which on one is plainly likelier, and the shares of it that another must gain to go on to the
 /// second heat and to the end. None with less than a share of 1 - COMMUTES of it can be named.
 const LIKELIER: (f64, [f64; 2]) = (20.0, [0.3, 0.5]);
+/// Runs, as long as those of the model as given, that a heat and a last fit may spend. One with more sensitivities, events
+/// or shorter steps counts as several.
+const SPENT: [u64; 2] = [300, 1500];
 /// Runs that the heats of a proposal take, about, and as many its last fit.
 const RUNS: usize = 20;
 
@@ -119,7 +122,7 @@ pub fn run(
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
     let ended = field.into_par_iter().with_max_len(1).filter_map(|r| {
-        let fit = to_the_end(bench, &r.screened.proposal, &r.fit, &bench.part());
+        let fit = to_the_end(bench, &r.screened.proposal, &r.fit, &bench.runs(SPENT[1]));
         foretold.done(RUNS);
         let fit = fit?;
         Some(Finished { proposal: r.screened.proposal.clone(), is_cut: fit.ended_early.is_some(), fit })
@@ -252,6 +255,7 @@ pub fn walk(bench: &Bench, model: &Model, initials: Vec<Vec<f64>>, steps: usize,
     options.planned.clone_from(&view.planned);
     options.is_rough = true;
     options.initials = initials;
+    options.budget = bench.runs(SPENT[0]);
     fit(model, &bench.recordings, &options).ok()
 }
 
