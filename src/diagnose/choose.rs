@@ -34,7 +34,7 @@ pub const TIE: f64 = 3.0;
 /// Share of the largest free-run gain that a likelier rival must reach.
 pub const RIVAL: f64 = 0.75;
 /// Share of it that is enough for one whose gains of both, multiplied, are larger.
-const ENOUGH: f64 = 0.6;
+const ENOUGH: f64 = 0.25;
 /// Share of its gain by which an extension that commutes with another may differ from it.
 const COMMUTES: f64 = 0.2;
 /// Share of the free-run gain by which parts that commute may differ for what they began with alone.
