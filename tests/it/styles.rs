@@ -231,3 +231,45 @@ fn a_rate_that_saturates_beside_a_late_dose() {
     let late = late.unwrap_or_else(|| panic!("{codes:?} {says}")).parameters[0].value;
     assert!((late - 0.3).abs() < 0.03, "{late} {says}");
 }
+
+/// Two rooms with a wall between them, whose balances do not show what they hold: one has a time constant, the other is
+/// divided term by term.
+#[test]
+fn a_flow_between_balances_that_do_not_show_their_capacities() {
+    let model = r#"
+        name = "rooms"
+        [inputs]
+        heat = { unit = "W" }
+        [parameters]
+        Ta = { value = 5, unit = "degC" }
+        gain = { value = 3, unit = "K/W", fit = true, min = 0 }
+        tau = { value = 2, unit = "s", fit = true, min = 0.01 }
+        C = { value = 1, unit = "J/K", fit = true, min = 0.01 }
+        G = { value = 1, unit = "W/K", fit = true, min = 0 }
+        [states]
+        first = { rate = "(gain*heat - (first - Ta))/tau", unit = "degC", initial = "fit" }
+        second = { rate = "0.3*heat/C - G/C*(second - Ta)", unit = "degC", initial = "fit" }
+        [outputs]
+        one = { equals = "first", unit = "degC" }
+        two = { equals = "second", unit = "degC" }
+    "#;
+    let heat = |u: f64| 10.0 + 2.0 * u;
+    // over 5 degC: capacities 0.8 and 1.4 J/K, losses 0.5 and 0.6 W/K, through the wall 0.4 W/K
+    let states = run(|[x, y], u| {
+        let flow = 0.4 * (x - y);
+        [(heat(u) - 0.5 * x - flow) / 0.8, (0.3 * heat(u) - 0.6 * y + flow) / 1.4]
+    });
+    let given = inputs().into_iter().map(heat).collect();
+    let [one, two] = [0, 1].map(|k| states.iter().map(|x| 5.0 + x[k]).collect());
+    let answer =
+        told(model, &[("heat", "W", given, 0.0), ("one", "degC", one, 0.05), ("two", "degC", two, 0.05)]);
+    let found = named(&answer);
+    // times the time constant 1.6 s over the first's 0.8 J/K, and over the second's 1.4 J/K
+    assert!(
+        matches!(found[..], [("exchange", "first", c)] if (c - 0.4 / 0.8 * 1.6).abs() < 0.03),
+        "{}",
+        answer.says
+    );
+    let other = answer.findings[0].parameters[1].value;
+    assert!((other - 0.4 / 1.4).abs() < 0.02, "{}", answer.says);
+}

@@ -10,6 +10,7 @@
 //!     A x' = … - c (x - y)      B y' = … + c (x - y)
 //!     or with c (x - y)/sqrt(|x - y|/r) in place of c (x - y), where the flow goes with a root;  r is only a scale
 //!     or with c (max(x, e) - max(y, e)), where it flows through an opening at the level e
+//!     x' = … - c (x - y)        y' = … + cy (x - y)     where the balances do not show their capacities
 //! ```
 //!
 //! # What else looks like this
@@ -24,6 +25,7 @@
 //! Two rooms with a wall between them, modelled each for itself.
 
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
+use crate::units::Dimension;
 
 /// What leaves one balance and enters another.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -41,12 +43,14 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
     let mut all = Vec::new();
     for (i, m) in motions.iter().enumerate() {
-        let fits = |n: &&Motion| {
-            let dimension = |x: &Motion| (x.force.dimension(), scene.unit(&x.state).dimension());
-            dimension(n) == dimension(m)
-        };
-        for n in motions[i + 1..].iter().filter(fits) {
-            all.extend(FORMS.into_iter().filter_map(|form| at(scene, [m, n], form)));
+        let is_level = |x: &Motion| scene.unit(&x.state).dimension();
+        for n in motions[i + 1..].iter().filter(|n| is_level(n) == is_level(m)) {
+            let is_one_flow = n.force.dimension() == m.force.dimension();
+            let forms = FORMS.into_iter().filter(|f| match f {
+                Form::Shared => !is_one_flow || hides_capacity(scene, m),
+                _ => is_one_flow,
+            });
+            all.extend(forms.filter_map(|form| at(scene, [m, n], form)));
         }
     }
     all
@@ -58,9 +62,17 @@ enum Form {
     Proportional,
     Root,
     Above,
+    /// In proportion, where a balance does not show its capacity.
+    Shared,
 }
 
-const FORMS: [Form; 3] = [Form::Proportional, Form::Root, Form::Above];
+const FORMS: [Form; 4] = [Form::Proportional, Form::Root, Form::Above, Form::Shared];
+
+/// Whether the sum in a balance is a level or its rate, as with a time constant, so that a flow into it is unknown.
+fn hides_capacity(scene: &Scene, m: &Motion) -> bool {
+    let (level, sum) = (scene.unit(&m.state).dimension(), m.force.dimension());
+    sum == level || sum == level.over(Dimension::TIME)
+}
 
 /// Share of the levels' range that an opening lies above the lowest, at least.
 const INSIDE: f64 = 0.15;
@@ -76,7 +88,7 @@ fn at(scene: &Scene, [m, n]: [&Motion; 2], form: Form) -> Option<Proposal> {
     let apart = (a.mean - b.mean).hypot(a.spread).hypot(b.spread);
     let (low, high) = (a.min.min(b.min), a.max.max(b.max));
     let flow = match form {
-        Form::Proportional => format!("{c}*({x} - {y})"),
+        Form::Proportional | Form::Shared => format!("{c}*({x} - {y})"),
         Form::Root => {
             let scale =
                 d.constant(&format!("{x}_{y}_ref"), &unit, apart, "scale of the difference, not fitted");
@@ -91,14 +103,23 @@ fn at(scene: &Scene, [m, n]: [&Motion; 2], form: Form) -> Option<Proposal> {
     d.uses(x);
     d.uses(y);
     d.force(x, &format!("-{flow}"));
-    d.force(y, &flow);
     let size = m.size.max(n.size) / apart;
+    if let Form::Shared = form {
+        let unit = n.force.over(&unit);
+        let own = d.amplitude("cy", &unit, POSITIVE, "what the flow makes of the difference in the second");
+        d.force(y, &format!("{own}*({x} - {y})"));
+        d.start(&[m.size / apart, n.size / apart]);
+    } else {
+        d.force(y, &flow);
+    }
     match form {
+        Form::Shared => {}
         Form::Above => TRIED.iter().for_each(|share| d.start(&[size, low + share * (high - low)])),
         _ => d.start(&[size]),
     }
     let how = match form {
         Form::Proportional => "in proportion to their difference",
+        Form::Shared => "in proportion to their difference, {1} in the second balance",
         Form::Root => "with the root of their difference",
         Form::Above => "through an opening at {1}",
     };
