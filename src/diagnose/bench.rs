@@ -126,6 +126,9 @@ fn steps(model: &Model, recordings: &[Recording]) -> u64 {
     BUDGET.0.saturating_mul(samples).max(BUDGET.1)
 }
 
+/// Steps that take some seconds.
+const SECONDS: u64 = 40_000_000;
+
 /// The tolerance, a share of an output's spread, that keeps the simulator's error far below the noise.
 fn tolerance(model: &Model, recordings: &[Recording]) -> f64 {
     let outputs = recordings.iter().flat_map(|r| model.outputs.iter().filter_map(|o| r.find(&o.name)));
@@ -175,12 +178,12 @@ impl Bench {
         self.budget.part(FITS)
     }
 
-    /// What a fit may spend that is a small part of a search: so many runs as long as those of the model as given, which
-    /// ends one whose runs have become many times as long.
+    /// What a fit may spend that is a small part of a search: some seconds, or so many runs as long as those of the model
+    /// as given, which ends one whose runs have become many times as long.
     pub fn runs(&self, count: u64) -> Budget {
         let usual = self.budget.stages().into_iter().find(|s| s.name == foretold::FIRST_FIT && s.runs > 0);
         let part = self.part();
-        usual.map_or_else(|| part.clone(), |s| part.at_most(count * (s.steps / s.runs).max(1)))
+        usual.map_or_else(|| part.clone(), |s| part.at_most((count * (s.steps / s.runs)).max(SECONDS)))
     }
 
     /// Options of a fit on this bench.
