@@ -5,10 +5,10 @@
 //! and laws that the data part fit alike while another effect is as large as what parts them.
 //!
 //! # Method
-//! Once all is found, each finding's special case, its other forms and those that fitted as well as it when it was taken, or
-//! lowered the error nearly as much, are fitted in its place, beside the others. Of those that lower the error of blocks left out by nearly as much as any, the one that is
-//! worth most stands there, a special case also where it is worth as much; of the others those that still fit as well are
-//! its ties.
+//! Once all is found, each finding's special case, its other forms and those that fitted as well as it when it was
+//! taken, or lowered the error nearly as much, are fitted in its place, beside the others. Of those that lower the error
+//! of blocks left out by nearly as much as any, the one that is worth most stands there, a special case also where it is
+//! worth as much; of the others those that still fit as well are its ties.
 
 use super::backward;
 use super::bench::Bench;

@@ -5,8 +5,9 @@
 //!
 //! # Method
 //! An extension stands if its likelihood ratio stands after Holm's correction and its gain over parts
-//! left out is above the floor. Of those near the largest gain the likeliest is taken, or one of less gain and the more likelihood; others within
-//! the tolerance of the likelihood are ties. Parts that commute in a linear model have a wider
+//! left out is above the floor. Of those near the largest gain the likeliest is taken, or one of less gain
+//! that is the likelier for it: what hides behind another effect lowers the error little and is yet sure.
+//! Others within the tolerance of the likelihood are ties. Parts that commute in a linear model have a wider
 //! tolerance, because they differ only by what the recording began with. The same change of one parameter or
 //! of another is two laws: as likely, they are ties.
 //!

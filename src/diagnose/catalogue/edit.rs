@@ -16,10 +16,7 @@ pub fn unit_of(e: &Expr, of_name: &dyn Fn(&str) -> Option<Unit>) -> Unit {
             BinaryOp::Add | BinaryOp::Sub => unit_of(a, of_name),
             BinaryOp::Mul => unit_of(a, of_name).times(&unit_of(b, of_name)),
             BinaryOp::Div => unit_of(a, of_name).over(&unit_of(b, of_name)),
-            BinaryOp::Pow => match &**b {
-                Expr::Number(p) => unit_of(a, of_name).power(*p),
-                _ => Unit::one(),
-            },
+            BinaryOp::Pow => b.constant().map_or_else(Unit::one, |p| unit_of(a, of_name).power(p)),
         },
         Expr::Call(f, args) => match f {
             Function::Sqrt => unit_of(&args[0], of_name).power(0.5),
@@ -323,4 +320,19 @@ pub fn find<'e>(e: &'e Expr, holds: &dyn Fn(&Expr) -> bool) -> Option<&'e Expr> 
 /// Whether a unit is one over time, or an angle over time.
 pub fn is_frequency(unit: &Unit) -> bool {
     unit.dimension() == Dimension::NONE.over(Dimension::TIME)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_unit_of_a_power_with_a_sign() {
+        let of_name = |n: &str| Unit::parse(if n == "A" { "m^2" } else { "m^3/s" }).ok();
+        let speed = Unit::parse("m/s").unwrap().dimension();
+        for text in ["A^-1*q", "q*A^(-1)", "q*A^(-2/2)", "q/A"] {
+            let unit = unit_of(&Expr::parse(text).unwrap(), &of_name);
+            assert_eq!(unit.dimension(), speed, "{text}");
+        }
+    }
 }
