@@ -366,7 +366,9 @@ mod tests {
         let proposals = catalogue::ALL.iter().flat_map(|m| (m.propose)(&scene));
         let mut compared = std::collections::BTreeSet::new();
         for p in proposals.filter(|p| !p.amplitudes.is_empty()) {
-            let start = p.starts.last().unwrap();
+            // The last resonance swings by a radian a sample, of which the rule makes 8 %; the one before it 1 %.
+            let resolved = if p.code == "extra-resonance" { 1 } else { 0 };
+            let start = p.starts.iter().rev().nth(resolved).unwrap();
             let Some(swift) = response.terms(&bench, &p).and_then(|t| response.tracks(&t, start)) else {
                 continue;
             };
@@ -378,13 +380,8 @@ mod tests {
                     let square = |v: &mut dyn Iterator<Item = f64>| v.map(|d| d * d).sum::<f64>();
                     let off = square(&mut x.iter().zip(y).map(|(x, y)| x - y));
                     let size = square(&mut y.iter().copied());
-                    // What is sharp within a signal is off by more than the signal itself, twice as much at most; what
-                    // swings by a radian a sample by (ωh)²/12, as the rule of the trapezoid is.
-                    let allowed = match p.code {
-                        "stribeck-friction" => 2.0 * thin::LEFT,
-                        "extra-resonance" => 1.0 / 12.0,
-                        _ => 0.02,
-                    };
+                    // What is sharp within a signal is off by more than the signal itself, twice as much at most.
+                    let allowed = if p.code == "stribeck-friction" { 2.0 * thin::LEFT } else { 0.02 };
                     assert!(
                         off <= allowed * allowed * size,
                         "{} at {}: {off} of {size}",
