@@ -43,11 +43,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         return Vec::new();
     }
     let of_tables = scene.clocks().iter().filter_map(|names| of_table(scene, names)).collect::<Vec<_>>();
-    let of_loggers = loggers(scene);
-    let of_loggers = of_loggers.iter().filter_map(|(inputs, outputs)| of_logger(scene, inputs, outputs));
-    let of_rows = in_rows(scene);
-    let of_rows = of_rows.iter().filter_map(|names| of_row(scene, names));
-    of_tables.into_iter().chain(of_loggers).chain(of_rows).collect()
+    let (loggers, rows) = (loggers(scene), in_rows(scene));
+    let of_loggers = loggers.iter().filter_map(|(inputs, outputs)| of_logger(scene, inputs, outputs));
+    of_tables.into_iter().chain(of_loggers).chain(rows.iter().filter_map(|r| of_rows(scene, r))).collect()
 }
 
 /// Inputs and outputs that may be stamped late together: those of a table with outputs, and those of all others.
@@ -74,16 +72,7 @@ fn loggers(scene: &Scene) -> Vec<(Vec<String>, Vec<String>)> {
 /// What a logger with outputs holds, against the others.
 fn of_logger(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal> {
     let first = outputs.first()?;
-    let mut d = Draft::new(scene, "clock-offset", SiteKind::Output, first);
-    let meaning = "time by which the stamps are late";
-    let offset = d.parameter("offset", &Unit::parse("s").ok()?, (0.0, 0.1 * scene.length()), meaning);
-    shift(&mut d, inputs, &offset);
-    for output in outputs {
-        d.output(output, &format!("delay({{}}, {offset})"));
-    }
-    for start in scene.delays() {
-        d.start(&[start]);
-    }
+    let d = late(scene, (SiteKind::Output, first, "time by which the stamps are late"), (inputs, outputs))?;
     let others = scene.model.outputs.iter().map(|o| &o.name).filter(|n| !outputs.contains(n));
     let others: Vec<String> = others.map(|n| scene.words(n)).collect();
     let first = scene.words(first);
@@ -120,16 +109,28 @@ fn of_table(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
 }
 
 /// Inputs against the outputs of the same rows.
-fn of_row(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "clock-offset", SiteKind::Input, inputs.first()?);
-    let meaning = "time by which they are late";
+fn of_rows(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
+    let d = late(scene, (SiteKind::Input, inputs.first()?, "time by which they are late"), (inputs, &[]))?;
+    let words: Vec<String> = inputs.iter().map(|n| scene.words(n)).collect();
+    d.done(&format!("{} stands {{0}} too late in its rows: the output answers before it", words.join(", ")))
+}
+
+/// Inputs and outputs whose stamps are late together: what they hold was taken before.
+fn late<'s>(
+    scene: &'s Scene<'s>,
+    (kind, site, meaning): (SiteKind, &str, &str),
+    (inputs, outputs): (&[String], &[String]),
+) -> Option<Draft<'s>> {
+    let mut d = Draft::new(scene, "clock-offset", kind, site);
     let offset = d.parameter("offset", &Unit::parse("s").ok()?, (0.0, 0.1 * scene.length()), meaning);
     shift(&mut d, inputs, &offset);
+    for output in outputs {
+        d.output(output, &format!("delay({{}}, {offset})"));
+    }
     for start in scene.delays() {
         d.start(&[start]);
     }
-    let words: Vec<String> = inputs.iter().map(|n| scene.words(n)).collect();
-    d.done(&format!("{} stands {{0}} too late in its rows: the output answers before it", words.join(", ")))
+    Some(d)
 }
 
 /// Takes inputs from a later time.
