@@ -367,7 +367,7 @@ mod tests {
         let mut compared = std::collections::BTreeSet::new();
         for p in proposals.filter(|p| !p.amplitudes.is_empty()) {
             // The last resonance swings by a radian a sample, of which the rule makes 8 %; the one before it 1 %.
-            let resolved = if p.code == "extra-resonance" { 1 } else { 0 };
+            let resolved = usize::from(p.code == "extra-resonance");
             let start = p.starts.iter().rev().nth(resolved).unwrap();
             let Some(swift) = response.terms(&bench, &p).and_then(|t| response.tracks(&t, start)) else {
                 continue;
