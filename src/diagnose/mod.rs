@@ -22,6 +22,7 @@ mod few;
 mod foretold;
 mod forgotten;
 mod free_law;
+mod gathered;
 mod hold;
 mod inert;
 mod innovations;
@@ -113,7 +114,7 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
         progress: request.progress,
         ..FitOptions::default()
     };
-    let model = begun(request.model, request.recordings, &options)?;
+    let model = gathered::gathered(&*begun(request.model, request.recordings, &options)?);
     let request = &Request { model: &model, ..*request };
     let (recordings, separate) =
         (request.model.all_joined(request.recordings)?, request.model.all_joined(request.separate)?);

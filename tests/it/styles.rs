@@ -75,10 +75,50 @@ fn a_root_of_a_difference_over_a_time() {
         let d = u - h;
         [0.9 * d / (d.abs() + 1e-4).sqrt()]
     });
-    let inside = states.iter().map(|x| x[0]).collect();
-    let answer = told(model, &[("outside", "m", inputs(), 0.0), ("inside", "m", inside, 0.01)]);
-    let found = named(&answer);
-    assert!(matches!(found[..], [("power-law", "h", p)] if (p + 0.5).abs() < 0.02), "{}", answer.says);
+    let inside: Vec<f64> = states.iter().map(|x| x[0]).collect();
+    for rate in ["(outside - h)/T", "outside/T - h/T", "-h/T + outside/T"] {
+        let model = model.replace("(outside - h)/T", rate);
+        let answer = told(&model, &[("outside", "m", inputs(), 0.0), ("inside", "m", inside.clone(), 0.01)]);
+        let found = named(&answer);
+        assert!(
+            matches!(found[..], [("power-law", "h", p)] if (p + 0.5).abs() < 0.02),
+            "{rate}: {}",
+            answer.says
+        );
+    }
+}
+
+/// A heater whose loss goes with the 5/4th power of the difference; the model has a gain and a time constant.
+#[test]
+fn a_power_of_what_a_lag_settles_to() {
+    let model = r#"
+        name = "heater"
+        [inputs]
+        heat = { unit = "W" }
+        [parameters]
+        Ta = { value = 20, unit = "degC" }
+        R = { value = 1, unit = "K/W", fit = true, min = 0 }
+        tau = { value = 1, unit = "s", fit = true, min = 0.01 }
+        [states]
+        T = { rate = "(R*heat - (T - Ta))/tau", unit = "degC", initial = "fit" }
+        [outputs]
+        shown = { equals = "T", unit = "degC" }
+    "#;
+    let heat = |u: f64| 10.0 + 4.0 * u;
+    let states = run(|[above], u| [(heat(u) - 0.5 * above * above.abs().powf(0.25)) / 0.8]);
+    let shown: Vec<f64> = states.iter().map(|x| 20.0 + x[0]).collect();
+    let given: Vec<f64> = inputs().into_iter().map(heat).collect();
+    for (rate, unit, start) in [("R*heat - (T - Ta)", "degC", 20.0), ("R*heat - T", "K", 0.0)] {
+        let model = model.replace("R*heat - (T - Ta)", rate).replace("degC", unit);
+        let shown = shown.iter().map(|x| x - 20.0 + start).collect();
+        let answer = told(&model, &[("heat", "W", given.clone(), 0.0), ("shown", unit, shown, 0.02)]);
+        let found = named(&answer);
+        assert!(
+            matches!(found[..], [("power-law", "T", p)] if (p - 0.25).abs() < 0.02),
+            "{rate}: {}",
+            answer.says
+        );
+    }
 }
 
 /// A boat that turns, seen by its heading and its rate: the rudder acts late, and while that is not known another law
@@ -133,7 +173,8 @@ fn a_cubic_damping_beside_a_late_rudder() {
     assert!((of("input-delay") - 0.16).abs() < 0.01 && found.len() == 2, "{}", answer.says);
 }
 
-/// A floor with a machine that hangs on it by a spring and a damper: both push back, and nothing else is named.
+/// A floor with a machine that hangs on it by a spring and a damper: both push back, and nothing else is named; where
+/// both rest at the beginning, and where both already swing.
 #[test]
 fn what_hangs_on_a_floor_pushes_by_its_damper_too() {
     let model = r#"
@@ -144,24 +185,31 @@ fn what_hangs_on_a_floor_pushes_by_its_damper_too() {
         k = { value = 60, unit = "1/s^2", fit = true, min = 1 }
         d = { value = 1, unit = "1/s", fit = true, min = 0 }
         [states]
-        x = { rate = "v", unit = "m", initial = 0 }
-        v = { rate = "push - k*x - d*v", unit = "m/s", initial = 0 }
+        x = { rate = "v", unit = "m", initial = "fit" }
+        v = { rate = "push - k*x - d*v", unit = "m/s", initial = "fit" }
         [outputs]
         floor = { equals = "x", unit = "m" }
     "#;
-    // a tenth of the mass, 1.1 Hz alone, a tenth of critical damping
+    // a tenth of the mass, 1.1 Hz alone; a tenth of critical damping, and a fiftieth of a part let go at 0.3 m
     let (share, w) = (0.1, 6.9);
-    let states = run(|[x, v, z, r], u| {
-        let pull = w * w * (x - z) + 0.2 * w * (v - r);
-        [v, u - 50.0 * x - 1.5 * v - share * pull, r, pull]
-    });
-    let floor = states.iter().map(|x| x[0]).collect();
-    let answer = told(model, &[("push", "m/s^2", inputs(), 0.0), ("floor", "m", floor, 0.001)]);
-    let found = named(&answer);
-    let c = share * w * w;
-    assert!(matches!(found[..], [("extra-resonance", "v", f)] if (f - c).abs() < 0.1 * c), "{}", answer.says);
-    let values: Vec<f64> = answer.findings[0].parameters.iter().map(|p| p.value).collect();
-    assert!((values[1] - w).abs() < 0.1 && (values[2] - 0.1).abs() < 0.02, "{}", answer.says);
+    for (damping, shift) in [(0.1, 0.0), (0.02, 0.3)] {
+        let rates = |[x, v, z, r]: [f64; 4], u: f64| {
+            let pull = w * w * (x - z - shift) + 2.0 * damping * w * (v - r);
+            [v, u - 50.0 * x - 1.5 * v - share * pull, r, pull]
+        };
+        let states = run(rates);
+        let floor = states.iter().map(|x| x[0]).collect();
+        let answer = told(model, &[("push", "m/s^2", inputs(), 0.0), ("floor", "m", floor, 0.001)]);
+        let found = named(&answer);
+        let c = share * w * w;
+        assert!(
+            matches!(found[..], [("extra-resonance", "v", f)] if (f - c).abs() < 0.1 * c),
+            "{}",
+            answer.says
+        );
+        let values: Vec<f64> = answer.findings[0].parameters.iter().map(|p| p.value).collect();
+        assert!((values[1] - w).abs() < 0.1 && (values[2] - damping).abs() < 0.02, "{}", answer.says);
+    }
 }
 
 /// A float that rolls with large angles: its damping is quadratic and its restoring softens. Each hides the other.

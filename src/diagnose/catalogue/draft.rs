@@ -416,21 +416,21 @@ impl<'a> Draft<'a> {
 
     /// Changes every rate and definition; fails if nothing changed.
     pub fn each_rate(&mut self, with: &dyn Fn(&Expr) -> Expr) {
-        self.each_where(with, false);
+        self.each_where(with, &|place| !matches!(place, Place::Output(_)));
     }
 
     /// Changes every expression, those of the outputs too; fails if no rate and no definition changed.
     pub fn each(&mut self, with: &dyn Fn(&Expr) -> Expr) {
-        self.each_where(with, true);
+        self.each_where(with, &|_| true);
     }
 
-    fn each_where(&mut self, with: &dyn Fn(&Expr) -> Expr, outputs_too: bool) {
+    /// Changes every expression at some places, as [`Self::each`] does.
+    pub fn each_where(&mut self, with: &dyn Fn(&Expr) -> Expr, here: &dyn Fn(Place<'_>) -> bool) {
         let mut found = false;
         edit::for_each(&mut self.proposal.model, |place, expression| {
-            let is_output = matches!(place, Place::Output(_));
-            if outputs_too || !is_output {
+            if here(place) {
                 let new = with(expression);
-                found |= new != *expression && !is_output;
+                found |= new != *expression && !matches!(place, Place::Output(_));
                 *expression = new;
             }
         });

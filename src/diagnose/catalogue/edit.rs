@@ -255,7 +255,7 @@ pub fn minus(a: &Expr, b: &Expr) -> Expr {
     }
 }
 
-fn leading_minus(e: &Expr) -> Option<Expr> {
+pub fn leading_minus(e: &Expr) -> Option<Expr> {
     match e {
         Expr::Neg(a) if !is_sum(a) => Some((**a).clone()),
         Expr::Binary(op @ (BinaryOp::Mul | BinaryOp::Div), a, b) => {

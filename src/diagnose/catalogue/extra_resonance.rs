@@ -7,7 +7,7 @@
 //!
 //! # Equation
 //! ```text
-//!     z'' = p,  M v' = … - c p/W^2,  p = W^2 (q - z) + 2 zeta W (v - z')
+//!     f'' = p,  M v' = … - p/W^2,  p = W^2 (c q - f) + 2 zeta W (c v - f')    f = c z, of the shift z of the second part
 //!     z'' + 2 zeta W z' + W^2 z = W^2 q,  q -> z where it is used
 //!     M v' = … - c p,  p = (W^2 z + 2 zeta W z')/(1 + c/M),  z'' = v' - p     where the model has a speed and no position
 //! ```
@@ -42,24 +42,25 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     all
 }
 
-/// The states of a second part: its shift and its rate.
-fn part(d: &mut Draft, scene: &Scene, q: &str) -> Option<[String; 2]> {
+/// The states of a second part: its shift, or what goes with it, and the rate of that.
+fn part(d: &mut Draft, unit: &Unit, meaning: &str) -> Option<[String; 2]> {
     let turn = Unit::parse("rad/s").ok()?;
-    let z = d.state("zr_shift", &scene.unit(q), Initial::Number(0.0), "shift of the second part");
-    let r = d.state("zr_rate", &scene.unit(q).times(&turn), Initial::Number(0.0), "its rate");
+    let z = d.state("zr_shift", unit, Initial::Fit, meaning);
+    let r = d.state("zr_rate", &unit.times(&turn), Initial::Fit, "its rate");
     d.rate(&z, &r);
     Some([z, r])
 }
 
-/// A part that hangs on a position by a spring and a damper, both of which push back.
+/// A part that hangs on a position by a spring and a damper, both of which push back. Its state is the force that its shift
+/// makes in the spring, so that a part that swings already at the beginning enters as linearly as the spring does.
 fn beside(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let (q, v) = (m.position.as_ref()?, m.speed.as_ref()?);
     let mut d = Draft::at(scene, "extra-resonance", m);
     let c = d.amplitude("c", &m.force.over(&scene.unit(q)), POSITIVE, "stiffness of the coupling");
     let (w, zeta) = swing(&mut d, scene)?;
-    let [z, r] = part(&mut d, scene, q)?;
-    d.rate(&r, &format!("{w}^2*({q} - {z}) + 2*{zeta}*{w}*({v} - {r})"));
-    d.force(&m.state, &format!("-{c}*(({q} - {z}) + 2*{zeta}/{w}*({v} - {r}))"));
+    let [f, r] = part(&mut d, &m.force, "force of the shift of the second part")?;
+    d.rate(&r, &format!("{w}^2*({c}*{q} - {f}) + 2*{zeta}*{w}*({c}*{v} - {r})"));
+    d.force(&m.state, &format!("-({c}*{q} - {f} + 2*{zeta}/{w}*({c}*{v} - {r}))"));
     for w in scene.frequencies() {
         d.start(&[m.size / scene.size(q), w, 0.1]);
     }
@@ -105,7 +106,7 @@ fn after(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let s = &m.state;
     let mut d = Draft::at(scene, "extra-resonance", m);
     let (w, zeta) = swing(&mut d, scene)?;
-    let own = part(&mut d, scene, s)?;
+    let own = part(&mut d, &scene.unit(s), "shift of the second part")?;
     let [z, r] = &own;
     d.rate(r, &format!("{w}^2*({s} - {z}) - 2*{zeta}*{w}*{r}"));
     d.replace(s, z, |p| {

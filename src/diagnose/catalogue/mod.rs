@@ -11,7 +11,7 @@ pub(crate) mod edit;
 mod felt;
 mod field;
 mod scene;
-mod terms;
+pub(crate) mod terms;
 
 pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind};
 pub use scene::{MasslessLag, Motion, Scene, Shift, Signal, SignalKind};

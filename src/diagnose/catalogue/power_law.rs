@@ -23,7 +23,9 @@
 //! A wall whose free convection grows with the 5/4th power of the difference of temperatures.
 
 use super::terms::{factors, rewritten, with_factor};
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::Limits, draft::POSITIVE, edit};
+use super::{
+    Draft, Group, Mechanism, Motion, Proposal, Scene, draft::Limits, draft::POSITIVE, edit, edit::Place,
+};
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::units::Unit;
 
@@ -57,14 +59,37 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     all
 }
 
-/// The laws of a rate; where it is no sum of any, as the difference of two levels over a time, itself.
+/// The laws of a rate: the terms of its sum, and the differences of two levels in it.
 fn terms(scene: &Scene, rate: &Expr) -> Vec<Expr> {
     let (whole, sum) = (edit::opened(scene.model, rate), edit::sum_of(scene.model, rate));
+    let mut within = Vec::new();
+    differences(sum, &mut within);
     let mut all = edit::laws_of(scene.model, sum);
-    if whole != sum {
-        all.push(whole.clone());
+    all.retain(|t| !matches!(t, Expr::Name(n) if within.iter().any(|d| d.mentions(n))));
+    if is_difference(sum) {
+        within = vec![whole.clone()];
     }
+    all.extend(within);
     all
+}
+
+/// The difference of two names.
+fn is_difference(e: &Expr) -> bool {
+    let Expr::Binary(BinaryOp::Sub, a, b) = e else { return false };
+    [a, b].into_iter().all(|e| matches!(**e, Expr::Name(_)))
+}
+
+/// The differences that are terms of a sum.
+fn differences(sum: &Expr, all: &mut Vec<Expr>) {
+    match sum {
+        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) if !is_difference(sum) => {
+            differences(a, all);
+            differences(b, all);
+        }
+        Expr::Neg(a) => differences(a, all),
+        e if is_difference(e) => all.push(e.clone()),
+        _ => {}
+    }
 }
 
 /// A law of a power: its argument, the factor in which that stands, and the power that it has.
@@ -95,23 +120,14 @@ fn driver(scene: &Scene, m: &Motion, term: &Expr) -> Option<Driver> {
         matches!(e, Expr::Number(_))
             || matches!(e, Expr::Name(n) if scene.model.parameters.iter().any(|p| p.name == *n))
     };
-    let (known, others): (Vec<&Expr>, Vec<&Expr>) = factors(term).into_iter().partition(|f| is_parameter(f));
+    let others: Vec<&Expr> = factors(term).into_iter().filter(|f| !is_parameter(f)).collect();
     let x = powered(others.first()?).0;
     if others.iter().any(|f| powered(f).0 != x) {
         return None;
     }
     let power = others.iter().map(|f| powered(f).1).sum();
-    let is_over = matches!(term, Expr::Binary(BinaryOp::Div, _, under) if is_parameter(under));
-    let is_difference = |x: &Expr| {
-        let Expr::Binary(BinaryOp::Sub, a, b) = x else { return false };
-        [a, b].into_iter().all(|e| matches!(**e, Expr::Name(_)))
-    };
     let fits = *x == Expr::name(own) || is_difference(x) && x.mentions(own);
-    (fits && (is_over || !known.is_empty())).then(|| Driver {
-        x: x.clone(),
-        factor: others[0].clone(),
-        power,
-    })
+    fits.then(|| Driver { x: x.clone(), factor: others[0].clone(), power })
 }
 
 fn at(scene: &Scene, m: &Motion, term: &Expr, driver: &Driver) -> Option<Proposal> {
@@ -124,7 +140,14 @@ fn at(scene: &Scene, m: &Motion, term: &Expr, driver: &Driver) -> Option<Proposa
     let limits = (POWERS.0 - power, POWERS.1 - power);
     let p = d.amplitude("p", &Unit::one(), limits, "power beside that of the model");
     let new = Expr::parse(&format!("({factor})*(abs(({x})/{scale}) + 1e-6)^{p}")).ok()?;
-    d.each(&|e| rewritten(e, &|t| (t == term).then(|| with_factor(t, factor, &new))));
+    let with = |e: &Expr| rewritten(e, &|t| (t == term).then(|| with_factor(t, factor, &new)));
+    if term == factor {
+        let rate = scene.model.states.iter().find(|s| s.name == m.state).map(|s| &s.rate)?;
+        let home = edit::home(scene.model, rate).map(|i| &scene.model.definitions[i].name);
+        d.each_where(&with, &|p| home.map_or(p == Place::Rate(&m.state), |n| p == Place::Definition(n)));
+    } else {
+        d.each(&with);
+    }
     d.term(&with_factor(term, factor, &new).to_string());
     for start in [0.5, -0.4] {
         d.start(&[start]);

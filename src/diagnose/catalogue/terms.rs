@@ -2,27 +2,28 @@
 
 use crate::expression::{BinaryOp, Expr};
 
-/// Passes every term of the sums in an expression through `with`: what stands between + and −, however deep under
-/// quotients and products.
-pub(super) fn rewritten(e: &Expr, with: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
+/// Passes every term of the sums in an expression, and the sums themselves, through `with`: what stands between + and −,
+/// however deep under quotients and products.
+pub(crate) fn rewritten(e: &Expr, with: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
     let again = |x: &Expr| Box::new(rewritten(x, with));
+    let under = |x: &Expr| if matches!(x, Expr::Name(_)) { Box::new(x.clone()) } else { again(x) };
     match e {
         Expr::Neg(a) => Expr::Neg(again(a)),
-        Expr::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), a, b) => Expr::Binary(*op, again(a), again(b)),
-        term => match with(term) {
-            Some(new) => new,
-            None => match term {
-                Expr::Binary(op @ (BinaryOp::Mul | BinaryOp::Div), a, b) => {
-                    Expr::Binary(*op, again(a), again(b))
-                }
-                other => other.clone(),
-            },
+        term => match (with(term), term) {
+            (Some(new), _) => new,
+            (None, Expr::Binary(op @ (BinaryOp::Add | BinaryOp::Sub), a, b)) => {
+                Expr::Binary(*op, again(a), again(b))
+            }
+            (None, Expr::Binary(op @ (BinaryOp::Mul | BinaryOp::Div), a, b)) => {
+                Expr::Binary(*op, under(a), under(b))
+            }
+            _ => term.clone(),
         },
     }
 }
 
 /// The factors of a product, without those that it is divided by.
-pub(super) fn factors(term: &Expr) -> Vec<&Expr> {
+pub(crate) fn factors(term: &Expr) -> Vec<&Expr> {
     match term {
         Expr::Neg(a) | Expr::Binary(BinaryOp::Div, a, _) => factors(a),
         Expr::Binary(BinaryOp::Mul, a, b) => [factors(a), factors(b)].concat(),
@@ -31,12 +32,12 @@ pub(super) fn factors(term: &Expr) -> Vec<&Expr> {
 }
 
 /// Whether a product has a name as one of its factors.
-pub(super) fn has_factor(term: &Expr, name: &str) -> bool {
+pub(crate) fn has_factor(term: &Expr, name: &str) -> bool {
     factors(term).iter().any(|f| matches!(f, Expr::Name(n) if n == name))
 }
 
 /// A product with one of its factors replaced, the first that equals it.
-pub(super) fn with_factor(term: &Expr, factor: &Expr, new: &Expr) -> Expr {
+pub(crate) fn with_factor(term: &Expr, factor: &Expr, new: &Expr) -> Expr {
     if term == factor {
         return new.clone();
     }
@@ -55,7 +56,7 @@ pub(super) fn with_factor(term: &Expr, factor: &Expr, new: &Expr) -> Expr {
 }
 
 /// A product without one of its factors, a name; none where that is all there is.
-pub(super) fn without_factor(term: &Expr, name: &str) -> Option<Expr> {
+pub(crate) fn without_factor(term: &Expr, name: &str) -> Option<Expr> {
     let is_it = |e: &Expr| matches!(e, Expr::Name(n) if n == name);
     match term {
         Expr::Neg(a) => Some(Expr::Neg(Box::new(without_factor(a, name)?))),
