@@ -17,7 +17,9 @@ use super::rest::{self, Rest};
 use super::search::{Found, Taken};
 use super::verdict::{Evidence, Proven, missed, settle, with_faults, with_noise, with_patches};
 use super::view::View;
-use super::{Diagnosis, Request, answer, backward, inert, innovations, locate, next, pictures, words};
+use super::{
+    Diagnosis, Request, answer, backward, inert, innovations, locate, next, pictures, wandering, words,
+};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::record::Recording;
@@ -142,6 +144,8 @@ impl Assembly<'_> {
         if verdict == Verdict::DataFault {
             findings = self.faults.iter().map(|f| f.finding.clone()).chain(findings).collect();
         }
+        let is_open = findings.is_empty() && self.is_left && self.few.is_none();
+        let wanders = is_open.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
         let answer = Answer {
             schema: SCHEMA,
             verdict,
@@ -151,7 +155,7 @@ impl Assembly<'_> {
             findings,
             faults: self.faults.clone(),
             unexplained: if left { rest.unexplained() } else { None },
-            notes: self.notes(held_out, missed(verdict, &proof)),
+            notes: self.notes(held_out, missed(verdict, &proof).into_iter().chain(wanders)),
             proof,
             next_experiment,
             parameters: self.parameters(),
@@ -409,10 +413,10 @@ impl Assembly<'_> {
     }
 
     /// What a reader should know: what was not compared, what ended at a bound, what was left unfinished.
-    fn notes(&self, held_out: usize, missed: Option<String>) -> Vec<String> {
+    fn notes(&self, held_out: usize, told: impl Iterator<Item = String>) -> Vec<String> {
         let fits = [&self.found.base, &self.found.last];
         let warnings = fits.into_iter().flat_map(|f| f.warnings.iter().map(|w| w.message.clone()));
-        let mut all: Vec<String> = self.ended_early.map(unfinished).into_iter().chain(missed).collect();
+        let mut all: Vec<String> = self.ended_early.map(unfinished).into_iter().chain(told).collect();
         if self.is_left && held_out == 0 {
             all.push(NOT_HELD_OUT.into());
         }

@@ -16,7 +16,7 @@ use super::catalogue::{self, Proposal, SiteKind};
 use super::choose::{self, RIVAL, gain, worth_of};
 use super::measure::Measure;
 use super::propose::{Screened, explaining};
-use super::race::{self, Against, Finished};
+use super::race::{self, Against, By, Finished};
 use super::search::{Found, Taken, is_over, is_pressed};
 use super::view::View;
 use crate::estimate::fit::Progress;
@@ -137,7 +137,7 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     }
     let given: Vec<f64> = base.model.parameters.iter().map(|p| p.value).collect();
     let scale = &found.scale;
-    let likelihood = Some(Measure::of(base, scale).likelihood);
-    let against = Against { squares: scale.squares(base), likelihood, scale };
+    let by = By::Likelihood(Measure::of(base, scale).likelihood);
+    let against = Against { squares: scale.squares(base), by, scale };
     Some(race::run(bench, &view, &given, &chosen, against, progress))
 }

@@ -50,6 +50,7 @@ mod twins;
 mod verdict;
 mod view;
 mod walk;
+mod wandering;
 mod watch;
 mod words;
 

@@ -44,6 +44,9 @@ const KEPT: f64 = 0.5;
 /// Gain in log-likelihood from which on one is plainly likelier, and the shares of it that another must gain to go on to the
 /// second heat and to the end. None with less than a share of 1 - COMMUTES of it can be named.
 const LIKELIER: (f64, [f64; 2]) = (20.0, [0.3, 0.5]);
+/// Times the least error of blocks left out with which another goes on to the second heat and to the end, where the choice
+/// is made by that.
+const NEAR: [f64; 2] = [2.0, 1.2];
 /// Runs, as long as those of the model as given, that a heat and a last fit may spend. One with more sensitivities, events
 /// or shorter steps counts as several.
 const SPENT: [u64; 2] = [300, 1500];
@@ -86,10 +89,19 @@ pub struct Finished {
 pub struct Against<'a> {
     /// What the model leaves now, weighed by the scale.
     pub squares: f64,
-    /// Its log-likelihood; none where the choice will not be by likelihood.
-    pub likelihood: Option<f64>,
+    /// How the choice will be made.
+    pub by: By,
     /// The scale of comparison.
     pub scale: &'a Scale,
+}
+
+/// By what a choice among fitted proposals is made: those that a heat leaves far behind in it go no further.
+#[derive(Clone, Copy)]
+pub enum By {
+    /// By likelihood, which is so much without any of them.
+    Likelihood(f64),
+    /// By the error of blocks left out, and none that leaves more than this serves.
+    LeftOut(f64),
 }
 
 /// Fits proposals: gives the best of them, fitted to the end, and those that were cut before.
@@ -117,7 +129,7 @@ pub fn run(
         last += 1;
     }
     let mut others = field.split_off(last);
-    let (field, unlikely) = by_likelihood(field, against, LIKELIER.1[1]);
+    let (field, unlikely) = going_on(field, against, 1);
     others.extend(unlikely);
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
@@ -159,7 +171,7 @@ fn heats<'s>(
     let is_plain = fall(&field, now) > MUCH;
     let on = if is_plain { ahead(&field, now, FAIR[0]).max(LAST.1[0]) } else { SECOND };
     let mut rest = field.split_off(on.min(SECOND).min(field.len()));
-    let (field, unlikely) = by_likelihood(field, against, LIKELIER.1[0]);
+    let (field, unlikely) = going_on(field, against, 0);
     rest.extend(unlikely);
     sort(&mut rest);
     let second = |r: Runner<'s>| {
@@ -178,31 +190,44 @@ fn heats<'s>(
     field
 }
 
-/// A sorted field parted into those that go on and those that gain less than a share of the largest gain in likelihood of
-/// those that can be chosen, where that is plain. The first in squares that is as likely as the model goes on in any
-/// case: it may be tried.
-fn by_likelihood<'s>(
+/// A sorted field parted into those that go on after a heat, and those that are far behind in what the choice is made by.
+fn going_on<'s>(
     field: Vec<Runner<'s>>,
     against: Against<'_>,
-    share: f64,
+    heat: usize,
 ) -> (Vec<Runner<'s>>, Vec<Runner<'s>>) {
-    let Some(before) = against.likelihood else { return (field, Vec::new()) };
-    let gain = |r: &Runner<'_>| Measure::of(&r.fit, against.scale).likelihood - before;
-    let gains: Vec<f64> = field.par_iter().map(gain).collect();
-    let tried = gains.iter().position(|g| *g > -TIE);
-    let falls: Vec<f64> = field.iter().map(|r| (against.squares / r.left).ln()).collect();
-    let least = RIVAL * tried.map_or(0.0, |i| falls[i]);
-    let largest = gains.iter().zip(&falls).filter(|(_, f)| **f >= least).map(|(g, _)| *g).fold(0.0, f64::max);
-    if largest < LIKELIER.0 {
-        return (field, Vec::new());
-    }
-    let (on, off): (Vec<_>, Vec<_>) = field
-        .into_iter()
-        .zip(gains)
-        .enumerate()
-        .partition(|(i, (_, g))| *g >= share * largest || Some(*i) == tried);
-    let runners = |part: Vec<(usize, (Runner<'s>, f64))>| part.into_iter().map(|(_, (r, _))| r).collect();
+    let measures: Vec<Measure> = field.par_iter().map(|r| Measure::of(&r.fit, against.scale)).collect();
+    let stays = match against.by {
+        By::Likelihood(before) => likely(&field, &measures, (before, against.squares), heat),
+        By::LeftOut(most) => {
+            let least = measures.iter().map(|m| m.left_out).fold(f64::INFINITY, f64::min);
+            measures.iter().map(|m| m.left_out <= NEAR[heat] * least.min(most)).collect()
+        }
+    };
+    let (on, off): (Vec<_>, Vec<_>) = field.into_iter().zip(stays).partition(|(_, stays)| *stays);
+    let runners = |part: Vec<(Runner<'s>, bool)>| part.into_iter().map(|(r, _)| r).collect();
     (runners(on), runners(off))
+}
+
+/// Which of a sorted field gain a share of the largest gain in likelihood of those that can be chosen, where that is plain,
+/// and else are not plainly less likely than the likeliest. The first in squares that is as likely as the model goes on in
+/// any case: it may be tried.
+fn likely(
+    field: &[Runner<'_>],
+    measures: &[Measure],
+    (before, squares): (f64, f64),
+    heat: usize,
+) -> Vec<bool> {
+    let gains: Vec<f64> = measures.iter().map(|m| m.likelihood - before).collect();
+    let tried = gains.iter().position(|g| *g > -TIE);
+    let falls: Vec<f64> = field.iter().map(|r| (squares / r.left).ln()).collect();
+    let least = RIVAL * tried.map_or(0.0, |i| falls[i]);
+    let of = gains.iter().zip(&falls);
+    let largest = of.filter(|(_, f)| **f >= least).map(|(g, _)| *g).fold(0.0, f64::max);
+    let likeliest = gains.iter().fold(f64::NEG_INFINITY, |all, g| all.max(*g));
+    let (plain, shares) = LIKELIER;
+    let enough = if largest < plain { likeliest.min(0.0) - plain } else { shares[heat] * largest };
+    gains.iter().enumerate().map(|(i, g)| *g >= enough || Some(i) == tried).collect()
 }
 
 /// A few steps of a proposal that kept less than it foretold, from its size and the fitted parameters as they fit each other

@@ -7,7 +7,7 @@ use super::choose::{self, floor, gain, mends};
 use super::compared::same_samples;
 use super::measure::{Measure, Scale};
 use super::propose::{Screened, Screening, screen, worth_fitting};
-use super::race::{self, Against};
+use super::race::{self, Against, By};
 use super::twins::twins;
 use super::view::View;
 use super::{cut, prove, scan};
@@ -210,7 +210,7 @@ pub fn round(
         Refitted { proposal: p, fit, measure, p_value, tried, floor, is_cut }
     };
     let refit = |chosen: &[&Screened]| -> Vec<Refitted> {
-        let against = Against { squares, likelihood: Some(now.likelihood), scale };
+        let against = Against { squares, by: By::Likelihood(now.likelihood), scale };
         let finished = race::run(bench, view, given, chosen, against, progress).into_par_iter();
         let same = finished.filter(|f| same_samples(current, &f.fit));
         same.map(|f| judged(f.proposal, f.fit, f.is_cut)).collect()

@@ -95,4 +95,5 @@ mod tuned_rotor;
 mod turning;
 mod two_gyros;
 mod two_ways;
+mod wandering;
 mod without_alarm;

@@ -36,7 +36,7 @@ fn a_thermometer_is_called_like_the_constant_that_it_should_replace() {
     let found = named(&answer);
     assert!(found.len() == 1 && found[0].0 == "parameter-dependence", "{}", answer.says);
     assert!((found[0].2 - 1.0).abs() < 0.03, "{found:?}");
-    assert!(answer.findings[0].term.contains("Ta_recorded"), "{}", answer.findings[0].term);
+    assert!(answer.findings[0].term.contains("(Ta_recorded - Ta)"), "{}", answer.findings[0].term);
     let notes = answer.notes.join("\n");
     assert!(notes.contains("called `Ta_recorded` here"), "{notes}");
     assert!(notes.contains("`T` is recorded and is computed by the model"), "{notes}");

@@ -35,7 +35,7 @@ use super::{
     Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, draft::POSITIVE, edit,
 };
 use crate::expression::Expr;
-use crate::model::Output;
+use crate::model::{Output, Parameter};
 use crate::units::Unit;
 
 /// A parameter that varies with a signal.
@@ -59,7 +59,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         let forms = |p: &str, s: &Signal| {
             // what is an input times its own square is its characteristic
             let own = multiplies(&terms, p, &s.name);
-            [Form::Exponential, Form::Quadratic].into_iter().filter(move |f| !own || *f != Form::Quadratic)
+            let kind = of_its_kind(scene, p, s).is_some();
+            let forms = [Form::Exponential, Form::Quadratic].into_iter();
+            forms.filter(move |f| !(own && *f == Form::Quadratic || kind && *f == Form::Exponential))
         };
         all.extend(pairs.flat_map(|(p, s)| forms(p, s).filter_map(|f| on_state(scene, p, s, f))));
         let states: Vec<&Signal> = scene.moving(&[SignalKind::State]).filter(|s| !s.is_heading()).collect();
@@ -221,6 +223,10 @@ fn on_argument(scene: &Scene, p: &str, x: &Expr, form: Form) -> Option<Proposal>
 }
 
 fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
+    // about a mean that is the parameter's own value it is the quantity in its place
+    if of_its_kind(scene, p, signal).is_some_and(|own| (own.value - signal.mean).abs() < signal.spread) {
+        return None;
+    }
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
     let a = d.amplitude(
         "a",
@@ -237,14 +243,17 @@ fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
     d.done(&format!("{} varies with {}, relatively by {{0}}", scene.words(p), scene.words(&signal.name)))
 }
 
+/// The known parameter of that name, where a recorded quantity that the model does not read is of its kind.
+fn of_its_kind<'s>(scene: &'s Scene, p: &str, signal: &Signal) -> Option<&'s Parameter> {
+    let own = scene.model.parameters.iter().find(|own| own.name == p && !own.fit)?;
+    let is_kind = own.unit.dimension() == signal.unit.dimension() && !own.unit.dimension().is_none();
+    (signal.kind == SignalKind::Channel && is_kind).then_some(own)
+}
+
 /// A recorded quantity in the place of a known one of its kind: the temperature of a room that the model holds at a value.
 fn in_place(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
-    let own = scene.model.parameters.iter().find(|own| own.name == p && !own.fit)?;
+    of_its_kind(scene, p, signal)?;
     let s = &signal.name;
-    let is_kind = own.unit.dimension() == signal.unit.dimension() && !own.unit.dimension().is_none();
-    if signal.kind != SignalKind::Channel || !is_kind {
-        return None;
-    }
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
     let c = d.amplitude("c", &Unit::one(), ANY, "share of the recorded quantity in the parameter's place");
     d.uses(s);

@@ -27,7 +27,7 @@ use super::choose::{CHANCE, SURE, floor, gain};
 use super::compared::{patiently, same_samples};
 use super::measure::{Measure, Scale};
 use super::propose::{Screened, explaining};
-use super::race::{self, Against};
+use super::race::{self, Against, By};
 use super::search::{Found, Taken, is_over};
 use super::view::View;
 use super::{Diagnosis, prove};
@@ -231,7 +231,9 @@ fn best_of(
     let tried = screened.len() as f64;
     let chosen = likeliest(screened);
     // a curve is chosen by what it lowers in blocks left out
-    let against = Against { squares: ground.scale.squares(current), likelihood: None, scale: ground.scale };
+    let most = ground.named.map_or(now.left_out, |named| named.left_out);
+    let against =
+        Against { squares: ground.scale.squares(current), by: By::LeftOut(most), scale: ground.scale };
     let fitted = race::run(bench, view, ground.given, &chosen, against, ground.progress);
     ground.cut.set(ground.cut.get() || fitted.iter().any(|f| f.is_cut));
     let measured = fitted.into_iter().filter(|f| same_samples(current, &f.fit)).map(|f| {

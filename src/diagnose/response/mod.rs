@@ -21,6 +21,7 @@
 
 mod adjoint;
 mod along;
+mod driven;
 mod probe;
 mod thin;
 
@@ -31,6 +32,7 @@ use crate::expression::Expr;
 use crate::model::{Model, State};
 use crate::record::{Channel, Recording};
 use along::{Along, Site};
+pub use driven::Driven;
 use faer::Mat;
 use probe::{frozen, look, mesh, nudged, output, remembers_states, rows};
 use std::sync::Arc;

@@ -1,0 +1,173 @@
+//! The likelihood of what a model leaves of an output, where a random process drives a state or adds to that output.
+//!
+//! # Method
+//! f' = −f/τ + w of standard deviation s enters a rate of the linearised model, δx₊ = F δx + G (f + f₊), and is seen as
+//! C δx, or it is seen as it is; white noise is added to either. Kalman's filter gives the innovations v and their
+//! variances S for noise of 1, and the size of both in closed form: σ² = mean v²/S, ln L = −(N ln σ² + Σ ln S)/2.
+//!
+//! # References
+//! A. C. Harvey, Forecasting, Structural Time Series Models and the Kalman Filter (1989), 3.4.3 (concentrated likelihood);
+//! G. E. Uhlenbeck, L. S. Ornstein, Phys. Rev. 36 (1930) 823.
+
+use super::along::{Along, Site};
+use super::{Response, Track};
+
+/// Points of the mesh at most, from the beginning.
+const LONGEST: usize = 3000;
+/// Share of the points at the beginning, before which the states are not known, that are not counted.
+const BEGINNING: f64 = 0.1;
+/// How far a sample may lie from a point, as a share of the step.
+const BESIDE: f64 = 1e-3;
+
+/// A random process that drives what an output shows.
+#[derive(Debug, Clone, Copy)]
+pub struct Driven {
+    /// Log-likelihood of the samples.
+    pub likelihood: f64,
+    /// Standard deviation of the white noise, SI.
+    pub noise: f64,
+    /// Standard deviation of the process, in the unit of the rate or the output, SI.
+    pub size: f64,
+}
+
+/// A filter along one recording.
+struct Filter<'a> {
+    along: &'a Along,
+    /// States of the model that take part: none where the output itself is driven.
+    states: usize,
+    /// Number of the rate.
+    rate: usize,
+    output: usize,
+    outputs: usize,
+}
+
+impl Response {
+    /// How likely it makes the first recording's residual of an output that a process of memory `tau`, in s, drives a
+    /// state, or the output where none is given. `ratio` is the standard deviation of what the output shows of it over that
+    /// of the white noise, at the end of the recording. `None` where fewer than ten samples lie on the mesh.
+    pub fn driven(
+        &self,
+        tracks: &[Track],
+        output: usize,
+        state: Option<usize>,
+        (tau, ratio): (f64, f64),
+    ) -> Option<Driven> {
+        let along = self.runs.first()?;
+        let number = along.tracks.iter().position(|t| t.0 == output)?;
+        let residual = on_mesh(along, number, &tracks.get(number)?.residual)?;
+        let site = state.map_or(Site::Output(output), Site::Rate);
+        let (states, rate) = if let Site::Rate(j) = site { (self.model.states.len(), j) } else { (0, 0) };
+        let filter = Filter { along, states, rate, output, outputs: self.model.outputs.len() };
+        let shown = filter.pass(tau, 1.0, None).shown.sqrt();
+        let size = ratio / shown;
+        let passed = filter.pass(tau, size, Some(&residual));
+        let n = passed.samples as f64;
+        let noise = (passed.squares / n).sqrt();
+        let likelihood = -0.5 * (n * noise.powi(2).ln() + passed.logs);
+        let is_known = passed.samples >= 10 && likelihood.is_finite() && shown > 0.0;
+        is_known.then_some(Driven { likelihood, noise, size: size * noise })
+    }
+
+    /// The log-likelihood of the same samples as white noise.
+    pub fn white(&self, tracks: &[Track], output: usize) -> Option<f64> {
+        self.driven(tracks, output, None, (1.0, 0.0)).map(|d| d.likelihood)
+    }
+}
+
+/// What a pass of the filter sums up.
+struct Passed {
+    /// Σ v²/S
+    squares: f64,
+    /// Σ ln S
+    logs: f64,
+    samples: usize,
+    /// Variance of what the output shows of the process without any measurement, at the end.
+    shown: f64,
+}
+
+impl Filter<'_> {
+    /// Filters a residual, or follows the variances alone where there is none.
+    fn pass(&self, tau: f64, size: f64, residual: Option<&[Option<f64>]>) -> Passed {
+        let n = self.states + 1;
+        let count = self.along.time.len().min(LONGEST);
+        let (mut z, mut p) = (vec![0.0; n], vec![0.0; n * n]);
+        p[n * n - 1] = size * size;
+        let mut sum = Passed { squares: 0.0, logs: 0.0, samples: 0, shown: 0.0 };
+        let mut seen = vec![0.0; n];
+        for i in 0..count {
+            self.look(i, &mut seen);
+            // P C'
+            let pc: Vec<f64> = (0..n).map(|r| dot(&p[r * n..][..n], &seen)).collect();
+            sum.shown = dot(&pc, &seen);
+            if let Some(e) = residual.and_then(|e| e[i]) {
+                let (v, s) = (e - dot(&z, &seen), sum.shown + 1.0);
+                if i as f64 >= BEGINNING * count as f64 {
+                    sum.squares += v * v / s;
+                    sum.logs += s.ln();
+                    sum.samples += 1;
+                }
+                for r in 0..n {
+                    z[r] += pc[r] * v / s;
+                    for c in 0..n {
+                        p[r * n + c] -= pc[r] * pc[c] / s;
+                    }
+                }
+            }
+            if i + 1 < count {
+                self.step(i, (tau, size), &mut z, &mut p);
+            }
+        }
+        sum
+    }
+
+    /// What the output shows of the states and the process at a time.
+    fn look(&self, i: usize, seen: &mut [f64]) {
+        let n = self.states;
+        let row = &self.along.shown[(i * self.outputs + self.output) * n..];
+        seen[..n].copy_from_slice(&row[..n]);
+        seen[n] = if n == 0 { 1.0 } else { 0.0 };
+    }
+
+    /// z₊ = T z and P₊ = T P T' + s²(1 − φ²) Γ Γ', with f₊ = φ f + w in both ends of the step.
+    fn step(&self, i: usize, (tau, size): (f64, f64), z: &mut Vec<f64>, p: &mut Vec<f64>) {
+        let (n, m) = (self.states, self.states + 1);
+        let keeps = (-(self.along.time[i + 1] - self.along.time[i]) / tau).exp();
+        let mut t = vec![0.0; m * m];
+        let mut push = vec![1.0; m];
+        for r in 0..n {
+            t[r * m..][..n].copy_from_slice(&self.along.forward[(i * n + r) * n..][..n]);
+            push[r] = self.along.force[(i * n + r) * n + self.rate];
+            t[r * m + n] = push[r] * (1.0 + keeps);
+        }
+        t[m * m - 1] = keeps;
+        let times = |a: &[f64], b: &dyn Fn(usize, usize) -> f64| -> Vec<f64> {
+            let of = |k: usize| (0..m).map(|j| a[k / m * m + j] * b(j, k % m)).sum();
+            (0..m * m).map(of).collect()
+        };
+        *z = (0..m).map(|r| dot(&t[r * m..][..m], z)).collect();
+        let tp = times(&t, &|r, c| p[r * m + c]);
+        *p = times(&tp, &|r, c| t[c * m + r]);
+        let drawn = size * size * (1.0 - keeps * keeps);
+        (0..m * m).for_each(|k| p[k] += drawn * push[k / m] * push[k % m]);
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// The residual at the points of the mesh that samples lie on.
+fn on_mesh(along: &Along, track: usize, residual: &[f64]) -> Option<Vec<Option<f64>>> {
+    let times = &along.tracks[track].2;
+    let mut next = 0;
+    let place = |(i, t): (usize, &f64)| {
+        let step = along.time.get(i + 1).map_or(f64::INFINITY, |after| after - t);
+        while times.get(next).is_some_and(|s| *s < t - BESIDE * step) {
+            next += 1;
+        }
+        let is_here = times.get(next).is_some_and(|s| (s - t).abs() <= BESIDE * step);
+        is_here.then(|| residual.get(next).copied()).flatten()
+    };
+    let all: Vec<Option<f64>> = along.time.iter().enumerate().map(place).collect();
+    (all.iter().flatten().count() >= 10).then_some(all)
+}
