@@ -91,6 +91,19 @@ pub fn promised(fit: &Fit, scale: &Scale) -> f64 {
     if least.is_finite() { least } else { 0.0 }
 }
 
+/// Sum of squares, weighed by a scale, of what parameters of a fit make of the prediction, to first order: Σ (Σ_j s_j p_j)².
+pub fn made_by(fit: &Fit, is_one: &dyn Fn(&str) -> bool, scale: &Scale) -> f64 {
+    let parameters = fit.model.parameters.iter().filter(|p| is_one(&p.name));
+    let numbered =
+        parameters.filter_map(|p| Some((fit.unknowns.iter().position(|u| *u == p.name)?, p.value)));
+    let ones: Vec<(usize, f64)> = numbered.collect();
+    let of = |s: &Series| {
+        let at = |i: usize| ones.iter().map(|(j, value)| s.sensitivities[*j][i] * value).sum::<f64>();
+        scale.weights[s.output] * (0..s.residual.len()).map(|i| at(i).powi(2)).sum::<f64>()
+    };
+    fit.records.iter().flat_map(|r| &r.series).map(of).sum()
+}
+
 /// How good a fit is.
 #[derive(Debug, Clone, Copy)]
 pub struct Measure {

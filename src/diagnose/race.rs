@@ -21,12 +21,12 @@ use super::bench::{Bench, Stand};
 use super::catalogue::Proposal;
 use super::choose::{MUCH, RIVAL, TIE, floor, is_anchored};
 use super::foretold::Foretold;
-use super::measure::{Measure, Scale};
+use super::measure::{Measure, Scale, made_by};
 use super::propose::{Screened, starts};
 use super::view::View;
 use crate::estimate::fit::{Effort, Progress};
 use crate::estimate::{Fit, fit};
-use crate::model::Model;
+use crate::model::{Initial, Model, State};
 use crate::simulate::Budget;
 use rayon::prelude::*;
 
@@ -47,6 +47,8 @@ const LIKELIER: (f64, [f64; 2]) = (20.0, [0.3, 0.5]);
 /// Times the least error of blocks left out with which another goes on to the second heat and to the end, where the choice
 /// is made by that.
 const NEAR: [f64; 2] = [2.0, 1.2];
+/// Share of what a proposal lowers that its sizes must make, where its own states may begin anywhere.
+const COUPLED: f64 = 0.01;
 /// Runs, as long as those of the model as given, that a heat and a last fit may spend. One with more sensitivities, events
 /// or shorter steps counts as several.
 const SPENT: [u64; 2] = [300, 1500];
@@ -167,6 +169,8 @@ fn heats<'s>(
         best
     };
     let mut field: Vec<Runner<'_>> = chosen.par_iter().with_max_len(1).filter_map(first).collect();
+    let is_coupled = |r: &Runner<'_>| !begins_alone(&r.screened.proposal, &r.fit, (now, scale));
+    field.retain(is_coupled);
     sort(&mut field);
     let is_plain = fall(&field, now) > MUCH;
     let on = if is_plain { ahead(&field, now, FAIR[0]).max(LAST.1[0]) } else { SECOND };
@@ -185,6 +189,7 @@ fn heats<'s>(
         }
     };
     let mut field: Vec<Runner<'_>> = field.into_par_iter().with_max_len(1).map(second).collect();
+    field.retain(is_coupled);
     sort(&mut field);
     field.extend(rest);
     field
@@ -271,6 +276,17 @@ fn likelier_behind(field: &[Runner<'_>], last: usize, now: f64) -> Option<usize>
 
 fn sort(field: &mut [Runner<'_>]) {
     field.sort_by(|a, b| a.left.total_cmp(&b.left));
+}
+
+/// Whether what a proposal lowers is made by how its own states begin, and not by what couples them to the rest: a decay of
+/// any shape, which nothing follows.
+pub fn begins_alone(p: &Proposal, fit: &Fit, (now, scale): (f64, &Scale)) -> bool {
+    let may_begin = |s: &State| matches!(s.initial, Initial::Fit) && p.states.contains(&s.name);
+    if p.amplitudes.is_empty() || !p.model.states.iter().any(may_begin) {
+        return false;
+    }
+    let is_size = |name: &str| p.amplitudes.iter().any(|k| p.added[*k].name == name);
+    made_by(fit, &is_size, scale) < COUPLED * (now - scale.squares(fit))
 }
 
 /// A few rough steps.

@@ -205,7 +205,9 @@ pub fn round(
     let judged = |p: Proposal, fit: Fit, is_cut: bool| {
         let measure = Measure::of(&fit, scale);
         let tried = tried * choose::chosen_from(&p, measure.samples);
-        let p_value = (tried * measure.chance_over(now.likelihood, p.added.len())).min(1.0);
+        let chance = measure.chance_over(now.likelihood, p.added.len());
+        let p_value =
+            if race::begins_alone(&p, &fit, (squares, scale)) { 1.0 } else { (tried * chance).min(1.0) };
         let floor = if mends(&p, taken) { floor(*gains) } else { least };
         Refitted { proposal: p, fit, measure, p_value, tried, floor, is_cut }
     };

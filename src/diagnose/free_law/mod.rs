@@ -306,14 +306,15 @@ fn arguments(term: &Expr) -> Option<&[Expr]> {
     }
 }
 
-/// Whether a law lowers what was held out: below the model as given, and to half the squares of names that stand.
+/// Whether a law lowers what was held out: below names that resemble what is missing, and to half the squares of names that
+/// stand.
 fn is_proven(with: &Answer, without: &Answer) -> bool {
     let rises: Vec<f64> = with
         .proof
         .iter()
         .map(|p| {
-            let named = without.proof.iter().find(|n| n.output == p.output && stands(without));
-            (p.holdout_after / named.map_or(p.holdout_before, |n| n.holdout_after)).ln()
+            let named = without.proof.iter().find(|n| n.output == p.output).map(|n| n.holdout_after);
+            (p.holdout_after / named.filter(|n| n.is_finite()).unwrap_or(p.holdout_before)).ln()
         })
         .filter(|r| !r.is_nan())
         .collect();
