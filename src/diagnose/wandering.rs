@@ -58,7 +58,7 @@ pub fn told(bench: &Bench, fit: &Fit) -> Option<String> {
     let forces = pushed.into_par_iter().filter_map(|j| Some((j, best(response, &view, output, Some(j))?)));
     let likelihood = |f: &(usize, Best)| f.1.driven.likelihood;
     let force = forces.max_by(|a, b| likelihood(a).total_cmp(&likelihood(b)));
-    Some(says(&fit.model, output, &sensor, force))
+    Some(says(fit, output, &sensor, force))
 }
 
 /// States whose rates a force may enter: those that are not the rate of another state alone.
@@ -112,12 +112,12 @@ fn best(response: &Response, view: &View, output: usize, state: Option<usize>) -
 }
 
 /// The sentence.
-fn says(model: &Model, output: usize, sensor: &Best, force: Option<(usize, Best)>) -> String {
-    let shown = &model.outputs[output];
+fn says(fit: &Fit, output: usize, sensor: &Best, force: Option<(usize, Best)>) -> String {
+    let (model, shown) = (&fit.model, &fit.model.outputs[output]);
     let in_unit =
         |x: f64, unit: &Unit| quantity(unit.of_differences().from_si(x), unit.of_differences().text());
+    let size = in_unit(fit.rmse[output], &shown.unit);
     let begin = |by: &Best| {
-        let size = in_unit(by.ratio * by.driven.noise, &shown.unit);
         let noise = in_unit(by.driven.noise, &shown.unit);
         let beside = if by.ratio < RATIOS.1 { format!(", beside noise of {noise}") } else { String::new() };
         format!("what is left of “{}” wanders by {size}{beside}", shown.name)
