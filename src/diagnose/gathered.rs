@@ -17,24 +17,19 @@ pub fn gathered(model: &Model) -> Model {
 fn in_sums(model: &Model, e: &Expr) -> Expr {
     let mut terms = Vec::new();
     signed(e, true, &mut terms);
-    if terms.len() < 2 {
-        return e.map_children(&mut |child| in_sums(model, child));
-    }
     let Some((i, j, gathered)) = pair(model, &terms) else {
         return e.map_children(&mut |child| in_sums(model, child));
     };
     terms[i].1 = gathered;
+    // what is added stands first: the difference at least is
     terms.remove(j);
     let first = terms.iter().position(|t| t.0).unwrap_or(0);
     let (_, start) = terms.remove(first);
-    let sum =
-        terms.into_iter().fold(
-            start,
-            |sum, (plus, term)| {
-                if plus { edit::plus(&sum, &term) } else { edit::minus(&sum, &term) }
-            },
-        );
-    in_sums(model, &sum)
+    let joined = |sum: Expr, (is_added, term): (bool, Expr)| {
+        let join = if is_added { edit::plus } else { edit::minus };
+        join(&sum, &term)
+    };
+    in_sums(model, &terms.into_iter().fold(start, joined))
 }
 
 /// The terms of a sum, each with whether it is added.
@@ -66,24 +61,27 @@ fn pair(model: &Model, terms: &[(bool, Expr)]) -> Option<(usize, usize, Expr)> {
 
 /// k·(a − b) of k·a and k·b.
 fn difference(model: &Model, left: &Expr, right: &Expr) -> Option<Expr> {
-    let ends =
-        ends(model, left).into_iter().flat_map(|a| self::ends(model, right).into_iter().map(move |b| (a, b)));
+    let (ones, others) = (ends(model, left), ends(model, right));
+    let pairs = ones.iter().flat_map(|a| others.iter().map(move |b| (*a, *b)));
     let alike = |(a, b): &(&str, &str)| {
-        let rest = |term, n| terms::without_factor(term, n);
         let unit = |n: &str| edit::unit_of_name(model, n).map(|u| u.dimension());
-        let is_constant = |n: &str| model.parameters.iter().any(|p| p.name == n);
-        let differ = a != b && !(is_constant(a) && is_constant(b));
-        differ && unit(a) == unit(b) && rest(left, a).is_some_and(|r| rest(right, b) == Some(r))
+        let differ = a != b && !(is_parameter(model, a) && is_parameter(model, b));
+        let rest = terms::without_factor(left, a);
+        differ && unit(a) == unit(b) && rest.is_some() && rest == terms::without_factor(right, b)
     };
-    let (a, b) = ends.into_iter().find(alike)?;
+    let (a, b) = pairs.into_iter().find(alike)?;
     let both = Expr::Binary(BinaryOp::Sub, Box::new(Expr::name(a)), Box::new(Expr::name(b)));
     Some(terms::with_factor(left, &Expr::name(a), &both))
 }
 
+fn is_parameter(model: &Model, name: &str) -> bool {
+    model.parameters.iter().any(|p| p.name == name)
+}
+
 /// The names that a difference with a term may be of: its only signal; of a product of parameters, each.
 fn ends<'e>(model: &Model, term: &'e Expr) -> Vec<&'e str> {
-    let is_parameter = |n: &&str| model.parameters.iter().any(|p| p.name == *n);
-    let (constants, signals): (Vec<&str>, Vec<&str>) = term.names().into_iter().partition(is_parameter);
+    let (constants, signals): (Vec<&str>, Vec<&str>) =
+        term.names().into_iter().partition(|n| is_parameter(model, n));
     match signals.len() {
         0 => constants,
         1 => signals,

@@ -81,11 +81,6 @@ impl View {
         self.fine.get_or_init(|| response.measured(bench, &self.tracks)).as_ref().or(Some(response))
     }
 
-    /// The response of the model as it stands, if it has one.
-    pub fn response(&self) -> Option<&Response> {
-        self.response.as_ref()
-    }
-
     /// A model that extends it, ready to run over the screened parts.
     pub fn ready(&self, bench: &Bench, model: &Model) -> Result<Vec<Record>> {
         bench.ready(model, self.stand.extended(model, &[]).initials, (self.tolerance, self.planned.clone()))

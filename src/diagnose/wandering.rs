@@ -14,11 +14,10 @@
 
 use super::bench::Bench;
 use super::catalogue::edit;
-use super::response::{Driven, Response};
+use super::response::{Drive, Driven};
 use super::view::View;
 use super::words::quantity;
 use crate::estimate::Fit;
-use crate::expression::Expr;
 use crate::model::Model;
 use crate::units::{Unit, figure};
 use rayon::prelude::*;
@@ -45,26 +44,28 @@ struct Best {
 /// What to know of what is left of a fitted model in which no law is seen; none where nothing wanders.
 pub fn told(bench: &Bench, fit: &Fit) -> Option<String> {
     let view = View::of(bench, fit).ok()?;
-    let response = view.response()?;
+    let response = view.response.as_ref()?;
     let sensor = |o: usize| {
-        let best = best(response, &view, o, None)?;
-        let lasts = best.tau > LASTS * span(&view, o)?.1;
-        let is_sure = best.driven.likelihood - response.white(&view.tracks, o)? > SURELY;
+        let (drive, span) = (response.drive(&view.tracks, o, None)?, span(&view, o)?);
+        let best = best(&drive, span)?;
+        let lasts = best.tau > LASTS * span.1;
+        let is_sure = best.driven.likelihood - drive.white()? > SURELY;
         (is_sure && lasts && best.ratio > MUCH).then_some((o, best))
     };
     let outputs = (0..fit.model.outputs.len()).filter_map(sensor);
     let (output, sensor) = outputs.max_by(|a, b| a.1.ratio.total_cmp(&b.1.ratio))?;
-    let pushed: Vec<usize> = pushed(&fit.model);
-    let forces = pushed.into_par_iter().filter_map(|j| Some((j, best(response, &view, output, Some(j))?)));
+    let span = span(&view, output)?;
+    let push = |j: usize| Some((j, best(&response.drive(&view.tracks, output, Some(j))?, span)?));
+    let forces = pushed(&fit.model).into_par_iter().filter_map(push);
     let likelihood = |f: &(usize, Best)| f.1.driven.likelihood;
     let force = forces.max_by(|a, b| likelihood(a).total_cmp(&likelihood(b)));
     Some(says(fit, output, &sensor, force))
 }
 
-/// States whose rates a force may enter: those that are not the rate of another state alone.
+/// States whose rates a force may enter.
 fn pushed(model: &Model) -> Vec<usize> {
-    let is_state = |e: &Expr| matches!(e, Expr::Name(n) if model.states.iter().any(|s| s.name == *n));
-    (0..model.states.len()).filter(|j| !is_state(edit::opened(model, &model.states[*j].rate))).collect()
+    let rate = |j: &usize| edit::opened(model, &model.states[*j].rate);
+    (0..model.states.len()).filter(|j| !edit::is_kinematic(model, rate(j))).collect()
 }
 
 /// The time that an output spans, and the step of its samples.
@@ -75,40 +76,37 @@ fn span(view: &View, output: usize) -> Option<(f64, f64)> {
 }
 
 /// The likeliest memory and size.
-fn best(response: &Response, view: &View, output: usize, state: Option<usize>) -> Option<Best> {
-    let (length, step) = span(view, output)?;
-    let (mut tau, mut ratio) = ((2.0 * step).ln(), RATIOS.0.ln());
-    let mut by =
-        (((0.25 * length).ln() - tau) / (GRID.0 - 1) as f64, (RATIOS.1.ln() - ratio) / (GRID.1 - 1) as f64);
-    let at = |tau: f64, ratio: f64| {
-        let (tau, ratio) = (tau.exp(), ratio.exp());
-        Some(Best { driven: response.driven(&view.tracks, output, state, (tau, ratio))?, tau, ratio })
-    };
-    let likelier = |a: Option<Best>, b: Best| match a {
-        Some(a) if a.driven.likelihood >= b.driven.likelihood => Some(a),
-        _ => Some(b),
-    };
-    let mut grid: Vec<(f64, f64)> = Vec::new();
-    (0..GRID.0)
-        .for_each(|i| grid.extend((0..GRID.1).map(|k| (tau + by.0 * i as f64, ratio + by.1 * k as f64))));
-    let mut found = grid.into_iter().filter_map(|(t, r)| at(t, r)).fold(None, likelier)?;
+fn best(drive: &Drive<'_>, (length, step): (f64, f64)) -> Option<Best> {
+    let (shortest, least) = ((2.0 * step).ln(), RATIOS.0.ln());
+    let mut by = (
+        ((0.25 * length).ln() - shortest) / (GRID.0 - 1) as f64,
+        (RATIOS.1.ln() - least) / (GRID.1 - 1) as f64,
+    );
+    let taus: Vec<f64> = (0..GRID.0).map(|i| shortest + by.0 * i as f64).collect();
+    let ratios: Vec<f64> = (0..GRID.1).map(|k| least + by.1 * k as f64).collect();
+    let mut found = likeliest(drive, &taus, &ratios, None)?;
     for _ in 0..GRID.2 {
         by = (0.5 * by.0, 0.5 * by.1);
-        (tau, ratio) = (found.tau.ln(), found.ratio.ln());
-        let near = [
-            (-1.0, 0.0),
-            (1.0, 0.0),
-            (0.0, -1.0),
-            (0.0, 1.0),
-            (-1.0, -1.0),
-            (1.0, 1.0),
-            (-1.0, 1.0),
-            (1.0, -1.0),
-        ];
-        let tried = near.iter().filter_map(|(t, r)| at(tau + by.0 * t, ratio + by.1 * r));
-        found = tried.fold(Some(found), likelier)?;
+        let around = |at: f64, by: f64| [at, at - by, at + by];
+        let (taus, ratios) = (around(found.tau.ln(), by.0), around(found.ratio.ln(), by.1));
+        found = likeliest(drive, &taus, &ratios, Some(found))?;
     }
     Some(found)
+}
+
+/// The likeliest of a grid of logarithms of memories and ratios, and one that is known.
+fn likeliest(drive: &Drive<'_>, taus: &[f64], ratios: &[f64], known: Option<Best>) -> Option<Best> {
+    let mut found = known;
+    for tau in taus.iter().map(|t| t.exp()) {
+        let shows = drive.shows(tau);
+        for ratio in ratios.iter().map(|r| r.exp()).filter(|_| shows > 0.0) {
+            let Some(driven) = drive.driven(tau, ratio / shows) else { continue };
+            if found.is_none_or(|best| driven.likelihood > best.driven.likelihood) {
+                found = Some(Best { driven, tau, ratio });
+            }
+        }
+    }
+    found
 }
 
 /// The sentence.

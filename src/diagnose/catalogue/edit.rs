@@ -116,6 +116,11 @@ pub fn home(model: &Model, rate: &Expr) -> Option<usize> {
     own.then(|| home(model, &model.definitions[i].equals).unwrap_or(i))
 }
 
+/// Whether a rate is a state alone, as that of a position is its speed: no force enters there.
+pub fn is_kinematic(model: &Model, rate: &Expr) -> bool {
+    matches!(rate, Expr::Name(n) if model.states.iter().any(|s| s.name == *n))
+}
+
 /// The expression of a rate: of the definition that it is, where it is one.
 pub fn opened<'e>(model: &'e Model, rate: &'e Expr) -> &'e Expr {
     home(model, rate).map_or(rate, |i| &model.definitions[i].equals)
@@ -255,6 +260,7 @@ pub fn minus(a: &Expr, b: &Expr) -> Expr {
     }
 }
 
+/// A product without its leading minus; none where it has none.
 pub fn leading_minus(e: &Expr) -> Option<Expr> {
     match e {
         Expr::Neg(a) if !is_sum(a) => Some((**a).clone()),

@@ -204,8 +204,7 @@ impl Scene<'_> {
         let states = &self.model.states;
         let mut motions = Vec::new();
         for (state, size) in states.iter().zip(&self.sizes) {
-            let is_kinematic = matches!(&state.rate, Expr::Name(n) if states.iter().any(|s| s.name == *n));
-            if is_kinematic {
+            if edit::is_kinematic(self.model, &state.rate) {
                 continue;
             }
             let above = states.iter().find(|s| edit::is_multiple_of(&s.rate, &state.name));

@@ -4,7 +4,7 @@ use crate::expression::{BinaryOp, Expr};
 
 /// Passes every term of the sums in an expression, and the sums themselves, through `with`: what stands between + and −,
 /// however deep under quotients and products.
-pub(crate) fn rewritten(e: &Expr, with: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
+pub(super) fn rewritten(e: &Expr, with: &dyn Fn(&Expr) -> Option<Expr>) -> Expr {
     let again = |x: &Expr| Box::new(rewritten(x, with));
     let under = |x: &Expr| if matches!(x, Expr::Name(_)) { Box::new(x.clone()) } else { again(x) };
     match e {
@@ -23,7 +23,7 @@ pub(crate) fn rewritten(e: &Expr, with: &dyn Fn(&Expr) -> Option<Expr>) -> Expr 
 }
 
 /// The factors of a product, without those that it is divided by.
-pub(crate) fn factors(term: &Expr) -> Vec<&Expr> {
+pub(super) fn factors(term: &Expr) -> Vec<&Expr> {
     match term {
         Expr::Neg(a) | Expr::Binary(BinaryOp::Div, a, _) => factors(a),
         Expr::Binary(BinaryOp::Mul, a, b) => [factors(a), factors(b)].concat(),
@@ -32,7 +32,7 @@ pub(crate) fn factors(term: &Expr) -> Vec<&Expr> {
 }
 
 /// Whether a product has a name as one of its factors.
-pub(crate) fn has_factor(term: &Expr, name: &str) -> bool {
+pub(super) fn has_factor(term: &Expr, name: &str) -> bool {
     factors(term).iter().any(|f| matches!(f, Expr::Name(n) if n == name))
 }
 

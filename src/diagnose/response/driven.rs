@@ -9,7 +9,7 @@
 //! A. C. Harvey, Forecasting, Structural Time Series Models and the Kalman Filter (1989), 3.4.3 (concentrated likelihood);
 //! G. E. Uhlenbeck, L. S. Ornstein, Phys. Rev. 36 (1930) 823.
 
-use super::along::{Along, Site};
+use super::along::Along;
 use super::{Response, Track};
 
 /// Points of the mesh at most, from the beginning.
@@ -30,9 +30,11 @@ pub struct Driven {
     pub size: f64,
 }
 
-/// A filter along one recording.
-struct Filter<'a> {
+/// What is left of an output along the first recording, and where a process may drive it.
+pub struct Drive<'a> {
     along: &'a Along,
+    /// What is left where a sample lies on the mesh.
+    residual: Vec<Option<f64>>,
     /// States of the model that take part: none where the output itself is driven.
     states: usize,
     /// Number of the rate.
@@ -42,35 +44,14 @@ struct Filter<'a> {
 }
 
 impl Response {
-    /// How likely it makes the first recording's residual of an output that a process of memory `tau`, in s, drives a
-    /// state, or the output where none is given. `ratio` is the standard deviation of what the output shows of it over that
-    /// of the white noise, at the end of the recording. `None` where fewer than ten samples lie on the mesh.
-    pub fn driven(
-        &self,
-        tracks: &[Track],
-        output: usize,
-        state: Option<usize>,
-        (tau, ratio): (f64, f64),
-    ) -> Option<Driven> {
+    /// What is left of an output along the first recording, driven at a state, or at the output where none is given. `None`
+    /// where fewer than ten samples lie on the mesh.
+    pub fn drive(&self, tracks: &[Track], output: usize, state: Option<usize>) -> Option<Drive<'_>> {
         let along = self.runs.first()?;
         let number = along.tracks.iter().position(|t| t.0 == output)?;
         let residual = on_mesh(along, number, &tracks.get(number)?.residual)?;
-        let site = state.map_or(Site::Output(output), Site::Rate);
-        let (states, rate) = if let Site::Rate(j) = site { (self.model.states.len(), j) } else { (0, 0) };
-        let filter = Filter { along, states, rate, output, outputs: self.model.outputs.len() };
-        let shown = filter.pass(tau, 1.0, None).shown.sqrt();
-        let size = ratio / shown;
-        let passed = filter.pass(tau, size, Some(&residual));
-        let n = passed.samples as f64;
-        let noise = (passed.squares / n).sqrt();
-        let likelihood = -0.5 * (n * noise.powi(2).ln() + passed.logs);
-        let is_known = passed.samples >= 10 && likelihood.is_finite() && shown > 0.0;
-        is_known.then_some(Driven { likelihood, noise, size: size * noise })
-    }
-
-    /// The log-likelihood of the same samples as white noise.
-    pub fn white(&self, tracks: &[Track], output: usize) -> Option<f64> {
-        self.driven(tracks, output, None, (1.0, 0.0)).map(|d| d.likelihood)
+        let (states, rate) = state.map_or((0, 0), |j| (self.model.states.len(), j));
+        Some(Drive { along, residual, states, rate, output, outputs: self.model.outputs.len() })
     }
 }
 
@@ -85,7 +66,28 @@ struct Passed {
     shown: f64,
 }
 
-impl Filter<'_> {
+impl Drive<'_> {
+    /// The standard deviation of what the output shows, at the end of the recording, of a process of deviation 1 and memory
+    /// `tau`, in s.
+    pub fn shows(&self, tau: f64) -> f64 {
+        self.pass(tau, 1.0, None).shown.sqrt()
+    }
+
+    /// How likely a process of memory `tau`, in s, makes what is left, `size` times as large as the white noise beside it.
+    pub fn driven(&self, tau: f64, size: f64) -> Option<Driven> {
+        let passed = self.pass(tau, size, Some(&self.residual));
+        let n = passed.samples as f64;
+        let noise = (passed.squares / n).sqrt();
+        let likelihood = -0.5 * (n * noise.powi(2).ln() + passed.logs);
+        let is_known = passed.samples >= 10 && likelihood.is_finite();
+        is_known.then_some(Driven { likelihood, noise, size: size * noise })
+    }
+
+    /// The log-likelihood of the same samples as white noise.
+    pub fn white(&self) -> Option<f64> {
+        self.driven(1.0, 0.0).map(|d| d.likelihood)
+    }
+
     /// Filters a residual, or follows the variances alone where there is none.
     fn pass(&self, tau: f64, size: f64, residual: Option<&[Option<f64>]>) -> Passed {
         let n = self.states + 1;

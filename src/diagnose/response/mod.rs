@@ -32,7 +32,7 @@ use crate::expression::Expr;
 use crate::model::{Model, State};
 use crate::record::{Channel, Recording};
 use along::{Along, Site};
-pub use driven::Driven;
+pub use driven::{Drive, Driven};
 use faer::Mat;
 use probe::{frozen, look, mesh, nudged, output, remembers_states, rows};
 use std::sync::Arc;
