@@ -141,11 +141,11 @@ impl Assembly<'_> {
             recordings: self.given(),
         };
         let located = mismatch.located(physics, verdict);
+        let is_nameless = findings.is_empty() && self.is_left && self.few.is_none();
+        let wanders = is_nameless.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
         if verdict == Verdict::DataFault {
             findings = self.faults.iter().map(|f| f.finding.clone()).chain(findings).collect();
         }
-        let is_open = findings.is_empty() && self.is_left && self.few.is_none();
-        let wanders = is_open.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
         let answer = Answer {
             schema: SCHEMA,
             verdict,

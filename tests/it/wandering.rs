@@ -1,7 +1,12 @@
 //! What wanders in what is left is told beside a model that nothing is missing from: by a force or in the sensor.
 
-use crate::laws_met::{inputs, told};
+use crate::diagnose::diagnosed;
+use crate::laws_met::inputs;
 use gyrospec::diagnose::answer::Verdict;
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Recording};
+use gyrospec::units::Unit;
+use std::ops::Range;
 
 const ROOM: &str = r#"
     name = "room"
@@ -58,13 +63,30 @@ fn room(heat: &[f64]) -> Vec<f64> {
     shown
 }
 
-/// The notes on a room, of which the thermometer has 0.02 K of noise.
-fn notes(shown: &[f64]) -> Vec<String> {
+/// The verdict on a room of which the thermometer has 0.02 K of noise, and what is told to wander; without the
+/// thermometer's samples at some numbers.
+fn judged(shown: &[f64], lacks: Range<usize>) -> (Verdict, Vec<String>) {
+    let time = |i: usize| 0.02 * i as f64;
+    let kept: Vec<usize> = (0..shown.len()).filter(|i| !lacks.contains(i)).collect();
     let noise = white(shown.len(), 11);
-    let shown = shown.iter().zip(noise).map(|(t, e)| t + 0.02 * e).collect();
-    let answer = told(ROOM, &[("P", "W", inputs(), 0.0), ("shown", "K", shown, 0.0)]);
-    assert_eq!(answer.verdict, Verdict::NothingMissing, "{}", answer.says);
-    answer.notes.into_iter().filter(|n| n.contains("wanders")).collect()
+    let read = kept.iter().map(|i| shown[*i] + 0.02 * noise[*i]).collect();
+    let channel = |name, unit, time, values| Channel::new(name, Unit::parse(unit).unwrap(), time, values);
+    let recording = Recording::from_channels(
+        "room",
+        vec![
+            channel("P", "W", (0..shown.len()).map(time).collect::<Vec<_>>(), inputs()),
+            channel("shown", "K", kept.iter().map(|i| time(*i)).collect(), read),
+        ],
+    );
+    let answer = diagnosed(&Model::parse(ROOM).unwrap(), recording.unwrap()).answer;
+    (answer.verdict, answer.notes.into_iter().filter(|n| n.contains("wanders")).collect())
+}
+
+/// What is told of a room from which nothing is missing.
+fn notes(shown: &[f64]) -> Vec<String> {
+    let (verdict, notes) = judged(shown, 0..0);
+    assert_eq!(verdict, Verdict::NothingMissing);
+    notes
 }
 
 /// The number before a word.
@@ -103,4 +125,11 @@ fn a_heat_that_nobody_recorded_is_told_from_a_sensor_that_wanders() {
 
     // noise alone
     assert!(notes(&still).is_empty());
+}
+
+#[test]
+fn a_heat_that_nobody_recorded_is_told_beside_a_gap() {
+    let (verdict, told) = judged(&room(&process(0.6, 60.0, 5)), 600..1000);
+    assert_eq!(verdict, Verdict::DataFault);
+    assert!(matches!(&told[..], [one] if one.contains("what acts on T and nobody recorded")), "{told:?}");
 }
