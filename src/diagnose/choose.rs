@@ -18,6 +18,7 @@ use super::catalogue::{self, Proposal, SiteKind};
 use super::measure::Measure;
 use super::propose::Screened;
 use super::search::{Refitted, Round, Taken};
+use crate::model::Input;
 
 /// Share of all gains before that a further one must reach.
 const FURTHER: f64 = 0.2;
@@ -40,6 +41,8 @@ const ENOUGH: f64 = 0.25;
 const COMMUTES: f64 = 0.2;
 /// Share of the free-run gain by which parts that commute may differ for what they began with alone.
 const STARTS: f64 = 0.05;
+/// Share of its gain by which a wave may beat a recorded channel that goes as the wave does, and has noise of its own.
+const RECORDED: f64 = 0.05;
 
 /// ln of the fall of the left-out sum of squares.
 pub fn gain(now: &Measure, new: &Measure) -> f64 {
@@ -132,6 +135,16 @@ fn commute(p: &Proposal, q: &Proposal) -> bool {
     p.code != q.code && (both(&STEADY) || is_one_way && both(&LATE))
 }
 
+/// Whether an extension puts a recorded channel that the model did not read in the place of a wave in time, and lowers the
+/// error as far but for what the channel's own noise adds: a cause that was recorded goes before one that only may be.
+fn is_recorded_wave(r: &Refitted, wave: &Refitted, now: &Measure) -> bool {
+    let read = |i: &Input| wave.proposal.model.inputs.iter().any(|own| own.name == i.name);
+    is_timed_wave(&wave.proposal)
+        && !r.proposal.model.inputs.iter().all(read)
+        && r.proposal.added.len() <= wave.proposal.added.len()
+        && gain(now, &r.measure) > (1.0 - RECORDED) * gain(now, &wave.measure)
+}
+
 /// Whether an extension may stand for a better one that has fallen out: it gains nearly as much.
 pub fn rivals(r: &Refitted, fallen: &Refitted, now: &Measure) -> bool {
     gain(now, &r.measure) >= RIVAL * gain(now, &fallen.measure)
@@ -203,6 +216,11 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
         .iter()
         .copied()
         .max_by(|a, b| worth(&round.fitted[*a]).total_cmp(&worth(&round.fitted[*b])))?;
+    let recorded = |i: &usize| is_recorded_wave(&round.fitted[*i], &round.fitted[likeliest], now);
+    let recorded = rivals.iter().copied().filter(recorded);
+    let likeliest = recorded
+        .max_by(|a, b| worth(&round.fitted[*a]).total_cmp(&worth(&round.fitted[*b])))
+        .unwrap_or(likeliest);
     let fall = |r: &Refitted| gain(now, r);
     let of = |i: usize| (&round.fitted[i].proposal, &round.fitted[i].measure);
     let alike = |i: usize, to: usize| alike(of(i), of(to), now);

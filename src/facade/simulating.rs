@@ -1,12 +1,14 @@
 //! A model run on a recording.
 
-use crate::model::Model;
+use crate::estimate::fit::{FitOptions, begun_on};
+use crate::model::{Initial, Model};
 use crate::record::{Kind, Recording};
 use crate::report::simulated;
 use crate::simulate::{Options, OutputSignal, Simulator, Trajectory, warnings};
 use crate::{Error, Result};
 
-/// Asks for a run of a model on the inputs of a recording, at the values of the model file.
+/// Asks for a run of a model on the inputs of a recording, at the values of the model file. Initial states that the file
+/// marks `"fit"` begin where the run lies nearest to what was measured; one that nothing measured begins at 0.
 ///
 /// ```
 /// use gyrospec::{Model, Recording, simulate};
@@ -52,12 +54,26 @@ impl Simulating<'_> {
         let options = Options::default().with_tolerance(self.tolerance)?;
         let refused = |e: Error| self.model.refusal().unwrap_or(e);
         let simulator = Simulator::new(self.model, self.recording, &options).map_err(refused)?;
-        let ran = simulator.run(&simulator.parameters(), &simulator.initials()).map_err(refused)?;
+        let initials = self.initials(&simulator);
+        let ran = simulator.run(&simulator.parameters(), &initials).map_err(refused)?;
         let is_lost = ran.outputs.iter().flatten().any(|v| v.is_nan());
         if let Some(e) = self.model.refusal().filter(|_| is_lost) {
             return Err(e);
         }
-        Ok(Simulated { simulator, ran, kind: self.recording.kind })
+        let fitted = simulator.model().states.iter().zip(&initials);
+        let fitted = fitted.filter(|(s, _)| matches!(s.initial, Initial::Fit));
+        let begins = fitted.map(|(s, x)| (s.name.clone(), s.unit.from_si(*x), s.unit.to_string())).collect();
+        Ok(Simulated { simulator, ran, kind: self.recording.kind, begins })
+    }
+
+    /// How the states begin: fitted ones as they fit what was measured, or where an output shows them first if they
+    /// cannot be fitted.
+    fn initials(&self, simulator: &Simulator) -> Vec<f64> {
+        let options = FitOptions { tolerance: self.tolerance, ..FitOptions::default() };
+        match begun_on(self.model, self.recording, &options) {
+            Ok(Some((start, initials))) if start == simulator.span().0 => initials,
+            _ => simulator.initials(),
+        }
     }
 }
 
@@ -67,6 +83,7 @@ pub struct Simulated {
     simulator: Simulator,
     ran: Trajectory,
     kind: Kind,
+    begins: Vec<(String, f64, String)>,
 }
 
 /// One output of a run, in the unit of the model file.
@@ -138,7 +155,7 @@ impl Simulated {
 
     /// The run in words.
     pub fn text(&self) -> String {
-        simulated::summary(&self.simulator, &self.ran)
+        simulated::summary(&self.simulator, &self.ran, &self.begins)
     }
 
     /// The predictions as CSV: time, then measured and predicted for every output.

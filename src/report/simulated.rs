@@ -4,8 +4,9 @@ use crate::record::Kind;
 use crate::simulate::{Simulator, Trajectory};
 use std::fmt::Write;
 
-/// What was run and how far its outputs lie from what was measured, in words.
-pub fn summary(s: &Simulator, ran: &Trajectory) -> String {
+/// What was run, how its fitted states begin (name, value, unit), and how far its outputs lie from what was measured, in
+/// words.
+pub fn summary(s: &Simulator, ran: &Trajectory, begins: &[(String, f64, String)]) -> String {
     let mut out = format!("{}\n", s.model().name);
     let (from, to) = s.span();
     if s.is_dynamic() {
@@ -19,6 +20,9 @@ pub fn summary(s: &Simulator, ran: &Trajectory) -> String {
             e if e.is_finite() => format!("solver error {e:.1e} of the spread (by halving the step)\n"),
             _ => "solver error not known\n".to_string(),
         });
+    }
+    for (state, value, unit) in begins {
+        let _ = writeln!(out, "{state} begins at {value:.6} {unit}");
     }
     let _ =
         writeln!(out, "{:<20} {:>8} {:>14} {:>14}  unit", "output", "samples", "rms error", "worst error");

@@ -10,18 +10,18 @@ use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
 /// A plant of some states, solved by Runge and Kutta's method at a quarter of a sample.
-struct Plant<'a> {
-    step: f64,
-    start: &'a [f64],
+pub(crate) struct Plant<'a> {
+    pub(crate) step: f64,
+    pub(crate) start: &'a [f64],
     /// Names and units of inputs and states.
-    inputs: &'a [(&'a str, &'a str)],
-    states: &'a [(&'a str, &'a str)],
+    pub(crate) inputs: &'a [(&'a str, &'a str)],
+    pub(crate) states: &'a [(&'a str, &'a str)],
     /// An input's mean and size.
-    sizes: &'a [(f64, f64)],
+    pub(crate) sizes: &'a [(f64, f64)],
     /// Noise, as a share of an output's spread.
-    noise: f64,
+    pub(crate) noise: f64,
     /// States that are measured: the first so many.
-    measured: usize,
+    pub(crate) measured: usize,
 }
 
 const COUNT: usize = 1500;
@@ -82,17 +82,17 @@ impl Plant<'_> {
         Recording::from_channels("made", channels).unwrap()
     }
 
-    fn diagnosed(&self, model: &str, rates: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Answer {
+    pub(crate) fn diagnosed(&self, model: &str, rates: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Answer {
         diagnosed(&Model::parse(model).unwrap(), self.recorded(rates)).answer
     }
 }
 
 /// The first finding's code, or the verdict where there is none.
-fn first(a: &Answer) -> &str {
+pub(crate) fn first(a: &Answer) -> &str {
     a.findings.first().map_or("nothing", |f| &f.code)
 }
 
-fn value(a: &Answer, name: &str) -> [f64; 3] {
+pub(crate) fn value(a: &Answer, name: &str) -> [f64; 3] {
     let v = a.findings[0].parameters.iter().find(|v| v.name == name).unwrap();
     [v.low, v.value, v.high]
 }

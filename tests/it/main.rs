@@ -64,6 +64,7 @@ mod piped;
 mod public;
 mod quality;
 mod record;
+mod recorded_beside;
 mod recorded_parts;
 mod report;
 mod results;

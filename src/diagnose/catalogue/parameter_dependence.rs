@@ -52,7 +52,11 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         scene.moving(&[SignalKind::Channel, SignalKind::Input]).filter(|s| !s.is_heading()).collect();
     let names = scene.acting_parameters();
     let pairs = names.iter().flat_map(|p| signals.iter().map(move |s| (p, *s)));
-    let mut all: Vec<Proposal> = pairs.clone().filter_map(|(p, s)| at(scene, p, s)).collect();
+    // what a constant alone gains with a channel is a coupling of that
+    let couples =
+        |p: &str, s: &Signal| s.kind == SignalKind::Channel && !scene.trials && is_constant_term(scene, p);
+    let own = pairs.clone().filter(|(p, s)| !couples(p, s));
+    let mut all: Vec<Proposal> = own.filter_map(|(p, s)| at(scene, p, s)).collect();
     all.extend(pairs.clone().filter_map(|(p, s)| in_place(scene, p, s)));
     if !scene.trials {
         let terms = arguments::terms(scene.model);
@@ -135,6 +139,16 @@ fn stands_alone(scene: &Scene, p: &str, state: &str) -> bool {
     let rates =
         scene.model.states.iter().map(|s| edit::laws_of(scene.model, edit::sum_of(scene.model, &s.rate)));
     rates.flatten().any(|t| is_plain(&t))
+}
+
+/// Whether a parameter stands in the rates in terms of constants alone, and nowhere else.
+fn is_constant_term(scene: &Scene, p: &str) -> bool {
+    let model = scene.model;
+    let rates = model.states.iter().flat_map(|s| edit::laws_of(model, edit::sum_of(model, &s.rate)));
+    let is_parameter = |n: &str| model.parameters.iter().any(|own| own.name == n);
+    let is_read = model.outputs.iter().any(|o| o.equals.mentions(p));
+    let mut own = rates.filter(|t| edit::reaches(model, t, p)).peekable();
+    !is_read && own.peek().is_some() && own.all(|t| t.names().into_iter().all(is_parameter))
 }
 
 /// Whether a parameter multiplies a signal in some term.

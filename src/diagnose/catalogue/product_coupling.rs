@@ -8,6 +8,7 @@
 //! # Equation
 //! ```text
 //!     s' = … + c a b
+//!     v' = … + c w^2 r        the centrifugal force at a place r of what turns at w, where the model has no such turn
 //!     J1 w1' = … + c h w2,  J2 w2' = … - c h w1      two axes of a body whose rotor turns at h
 //! ```
 //!
@@ -54,7 +55,33 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         all.extend(turning(scene, &signals).flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
     }
     all.extend(gyroscopic(scene, &signals));
+    all.extend(centrifugal(scene, &signals));
     all
+}
+
+/// What moves along a radius of what turns: speeds among states, inputs and recorded channels, each squared, times a place.
+fn centrifugal(scene: &Scene, signals: &[&Signal]) -> Vec<Proposal> {
+    let channels: Vec<&Signal> = scene.moving(&[SignalKind::Channel]).collect();
+    let turns: Vec<&&Signal> =
+        signals.iter().chain(&channels).filter(|s| edit::is_frequency(&s.unit)).collect();
+    let of = |m: &Motion| turns.iter().filter_map(|w| outward(scene, m, w)).collect::<Vec<_>>();
+    scene.motions().iter().filter(|m| m.speed.as_ref() == Some(&m.state)).flat_map(of).collect()
+}
+
+fn outward(scene: &Scene, m: &Motion, turn: &Signal) -> Option<Proposal> {
+    let (w, r) = (&turn.name, scene.signal(m.position.as_ref()?)?);
+    if m.speed.as_ref() == Some(w) {
+        return None;
+    }
+    let mut d = Draft::at(scene, "product-coupling", m);
+    let unit = m.force.over(&turn.unit.power(2.0).times(&scene.unit(&r.name)));
+    let c = d.amplitude("c", &unit, ANY, "what moves outward");
+    d.uses(w);
+    d.uses(&r.name);
+    d.force(&m.state, &format!("{c}*{w}^2*{}", r.name));
+    d.start(&[m.size / (turn.size().powi(2) * r.size())]);
+    let (w, r, state) = (scene.words(w), scene.words(&r.name), scene.words(&m.state));
+    d.done(&format!("the square of {w} times {r} acts on {state}, as a centrifugal force does, {{0}}"))
 }
 
 /// Speeds with recorded channels that the model does not use, as that of a rotor may be.

@@ -1,13 +1,12 @@
 //! The fitted model on what was held out.
 
 use super::assemble::root_mean_square;
+use super::begins::begins;
 use super::harness::{Record, Track};
 use super::options::FitOptions;
 use super::outcome::{Fit, HeldOut, Series};
-use super::problem::{given, problem};
 use super::setup;
 use crate::Result;
-use crate::estimate::least_squares::minimise;
 use crate::model::Model;
 use crate::record::{Recording, Span};
 use crate::simulate::Unknown;
@@ -65,24 +64,10 @@ fn alone(
     spans: &[Span],
     options: &FitOptions<'_>,
 ) -> Result<Vec<Series>> {
-    let mut frozen = model.clone();
-    frozen.parameters.iter_mut().for_each(|p| p.fit = false);
-    let options =
-        FitOptions { initials: Vec::new(), weighting: super::Weighting::FreeRun, ..options.clone() };
-    let Some(record) = setup::record_if_any(&frozen, recording, number, spans, &options)? else {
+    let Some((model, record, initials)) = begins(model, recording, (number, spans), options)? else {
         return Ok(Vec::new());
     };
-    let records = [record];
-    let parameters = frozen.parameters.iter().map(|p| p.value).collect();
-    let p = problem(&frozen, &records, parameters, &options);
-    let start = given(&p);
-    let initials = if start.is_empty() {
-        records[0].initials.clone()
-    } else {
-        let minimum = minimise(&p, &start, &records[0].reach, options.stopping)?;
-        p.spread(&minimum.x).1.swap_remove(0)
-    };
-    run(&frozen, &records[0], &initials, (&[], 0), &|_| true)
+    run(&model, &record, &initials, (&[], 0), &|_| true)
 }
 
 /// The unknowns of a fit that the run of a recording depends on, with their places among all.

@@ -5,6 +5,7 @@
 //! fitted model over what was held out.
 
 mod assemble;
+mod begins;
 mod certain;
 mod combination;
 mod covered;
@@ -24,6 +25,7 @@ mod stepping;
 mod valley;
 mod warnings;
 
+pub use begins::begun_on;
 pub use certain::ascertain;
 pub use combination::Combination;
 pub use options::{Effort, FitOptions, Progress, Silent, Weighting};

@@ -1,5 +1,6 @@
 //! The simulator against closed forms, against an independent integrator, and against itself.
 
+mod begins;
 mod closed_forms;
 mod curves;
 mod faults;

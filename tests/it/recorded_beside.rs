@@ -1,0 +1,136 @@
+//! Causes that were recorded and that the model does not read: they go before what only might be, in the form in which
+//! they act.
+
+use crate::fields::{Plant, first, value};
+use gyrospec::diagnose::answer::{Answer, Verdict};
+
+/// A room of 300 s beside air whose temperature swings once in 3000 s; the air less 293 K turns with its quadrature. The thermometer
+/// in the air has the same share of noise as that in the room.
+const ROOM: Plant<'_> = Plant {
+    step: 6.0,
+    start: &[297.0, 295.0, 0.0],
+    inputs: &[("P", "W")],
+    states: &[("T", "K"), ("air", "K"), ("quadrature", "K")],
+    sizes: &[(40.0, 30.0)],
+    noise: 0.02,
+    measured: 2,
+};
+const ROOM_MODEL: &str = r#"
+    name = "room"
+    [inputs]
+    P = { unit = "W" }
+    [parameters]
+    R = { value = 0.28, unit = "K/W", fit = true }
+    tau = { value = 280, unit = "s", fit = true, min = 1 }
+    Ta = { value = 293, unit = "K" }
+    [states]
+    T = { rate = "(R*P - (T - Ta))/tau", unit = "K", initial = "fit" }
+    [outputs]
+    T_meas = { equals = "T", unit = "K" }
+"#;
+
+/// The room, with a heat that swings as the air does or at three times its pace.
+fn room(of_air: f64, of_another: f64) -> Answer {
+    let w = std::f64::consts::TAU / 3000.0;
+    ROOM.diagnosed(ROOM_MODEL, |x, u| {
+        let (air, phase) = (x[1] - 293.0, x[2].atan2(x[1] - 293.0));
+        let another = of_another * (3.0 * phase).sin();
+        vec![(0.3 * u[0] - (x[0] - 293.0) + of_air * air + another) / 300.0, -w * x[2], w * air]
+    })
+}
+
+#[test]
+fn a_recorded_day_goes_before_a_wave_of_its_period() {
+    let found = room(1.0, 0.0);
+    assert_ne!(first(&found), "periodic-force", "{}", found.says);
+    assert!(matches!(found.verdict, Verdict::Named | Verdict::Tie), "{}", found.says);
+    let term = &found.findings[0].term;
+    assert!(term.contains("air_meas"), "{term}");
+    let [low, c, high] = value(&found, "c");
+    assert!((c - 1.0).abs() < 0.02 && low < high, "{low} {c} {high}");
+    // a wave of another pace is none of the air's
+    let found = room(0.0, 2.0);
+    assert_eq!((found.verdict, first(&found)), (Verdict::Named, "periodic-force"), "{}", found.says);
+    assert_eq!(room(0.0, 0.0).verdict, Verdict::NothingMissing);
+}
+
+/// A slide of 1.5 kg on a spring along the radius of a table, whose speed is recorded.
+const SLIDE: Plant<'_> = Plant {
+    step: 0.02,
+    start: &[0.24, 0.0],
+    inputs: &[("F", "N"), ("table", "rad/s")],
+    states: &[("r", "m"), ("v", "m/s")],
+    sizes: &[(0.0, 6.0), (1.8, 1.2)],
+    noise: 0.02,
+    measured: 1,
+};
+const SLIDE_MODEL: &str = r#"
+    name = "slide"
+    [inputs]
+    F = { unit = "N" }
+    [parameters]
+    m = { value = 1.2, unit = "kg", fit = true, min = 0.1, max = 20 }
+    c = { value = 5, unit = "N*s/m", fit = true, min = 0, max = 100 }
+    k = { value = 90, unit = "N/m", fit = true, min = 1, max = 2000 }
+    r0 = { value = 0.22, unit = "m", fit = true, min = 0, max = 2 }
+    [states]
+    r = { rate = "v", unit = "m", initial = "fit" }
+    v = { rate = "(F - c*v - k*(r - r0))/m", unit = "m/s", initial = "fit" }
+    [outputs]
+    r_meas = { equals = "r", unit = "m" }
+"#;
+
+#[test]
+fn what_turns_pushes_outward() {
+    let of = |mass: f64| {
+        SLIDE.diagnosed(SLIDE_MODEL, |x, u| {
+            let force = u[0] - 6.0 * x[1] - 100.0 * (x[0] - 0.25) + mass * u[1] * u[1] * x[0];
+            vec![x[1], force / 1.5]
+        })
+    };
+    let found = of(1.5);
+    let names: Vec<&str> = found.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!((found.verdict, &names[..]), (Verdict::Named, &["product-coupling"][..]), "{}", found.says);
+    assert!(found.findings[0].term.contains("table^2*r"), "{}", found.findings[0].term);
+    let name = &found.findings[0].parameters[0].name;
+    let [low, _, high] = value(&found, name);
+    assert!(low < 1.5 && 1.5 < high, "{low} to {high}");
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}
+
+/// A tram of 42 t with a constant resistance and one that grows with its speed, on a line whose grade is recorded.
+const TRAM: Plant<'_> = Plant {
+    step: 0.5,
+    start: &[8.0],
+    inputs: &[("pull", "N"), ("grade", "rad")],
+    states: &[("v", "m/s")],
+    sizes: &[(9000.0, 6000.0), (0.0, 0.005)],
+    noise: 0.02,
+    measured: 1,
+};
+const TRAM_MODEL: &str = r#"
+    name = "tram"
+    [inputs]
+    pull = { unit = "N" }
+    [parameters]
+    m = { value = 42000, unit = "kg" }
+    r0 = { value = 1500, unit = "N", fit = true }
+    r1 = { value = 800, unit = "N*s/m", fit = true, min = 0 }
+    [states]
+    v = { rate = "(pull - r0 - r1*v)/m", unit = "m/s", initial = "fit" }
+    [outputs]
+    v_meas = { equals = "v", unit = "m/s" }
+"#;
+
+#[test]
+fn a_recorded_grade_acts_on_the_speed_and_changes_no_constant() {
+    let of = |g: f64| {
+        TRAM.diagnosed(TRAM_MODEL, |x, u| vec![(u[0] - 2000.0 - 700.0 * x[0]) / 42000.0 - g * u[1].sin()])
+    };
+    let found = of(9.81);
+    assert_eq!((found.verdict, first(&found)), (Verdict::Named, "cross-coupling"), "{}", found.says);
+    let [low, _, high] = value(&found, "c");
+    let pull = -42000.0 * 9.81;
+    assert!(low < pull && pull < high, "{low} to {high}");
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}
