@@ -88,7 +88,7 @@ fn drop_needless(bench: &Bench, separate: &[Recording], found: &mut Found) {
 }
 
 /// The last model without each finding; the model as given where there is one.
-fn each(bench: &Bench, found: &Found) -> Vec<Option<Without>> {
+pub fn each(bench: &Bench, found: &Found) -> Vec<Option<Without>> {
     let scale = found.scale();
     let measured = |fit: Fit| -> Without {
         let measure = Measure::of(&fit, &scale);

@@ -40,7 +40,11 @@ pub fn settle(bench: &Bench, separate: &[Recording], found: &mut Found, progress
         if found.taken.len() < 2 || is_over(bench) {
             break;
         }
-        is_other |= settled(bench, found, i, progress).unwrap_or(false);
+        if settled(bench, found, i, progress).unwrap_or(false) {
+            // what stands in the place of the next one stands beside this
+            found.without = backward::each(bench, found);
+            is_other = true;
+        }
     }
     if is_other {
         backward::stand(bench, separate, found);

@@ -76,8 +76,18 @@ fn a_root_of_a_difference_over_a_time() {
         [0.9 * d / (d.abs() + 1e-4).sqrt()]
     });
     let inside: Vec<f64> = states.iter().map(|x| x[0]).collect();
-    for rate in ["(outside - h)/T", "outside/T - h/T", "-h/T + outside/T"] {
+    let definition = "[definitions]\nhead = { equals = \"outside - h\", unit = \"m\" }\n[states]";
+    let gain = "[parameters]\nK = { value = 1.2, unit = \"1\", fit = true }";
+    let forms = [
+        ("(outside - h)/T", "[states]", "[parameters]"),
+        ("outside/T - h/T", "[states]", "[parameters]"),
+        ("-h/T + outside/T", "[states]", "[parameters]"),
+        ("head/T", definition, "[parameters]"),
+        ("(K*outside - h)/T", "[states]", gain),
+    ];
+    for (rate, states, parameters) in forms {
         let model = model.replace("(outside - h)/T", rate);
+        let model = model.replace("[states]", states).replace("[parameters]", parameters);
         let answer = told(&model, &[("outside", "m", inputs(), 0.0), ("inside", "m", inside.clone(), 0.01)]);
         let found = named(&answer);
         assert!(

@@ -45,12 +45,12 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
     for m in scene.motions() {
         let rate = scene.model.states.iter().find(|s| s.name == m.state).map(|s| &s.rate);
-        let terms = rate.map(|r| terms(scene, r)).unwrap_or_default();
+        let own = m.speed.as_ref().unwrap_or(&m.state);
+        let terms = rate.map(|r| terms(scene, own, r)).unwrap_or_default();
         for term in &terms {
-            let driver = driver(scene, &m, term);
+            let driver = driver(scene, own, term);
             all.extend(driver.and_then(|x| at(scene, &m, term, &x)));
         }
-        let own = m.speed.as_ref().unwrap_or(&m.state);
         if !terms.iter().any(|t| t.mentions(own)) {
             all.extend(alone(scene, &m, own));
         }
@@ -59,13 +59,14 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     all
 }
 
-/// The laws of a rate: the terms of its sum, and the differences of two levels in it.
-fn terms(scene: &Scene, rate: &Expr) -> Vec<Expr> {
+/// The laws of a rate of a speed or level: the terms of its sum, and the differences with it in that.
+fn terms(scene: &Scene, own: &str, rate: &Expr) -> Vec<Expr> {
     let (whole, sum) = (edit::opened(scene.model, rate), edit::sum_of(scene.model, rate));
+    let is_difference = |e: &Expr| is_difference(scene, e, own);
     let mut within = Vec::new();
-    differences(sum, &mut within);
+    differences(sum, &is_difference, &mut within);
     let mut all = edit::laws_of(scene.model, sum);
-    all.retain(|t| !matches!(t, Expr::Name(n) if within.iter().any(|d| d.mentions(n))));
+    all.retain(|t| !matches!(t, Expr::Name(n) if within.iter().any(|d| reaches(scene, d, n))));
     if is_difference(sum) {
         within = vec![whole.clone()];
     }
@@ -73,21 +74,40 @@ fn terms(scene: &Scene, rate: &Expr) -> Vec<Expr> {
     all
 }
 
-/// The difference of two names.
-fn is_difference(e: &Expr) -> bool {
-    let Expr::Binary(BinaryOp::Sub, a, b) = e else { return false };
-    [a, b].into_iter().all(|e| matches!(**e, Expr::Name(_)))
+fn reaches(scene: &Scene, e: &Expr, name: &str) -> bool {
+    edit::reaches(scene.model, e, name)
+}
+
+/// Whether an expression, or the definition that it names, is the difference of a speed or level and one signal, which
+/// parameters may multiply.
+fn is_difference(scene: &Scene, e: &Expr, own: &str) -> bool {
+    let (a, b) = match e {
+        Expr::Binary(BinaryOp::Sub, a, b) => (&**a, &**b),
+        Expr::Name(n) => {
+            let defined = scene.model.definitions.iter().find(|d| d.name == *n);
+            return defined.is_some_and(|d| is_difference(scene, &d.equals, own));
+        }
+        _ => return false,
+    };
+    let other = if *a == Expr::name(own) { b } else { a };
+    let is_parameter = |n: &str| scene.model.parameters.iter().any(|p| p.name == n);
+    let is_one = |f: &&Expr| matches!(f, Expr::Name(n) if !is_parameter(n));
+    let parts = factors(other);
+    let is_known = |f: &&Expr| matches!(f, Expr::Number(_) | Expr::Name(_));
+    [a, b].contains(&&Expr::name(own))
+        && parts.iter().all(|f| is_known(&f))
+        && (parts.iter().filter(|f| is_one(f)).count() == 1 || parts.len() == 1)
 }
 
 /// The differences that are terms of a sum.
-fn differences(sum: &Expr, all: &mut Vec<Expr>) {
+fn differences(sum: &Expr, is_difference: &dyn Fn(&Expr) -> bool, all: &mut Vec<Expr>) {
     match sum {
-        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) if !is_difference(sum) => {
-            differences(a, all);
-            differences(b, all);
-        }
-        Expr::Neg(a) => differences(a, all),
         e if is_difference(e) => all.push(e.clone()),
+        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
+            differences(a, is_difference, all);
+            differences(b, is_difference, all);
+        }
+        Expr::Neg(a) => differences(a, is_difference, all),
         _ => {}
     }
 }
@@ -114,8 +134,7 @@ fn powered(factor: &Expr) -> (&Expr, f64) {
 
 /// What drives a term c·x, c·x·|x| or the like: the state's own speed or level, or a difference with it; all other factors
 /// are parameters.
-fn driver(scene: &Scene, m: &Motion, term: &Expr) -> Option<Driver> {
-    let own = m.speed.as_ref().unwrap_or(&m.state);
+fn driver(scene: &Scene, own: &str, term: &Expr) -> Option<Driver> {
     let is_parameter = |e: &Expr| {
         matches!(e, Expr::Number(_))
             || matches!(e, Expr::Name(n) if scene.model.parameters.iter().any(|p| p.name == *n))
@@ -126,7 +145,7 @@ fn driver(scene: &Scene, m: &Motion, term: &Expr) -> Option<Driver> {
         return None;
     }
     let power = others.iter().map(|f| powered(f).1).sum();
-    let fits = *x == Expr::name(own) || is_difference(x) && x.mentions(own);
+    let fits = *x == Expr::name(own) || is_difference(scene, x, own);
     fits.then(|| Driver { x: x.clone(), factor: others[0].clone(), power })
 }
 
