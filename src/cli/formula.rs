@@ -114,6 +114,12 @@ pub fn run(call: &FormulaCall) -> Result<Outcome> {
     let known = values::letters(&derivation, &simplifier, printed.as_ref());
     let given = call.values.as_deref().map(|text| values::read(text, &known)).transpose()?;
     call.derivatives.iter().try_for_each(|symbol| known_letter(symbol, &known))?;
+    if let Some(name) = call.name.as_ref().filter(|name| known.iter().any(|k| k == *name)) {
+        return Err(Error::usage(format!(
+            "`{name}` is a symbol of the formula: its result cannot have that name"
+        ))
+        .with_hint("give --name another name"));
+    }
     let derived = formula(&derivation, &simplifier)?;
     let mut shown = vec![derived.formula.clone()];
     for symbol in &call.derivatives {

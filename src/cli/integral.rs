@@ -177,6 +177,10 @@ fn numbers(text: &str) -> Result<Vec<f64>> {
     if text.trim().is_empty() {
         return Ok(Vec::new());
     }
+    if let Some(word) = may_be_decimal(text) {
+        return Err(Error::bad_input(format!("`{word}` is one number with a decimal comma, or two"))
+            .with_hint("write a point for decimals, 1.5, and a blank after a comma that separates numbers"));
+    }
     let mut all = Vec::new();
     for part in text.split(',') {
         let before = all.len();
@@ -188,6 +192,17 @@ fn numbers(text: &str) -> Result<Vec<f64>> {
         }
     }
     Ok(all)
+}
+
+/// A word with a comma between digits where blanks separate numbers too.
+fn may_be_decimal(text: &str) -> Option<&str> {
+    let is_digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
+    let tight = |word: &&str| {
+        let parts: Vec<&str> = word.split(',').collect();
+        parts.windows(2).any(|w| is_digit(w[0].chars().last()) && is_digit(w[1].chars().next()))
+    };
+    let by_blanks = text.split(',').any(|part| part.split_whitespace().count() > 1);
+    text.split_whitespace().find(tight).filter(|_| by_blanks)
 }
 
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";

@@ -4,8 +4,8 @@ use super::output::{self, Place};
 use super::progress::Meter;
 use crate::model::Model;
 use crate::record::{Recording, Source, read_once};
-use crate::{Asking, Result};
-use std::path::PathBuf;
+use crate::{Asking, Error, Result};
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The arguments.
@@ -84,6 +84,9 @@ impl Task {
         read_once(
             [&self.model].into_iter().chain(&self.recordings).chain(&self.holdout).map(PathBuf::as_path),
         )?;
+        if outputs.model.as_ref().is_some_and(Place::is_in_place) {
+            spare_comments(&self.model)?;
+        }
         let (model, source) = Model::read_with_source(&self.model)?;
         let read =
             |files: &[PathBuf]| files.iter().map(|f| model.read_recording(f)).collect::<Result<Vec<_>>>();
@@ -93,6 +96,31 @@ impl Task {
         output::spare(outputs.places(), inputs.files())?;
         Ok(inputs)
     }
+}
+
+/// Refuses to write a model over itself where it has comments: what is written has none.
+fn spare_comments(model: &Path) -> Result<()> {
+    let text = std::fs::read_to_string(model).unwrap_or_default();
+    match text.lines().position(has_comment) {
+        Some(at) => Err(Error::usage("this model has comments, and a model that is written has none")
+            .with_file(model)
+            .with_line(at + 1)
+            .with_hint("name another file for --model-out, or say it by meaning = \"…\", which is kept")),
+        None => Ok(()),
+    }
+}
+
+/// Whether a line of TOML has a comment: a # outside quotes.
+fn has_comment(line: &str) -> bool {
+    let mut quote = None;
+    line.chars().any(|c| {
+        match quote {
+            Some(q) if q == c => quote = None,
+            None if c == '"' || c == '\'' => quote = Some(c),
+            _ => {}
+        }
+        quote.is_none() && c == '#'
+    })
 }
 
 impl Inputs {

@@ -163,14 +163,12 @@ impl Assembly<'_> {
         };
         budget.begin("pictures");
         let pictures = pictures::gather(&self);
+        let tidy = inert::tidied(self.found.last.model.clone(), self.request.model);
         Ok(Diagnosis {
             answer,
             pictures,
             before: self.found.base,
-            after: Fit {
-                model: inert::tidied(self.found.last.model.clone(), self.request.model),
-                ..self.found.last
-            },
+            after: Fit { model: inert::settled(tidy, &self.found.taken), ..self.found.last },
             held: (before, after),
             recordings: self.bench.recordings,
         })

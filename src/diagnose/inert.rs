@@ -1,6 +1,7 @@
 //! A model in which one of its findings does nothing.
 
-use super::catalogue::{Proposal, edit};
+use super::catalogue::{Proposal, edit, free_law};
+use super::search::Taken;
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::model::{Model, Parameter};
 use std::collections::{BTreeSet, HashMap};
@@ -106,6 +107,14 @@ fn folded(e: Expr, idle: &[String]) -> Expr {
 pub fn kept<T: Copy>(model: &Model, larger: &Model, values: &[T]) -> Vec<T> {
     let has = |name: &String| model.states.iter().any(|s| s.name == *name);
     larger.states.iter().zip(values).filter(|(s, _)| has(&s.name)).map(|(_, v)| *v).collect()
+}
+
+/// A model with the heights of its laws known: they trade with parameters beside them, which a further fit then tells.
+pub fn settled(mut model: Model, taken: &[Taken]) -> Model {
+    let laws = taken.iter().filter(|t| t.proposal.code == free_law::CODE).flat_map(|t| &t.proposal.added);
+    let heights: Vec<&String> = laws.map(|a| &a.name).collect();
+    model.parameters.iter_mut().filter(|p| heights.contains(&&p.name)).for_each(|p| p.fit = false);
+    model
 }
 
 #[cfg(test)]

@@ -27,15 +27,19 @@ pub fn peaks(fit: &Fit) -> Vec<f64> {
         let step = (series.time[longest.end - 1] - series.time[longest.start]) / (longest.len() - 1) as f64;
         let power = spectrum(&series.residual[longest.clone()]);
         let width = (power.len() / 50).max(8);
+        // the level about a line hardly changes over an eighth of the window that it is taken from
+        let stride = (width / 8).max(1);
+        let mut level = (usize::MAX, 0.0);
         for k in 2..power.len().saturating_sub(2) {
-            let window = &power[k.saturating_sub(width)..(k + width).min(power.len())];
-            let mut sorted = window.to_vec();
-            sorted.sort_unstable_by(f64::total_cmp);
-            let level = sorted[sorted.len() / 2];
+            if k / stride != level.0 {
+                let middle = k / stride * stride + stride / 2;
+                let window = middle.saturating_sub(width)..(middle + width).min(power.len());
+                level = (k / stride, median(power[window].to_vec()));
+            }
             let top = power[k] >= power[k - 1] && power[k] >= power[k + 1];
-            if top && power[k] > 12.0 * level {
+            if top && power[k] > 12.0 * level.1 {
                 let w = std::f64::consts::TAU * k as f64 / (2.0 * power.len() as f64 * step);
-                found.push((power[k] / level, w));
+                found.push((power[k] / level.1, w));
             }
         }
     }
@@ -98,8 +102,8 @@ fn large(series: &Series) -> Vec<Span> {
 }
 
 fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_unstable_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
+    let middle = values.len() / 2;
+    if values.is_empty() { 0.0 } else { *values.select_nth_unstable_by(middle, f64::total_cmp).1 }
 }
 
 /// A span of some samples; that of a single one reaches half-way to its neighbours, as far as the next step

@@ -65,6 +65,7 @@ use assemble::Assembly;
 use bench::Bench;
 use compared::Cut;
 use faults::{Cleaned, Left, Spoiled};
+use measure::Measure;
 use namesakes::Namesakes;
 use prove::Held;
 use search::Found;
@@ -328,6 +329,20 @@ impl Case<'_> {
             walk::search(&self.bench, &self.separate, base, (&given, None), self.request.progress)?;
         backward::stand(&self.bench, &self.separate, &mut found);
         beside::settle(&self.bench, &self.separate, &mut found, self.request.progress);
+        self.rests(&mut found);
         Ok(found)
+    }
+
+    /// Ends the last fit from all reasoned starts where a law with corners was found: a walk may stop at a corner.
+    fn rests(&self, found: &mut Found) {
+        let is_cornered = found.taken.iter().any(|t| t.proposal.has_corners());
+        if !is_cornered || search::is_over(&self.bench) {
+            return;
+        }
+        let Ok(fit) = self.bench.full_fit(&found.last.model) else { return };
+        if found.scale.squares(&fit) < found.scale.squares(&found.last) {
+            found.last = fit;
+            found.measures.1 = Measure::of(&found.last, &found.scale);
+        }
     }
 }

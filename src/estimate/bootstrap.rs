@@ -13,7 +13,8 @@
 //! Reviews 23 (2004) 53-70, corrected 28 (2009) 372-375.
 //!
 //! # Numerical aspects
-//! Sums over blocks come from running totals: a draw costs the number of blocks, not of samples.
+//! Sums over blocks come from running totals: a draw costs the number of blocks, not of samples. There are so many blocks at
+//! most that the interval's own ends are known to two per cent of it; longer ones than the memory asks for are as valid.
 
 use super::noise::correlation_time;
 use crate::spectrum::Interval;
@@ -56,6 +57,8 @@ pub fn improvement(before: &[&[f64]], after: &[&[f64]], seed: u64) -> Interval {
 }
 
 const DRAWS: usize = 2000;
+/// Blocks in a draw, at most: the standard error of a deviation from so many is 1/√(2·2000).
+const BLOCKS: usize = 2000;
 
 fn running_totals(squares: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut totals = vec![(0.0, 0.0)];
@@ -74,7 +77,7 @@ fn block_length(squares: &[(f64, f64)]) -> usize {
     let memory = correlation_time(&[&difference]);
     let ratio = (memory * memory - 1.0) / (2.0 * memory);
     let length = (1.5 * ratio * ratio * n).cbrt().max(memory);
-    (length.ceil() as usize).clamp(1, (squares.len() / 5).max(1))
+    (length.ceil() as usize).clamp(squares.len().div_ceil(BLOCKS), (squares.len() / 5).max(1))
 }
 
 /// The two sums over one draw of n samples in circular blocks.

@@ -196,6 +196,12 @@ impl Function {
         matches!(self, Self::Lag | Self::Backlash | Self::Hysteresis | Self::RateLimit)
     }
 
+    /// Whether its value, or that of its slope, jumps somewhere.
+    pub fn has_corners(self) -> bool {
+        let jumps = matches!(self, Self::Sign | Self::Min | Self::Max | Self::Step | Self::Clamp);
+        jumps || self.has_memory() && !matches!(self, Self::Delay | Self::Lag)
+    }
+
     /// Whether its value depends on the past of its first argument.
     pub fn has_memory(self) -> bool {
         matches!(

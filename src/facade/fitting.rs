@@ -4,13 +4,15 @@ use super::asking::Asking;
 use crate::Result;
 use crate::diagnose::Request;
 use crate::estimate::fit::{
-    self as estimate, Fit, FitOptions, HeldOut, ResidualSpectrum, Status, residual_spectra,
+    self as estimate, Fit, FitOptions, HeldOut, ResidualSpectrum, Status, Warning, residual_spectra,
 };
 use crate::estimate::{Correlation, correlations};
 use crate::model::Model;
-use crate::record::{Recording, Source};
+use crate::record::quality::outliers;
+use crate::record::{Kind, Recording, Source};
 use crate::report::fit::{FitReport, json, page, text};
 use crate::simulate::Budget;
+use crate::units::counted;
 use std::borrow::Cow;
 use std::fmt;
 use std::path::Path;
@@ -64,6 +66,8 @@ impl<'a> Fitting<'a> {
         if fit.ended_early.is_none() {
             estimate::ascertain(&mut fit, &recordings, &options)?;
         }
+        let more: Vec<Warning> = strays(model, &recordings).chain(says_nothing(&fit, &recordings)).collect();
+        fit.warnings.extend(more);
         let held_out = estimate::holdout(&fit, &recordings, &separate, &options.without_limit())?;
         let spectra = residual_spectra(&fit);
         let correlations = correlations(&fit, &recordings);
@@ -72,6 +76,39 @@ impl<'a> Fitting<'a> {
             source.cloned().unwrap_or_else(|| Source::of(Path::new("model"), model.to_toml().as_bytes()));
         Ok(Fitted { fit, source, held_out, spectra, correlations, recordings, separate, seed })
     }
+}
+
+/// Samples of outputs that stand far off alone: a fit takes them as they are.
+fn strays<'a>(model: &'a Model, recordings: &'a [Recording]) -> impl Iterator<Item = Warning> + 'a {
+    let both = move |r: &'a Recording| model.outputs.iter().filter_map(move |o| Some((r, r.find(&o.name)?)));
+    recordings.iter().filter(|r| r.kind == Kind::Time).flat_map(both).filter_map(|(r, channel)| {
+        let fault = outliers(channel).filter(|f| f.sure)?;
+        let (samples, name) = (counted(fault.samples, "sample"), &channel.name);
+        let message = format!(
+            "{samples} of `{name}` in '{}' stand far off alone, the first at {} s, and are fitted as they are: leave \
+             cells without a measurement empty; `gyrospec diagnose` leaves them out by itself",
+            r.name,
+            fault.spans.first()?.from
+        );
+        Some(Warning { message })
+    })
+}
+
+/// Outputs of which a fitted model says nothing: its error is as large as they move.
+fn says_nothing<'a>(fit: &'a Fit, recordings: &'a [Recording]) -> impl Iterator<Item = Warning> + 'a {
+    fit.model.outputs.iter().zip(&fit.rmse).filter_map(|(o, rmse)| {
+        let values = recordings.iter().filter_map(|r| r.find(&o.name)).flat_map(|c| c.samples());
+        let (count, sum, squares) =
+            values.fold((0.0, 0.0, 0.0), |(n, s, q), (_, v)| (n + 1.0, s + v, q + v * v));
+        let spread = (squares / count - (sum / count).powi(2)).max(0.0).sqrt();
+        (*rmse > spread && spread > 0.0).then(|| Warning {
+            message: format!(
+                "the fitted model says nothing of `{}`: its error is as large as that moves; start its parameters \
+                 nearer to the instrument's, or give them bounds",
+                o.name
+            ),
+        })
+    })
 }
 
 /// A fitted model; see [`fit`].

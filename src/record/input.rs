@@ -96,7 +96,7 @@ impl Input {
             start if is_latin(start) => Some(encoding_rs::WINDOWS_1252),
             _ => None,
         };
-        let Some(encoding) = encoding else { return Ok(self) };
+        let Some(encoding) = encoding else { return Ok(self.with_line_feeds()) };
         let mut decoder = encoding.new_decoder_with_bom_removal();
         let is_last = self.is_whole();
         self.start = decoded(&mut decoder, &self.start, is_last && self.failed.is_none());
@@ -104,7 +104,15 @@ impl Input {
         self.returns = ends_with_returns(&self.start);
         self.decoder = Some(decoder).filter(|_| !is_last);
         self.coded = Some(format!("read as {}", encoding.name()));
-        Ok(self)
+        Ok(self.with_line_feeds())
+    }
+
+    /// The same, lone carriage returns of its first bytes turned already: how it is written is told from these.
+    fn with_line_feeds(mut self) -> Self {
+        if self.returns {
+            self.start.iter_mut().filter(|b| **b == b'\r').for_each(|b| *b = b'\n');
+        }
+        self
     }
 
     /// What is to be said of what was turned into text.

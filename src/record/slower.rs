@@ -7,13 +7,14 @@
 use super::Channel;
 use std::sync::Arc;
 
-/// So many samples tell a pace.
-const FEWEST: usize = 8;
+/// So many samples tell a pace; fewer, down to the second, where every step is at it and they fill the table.
+const FEWEST: (usize, usize) = (8, 3);
 /// The share of the steps, in per cent, that must be at the pace.
 const STEADY: usize = 90;
 
 /// The channel, without the blanks between its samples where these come at a pace of two rows or more: nine of ten steps
-/// are two rows or longer, and within one row, or a tenth, of the median.
+/// are two rows or longer, and within one row, or a tenth, of the median; of fewer than eight samples all, from the first rows
+/// of the table to its last.
 ///
 /// ```
 /// use gyrospec::{record::{Channel, at_its_pace}, units::Unit};
@@ -26,14 +27,16 @@ const STEADY: usize = 90;
 #[must_use]
 pub fn at_its_pace(channel: Channel) -> Channel {
     let rows: Vec<usize> = (0..channel.values.len()).filter(|i| !channel.values[*i].is_nan()).collect();
-    if rows.len() < FEWEST || rows.len() * 2 > channel.values.len() + 1 {
+    if rows.len() < FEWEST.1 || rows.len() * 2 > channel.values.len() + 1 {
         return channel;
     }
     let mut steps: Vec<usize> = rows.windows(2).map(|w| w[1] - w[0]).collect();
     let middle = steps.len() / 2;
     let pace = *steps.select_nth_unstable(middle).1;
     let near = |step: &&usize| **step > 1 && step.abs_diff(pace) <= (pace / 10).max(1);
-    if pace < 2 || steps.iter().filter(near).count() * 100 < steps.len() * STEADY {
+    let steady = if rows.len() < FEWEST.0 { 100 } else { STEADY };
+    let fills = rows.len() >= FEWEST.0 || rows.len() * pace + pace > channel.values.len();
+    if pace < 2 || !fills || steps.iter().filter(near).count() * 100 < steps.len() * steady {
         return channel;
     }
     let time: Arc<[f64]> = rows.iter().map(|i| channel.time[*i]).collect();

@@ -130,6 +130,11 @@ impl Place {
         self
     }
 
+    /// Whether the result replaces the file that was read and may be.
+    pub fn is_in_place(&self) -> bool {
+        self.replaces.is_some() && self.replaces == self.identity
+    }
+
     /// Whether the result goes to standard output, so that nothing else may.
     pub fn is_standard_output(&self) -> bool {
         matches!(self.way, Way::StandardOutput)

@@ -121,6 +121,13 @@ impl Proposal {
         edit::find(&term, &is_turned).is_some()
     }
 
+    /// Whether its term has corners: a sign, a stop, a play.
+    pub fn has_corners(&self) -> bool {
+        let Ok(term) = Expr::parse(&self.term) else { return false };
+        let bends = |e: &Expr| matches!(e, Expr::Call(f, _) if f.has_corners());
+        edit::find(&term, &bends).is_some()
+    }
+
     /// Whether its effect is a single force that may have one sign alone.
     pub fn is_one_sided(&self) -> bool {
         match self.amplitudes.as_slice() {

@@ -66,7 +66,9 @@ impl Rows {
 
     /// Takes a line without its end; `ended` tells whether it had one.
     pub(super) fn line(&mut self, line: &[u8], number: usize, ended: bool) -> Result<()> {
-        if line.is_empty() && self.names.len() > 1 {
+        // a spreadsheet leaves rows of separators alone below its table
+        let is_bare = self.time.is_some() && line.iter().all(|b| matches!(b, b',' | b' '));
+        if (line.is_empty() || is_bare) && self.names.len() > 1 {
             self.blank.get_or_insert(number);
             return Ok(());
         }
