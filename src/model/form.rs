@@ -107,11 +107,11 @@ impl<'a> Form<'a> {
     }
 
     fn wrong(&self, f: &Field<'_>, wanted: &str) -> Error {
-        let found = f.value.type_str();
-        let e = Error::bad_input(format!(
-            "{} must be {wanted}, not a value of type {found}",
-            self.path_of(f.key)
-        ));
+        let found = match f.value {
+            DeValue::Float(x) => x.as_str().to_owned(),
+            other => format!("a value of type {}", other.type_str()),
+        };
+        let e = Error::bad_input(format!("{} must be {wanted}, not {found}", self.path_of(f.key)));
         self.text.at(e, &f.span)
     }
 

@@ -22,6 +22,12 @@ const STEADY: usize = 90;
 /// let values = (0..60).map(|i| if i % 3 == 0 { f64::from(i) } else { f64::NAN }).collect();
 /// let slower = at_its_pace(Channel::new("level", Unit::parse("m")?, time, values));
 /// assert_eq!((slower.len(), slower.time[1], slower.values[1]), (20, 3.0, 3.0));
+/// // five samples that fill a table are as slow; five at its beginning are an output that ends
+/// let of = |every: usize| {
+///     let kept = move |i: usize| if i % every == 0 && i / every < 5 { 1.0 } else { f64::NAN };
+///     at_its_pace(Channel::new("level", Unit::one(), (0..60).map(f64::from).collect::<Vec<_>>(), (0..60).map(kept).collect()))
+/// };
+/// assert_eq!((of(12).len(), of(3).len()), (5, 60));
 /// # Ok::<(), gyrospec::Error>(())
 /// ```
 #[must_use]

@@ -2,6 +2,7 @@
 
 use super::{OutputSignal, Simulator, Trajectory};
 use crate::record::principal;
+use crate::units::figure;
 
 /// What the user should know about the run though it went on.
 pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
@@ -21,9 +22,10 @@ pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
         && to - from < slowest
     {
         out.push(format!(
-            "the recording ({:.4} s) is shorter than the model's longest time constant ({slowest:.4} s): \
-             what is slow in it cannot be seen",
-            to - from
+            "the recording ({} s) is shorter than the model's longest time constant ({} s): what is slow in it \
+             cannot be seen",
+            figure(to - from),
+            figure(slowest)
         ));
     }
     if ran.solver_error > 1e-3 && ran.blew_up.is_none() {

@@ -337,3 +337,17 @@ fn a_name_with_its_unit_is_found_by_either() {
     let r = read(b"t_s,x_mm,x_m\n0,1,2\n1,2,3\n").unwrap();
     assert_eq!((r.channel("x_mm").unwrap().values[0], r.channel("x_m").unwrap().values[0]), (1e-3, 2.0));
 }
+
+#[test]
+fn lone_carriage_returns_end_lines_between_semicolons_too() {
+    gives_the_force("semicolons", b"t [s];F [N]\r0;1,5\r0,5;-1234,5\r1;0,25\r", "F");
+    gives_the_force("commas", b"t [s],F [N]\r0,1.5\r0.5,-1234.5\r1,0.25\r", "F");
+}
+
+#[test]
+fn rows_of_separators_alone_end_a_table_and_part_none() {
+    gives_the_force("below", b"t [s],F [N]\n0,1.5\n0.5,-1234.5\n1,0.25\n,\n,\n", "F");
+    gives_the_force("semicolons", b"t [s];F [N]\n0;1,5\n0,5;-1234,5\n1;0,25\n;\n;\n", "F");
+    let e = read(b"t [s],F [N]\n0,1.5\n,\n1,0.25\n").unwrap_err().to_string();
+    assert!(e.contains(":3:") && e.contains("rows follow"), "{e}");
+}

@@ -474,3 +474,36 @@ fn ladder_ship_gyrocompasses() {
         assert!((late - 0.46).abs() <= 0.03, "{late}");
     }
 }
+
+/// Gain a of y = a u, at least 1/2.
+const GAIN: &str = r#"
+    name = "gain"
+    [inputs]
+    u = { unit = "V" }
+    [parameters]
+    a = { value = 1, unit = "1", fit = true, min = 0.5 }
+    [outputs]
+    y = { equals = "a*u", unit = "V" }
+"#;
+
+#[test]
+fn a_fit_says_what_it_took_as_it_is_and_where_it_says_nothing() {
+    let time = clock(400, 0.1);
+    let u: Vec<f64> = time.iter().map(|t| (0.7 * t).sin() + (0.31 * t).cos()).collect();
+    let told = |a: f64, stray: f64| -> Vec<String> {
+        let mut y: Vec<f64> = u.iter().zip(noise(400, 0.01, 0.0, 4)).map(|(u, e)| a * u + e).collect();
+        y.iter_mut().skip(30).step_by(90).for_each(|y| *y += stray);
+        let channel = |name: &str, values: Vec<f64>| Channel::new(name, unit("V"), time.clone(), values);
+        let recording =
+            Recording::from_channels("bench", vec![channel("u", u.clone()), channel("y", y)]).unwrap();
+        let model = Model::parse(GAIN).unwrap();
+        let recordings = [recording];
+        let fitted = gyrospec::fit(&model, &recordings).run().unwrap();
+        fitted.warnings().map(str::to_owned).collect()
+    };
+    assert_eq!(told(2.0, 0.0), Vec::<String>::new());
+    let strays = told(2.0, -9999.0);
+    assert!(strays.iter().any(|w| w.contains("5 samples of `y`")), "{strays:?}");
+    let wrong = told(-2.0, 0.0);
+    assert!(wrong.iter().any(|w| w.contains("says nothing of `y`")), "{wrong:?}");
+}

@@ -32,6 +32,9 @@ fn single_answers_have_the_fixed_form() {
         (vec!["--h", "0 1", "--g", "1"], "bad-input", 2),
         (vec!["--h", "1 2 abc", "--g", "1 2"], "bad-input", 2),
         (vec!["--h", "1,,2", "--g", "1"], "bad-input", 2),
+        // a decimal comma, or two numbers
+        (vec!["--h", "1,5 2 3", "--g", "0 1"], "bad-input", 2),
+        (vec!["--h", "1, 2, 3", "--g", "0 1"], "ok", 0),
     ];
     for (arguments, status, code) in cases {
         let output = program(&[&["integral", "--json"], &arguments[..]].concat(), b"");

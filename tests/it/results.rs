@@ -114,6 +114,11 @@ fn no_result_destroys_what_was_read() {
     let fitted = call(root, "fit m.toml r.toml --model-out ./m.toml");
     assert!(fitted.status.success(), "a model may be fitted in place");
     assert!(fs::read_to_string(root.join("m.toml")).unwrap().contains("value = 2.0"));
+    // what is written has no comments
+    let said = MODEL.replace("[outputs]", "# weighed on Monday\n[outputs]").replace("\"m\"", "\"m # 1\"");
+    fs::write(root.join("m.toml"), &said).unwrap();
+    refused(root, "fit m.toml r.toml --model-out m.toml", "comments");
+    assert_eq!(fs::read_to_string(root.join("m.toml")).unwrap(), said);
 }
 
 /// What comes through a redirection is a file too.

@@ -66,7 +66,10 @@ fn terms(scene: &Scene, own: &str, rate: &Expr) -> Vec<Expr> {
     let mut within = Vec::new();
     differences(sum, &is_difference, &mut within);
     let mut all = edit::laws_of(scene.model, sum);
-    all.retain(|t| !matches!(t, Expr::Name(n) if within.iter().any(|d| reaches(scene, d, n))));
+    // a level by itself may have the power where a gain makes up for its scale
+    let is_scaled = |d: &Expr| matches!(d, Expr::Binary(_, a, b) if factors(a).len() + factors(b).len() > 2);
+    let is_part = |n: &str| within.iter().any(|d| !is_scaled(d) && reaches(scene, d, n));
+    all.retain(|t| !matches!(t, Expr::Name(n) if is_part(n)));
     if is_difference(sum) {
         within = vec![whole.clone()];
     }

@@ -5,6 +5,7 @@ use super::harness::Record;
 use super::outcome::Warning;
 use crate::estimate::coordinates::Side;
 use crate::estimate::least_squares::End;
+use crate::units::figure;
 
 impl Assembly<'_> {
     /// All warnings about a minimum that was fitted to so many samples.
@@ -115,8 +116,10 @@ fn too_short(fit: &Assembly<'_>) -> Option<Warning> {
     let (longest, length, name) = worst?;
     Some(Warning {
         message: format!(
-            "the fitted part of '{name}' lasts {length:.3} s, less than the longest time constant \
-             of the model, {longest:.3} s: what acts so slowly is hardly seen"
+            "the fitted part of '{name}' lasts {} s, less than the longest time constant of the \
+             model, {} s: what acts so slowly is hardly seen",
+            figure(length),
+            figure(longest)
         ),
     })
 }
