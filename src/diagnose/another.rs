@@ -29,10 +29,11 @@ use crate::record::Recording;
 /// How much likelier another answer must be, its price paid: odds of e⁵ to 1.
 const SURELY: f64 = 5.0;
 
-/// Whether all that was found is one law that may stand for two, or for another: a loop of hysteresis, or one that surely
-/// leaves another law.
-pub fn may_be_two(found: &Found, answer: &Answer) -> bool {
-    matches!(found.taken.as_slice(), [one] if surely_leaves(answer) || one.proposal.code == "hysteresis")
+/// Whether what was found may stand for something else: one loop of hysteresis for two laws, and any that surely leave
+/// another law.
+pub fn may_be_others(found: &Found, answer: &Answer) -> bool {
+    let is_loop = matches!(found.taken.as_slice(), [one] if one.proposal.code == "hysteresis");
+    is_loop || surely_leaves(answer)
 }
 
 /// What the search finds where it may not begin as it did; none that is not surely likelier.

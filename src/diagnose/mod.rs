@@ -180,6 +180,9 @@ fn trace(budget: &Budget) {
     }
 }
 
+/// Share of the squares that a last walk left up to which another end is another place.
+const ENDED: f64 = 0.99;
+
 /// Times that strays are looked for: where many are taken out, others come to stand apart.
 const PASSES: usize = 2;
 
@@ -258,7 +261,7 @@ impl Case<'_> {
                 free_law::instead(&self.bench, &self.separate, (&found, stands), &given, progress)?;
             best = free_law::beside(best, lawful.map(&assembled).transpose()?, tried);
         }
-        if best.answer.verdict != Verdict::Unknown && !another::may_be_two(&found, &best.answer) {
+        if best.answer.verdict != Verdict::Unknown && !another::may_be_others(&found, &best.answer) {
             return Ok(best);
         }
         let other = another::beginning(&self.bench, &self.separate, &found, &given, progress);
@@ -340,7 +343,7 @@ impl Case<'_> {
             return;
         }
         let Ok(fit) = self.bench.full_fit(&found.last.model) else { return };
-        if found.scale.squares(&fit) < found.scale.squares(&found.last) {
+        if found.scale.squares(&fit) < ENDED * found.scale.squares(&found.last) {
             found.last = fit;
             found.measures.1 = Measure::of(&found.last, &found.scale);
         }

@@ -134,3 +134,86 @@ fn a_recorded_grade_acts_on_the_speed_and_changes_no_constant() {
     assert!(low < pull && pull < high, "{low} to {high}");
     assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
 }
+
+/// A thermoelectric cooler: a current pumps heat from its cold side to its warm one, and warms that by its square.
+const COOLER: Plant<'_> = Plant {
+    step: 2.0,
+    start: &[293.0, 293.0],
+    inputs: &[("I", "A")],
+    states: &[("warm", "K"), ("cold", "K")],
+    sizes: &[(0.0, 3.0)],
+    noise: 0.02,
+    measured: 2,
+};
+const COOLER_MODEL: &str = r#"
+    name = "cooler"
+    [inputs]
+    I = { unit = "A" }
+    [parameters]
+    C = { value = 48, unit = "J/K" }
+    p = { value = 1.5, unit = "W/A", fit = true }
+    K = { value = 0.4, unit = "W/K", fit = true, min = 0 }
+    h = { value = 0.4, unit = "W/K", fit = true, min = 0 }
+    Ta = { value = 293, unit = "K" }
+    [states]
+    warm = { rate = "(p*I - K*(warm - cold) - h*(warm - Ta))/C", unit = "K", initial = "fit" }
+    cold = { rate = "(K*(warm - cold) - p*I - h*(cold - Ta))/C", unit = "K", initial = "fit" }
+    [outputs]
+    warm_meas = { equals = "warm", unit = "K" }
+    cold_meas = { equals = "cold", unit = "K" }
+"#;
+
+#[test]
+fn a_current_heats_by_its_square_beside_what_it_pumps() {
+    let of = |r: f64| {
+        COOLER.diagnosed(COOLER_MODEL, |x, u| {
+            let pumped = 2.0 * u[0] - 0.3 * (x[0] - x[1]);
+            let [warm, cold] = [0, 1].map(|k| -0.25 * (x[k] - 293.0));
+            vec![(pumped + r * u[0] * u[0] + warm) / 48.0, (cold - pumped) / 48.0]
+        })
+    };
+    let found = of(0.2);
+    assert_eq!((found.verdict, first(&found)), (Verdict::Named, "cross-coupling"), "{}", found.says);
+    assert!(found.findings[0].term.contains("I^2"), "{}", found.findings[0].term);
+    let [low, _, high] = value(&found, "c");
+    assert!(low < 0.2 && 0.2 < high, "{low} to {high}");
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}
+
+/// A seat of 25 kg on a spring that hardens, pushed by a drive that gives 330 N at most.
+const SEAT: Plant<'_> = Plant {
+    step: 0.01,
+    start: &[0.0, 0.0],
+    inputs: &[("F", "N")],
+    states: &[("x", "m"), ("v", "m/s")],
+    sizes: &[(0.0, 400.0)],
+    noise: 0.02,
+    measured: 1,
+};
+const SEAT_MODEL: &str = r#"
+    name = "seat"
+    [inputs]
+    F = { unit = "N" }
+    [parameters]
+    m = { value = 25, unit = "kg" }
+    d = { value = 100, unit = "N*s/m", fit = true, min = 0, max = 5000 }
+    k = { value = 9000, unit = "N/m", fit = true, min = 100, max = 1000000 }
+    [states]
+    x = { rate = "v", unit = "m", initial = 0 }
+    v = { rate = "(F - d*v - k*x)/m", unit = "m/s", initial = 0 }
+    [outputs]
+    x_meas = { equals = "x", unit = "m" }
+"#;
+
+/// A spring that hardens and a force that saturates look like one that a force softens, at first.
+#[test]
+fn a_limit_of_a_force_beside_a_spring_that_hardens() {
+    let found = SEAT.diagnosed(SEAT_MODEL, |x, u| {
+        let force = u[0].clamp(-330.0, 330.0) - 160.0 * x[1] - 11500.0 * x[0] - 3.2e6 * x[0].powi(3);
+        vec![x[1], force / 25.0]
+    });
+    let mut names: Vec<&str> = found.findings.iter().map(|f| f.code.as_str()).collect();
+    names.sort_unstable();
+    assert_eq!(names, ["cubic-stiffness", "input-saturation"], "{}", found.says);
+    assert!(matches!(found.verdict, Verdict::Named | Verdict::Tie), "{}", found.says);
+}

@@ -159,17 +159,23 @@ fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Propos
 }
 
 /// A channel that acts as it is recorded: in proportion though its mean outweighs its motion, by its square, and by that
-/// against the side from which it comes.
+/// against the side from which it comes. An input that acts times something may do so by its square beside, as a current heats.
 fn unaltered(scene: &Scene, m: &Motion, signal: &Signal) -> Vec<Proposal> {
     let (u, mean) = (&signal.name, signal.mean.abs() / signal.spread);
     let state = scene.model.states.iter().find(|s| s.name == m.state);
     let is_there = state.is_none_or(|s| edit::reaches(scene.model, &s.rate, u));
-    if signal.kind != SignalKind::Channel || is_there {
+    let is_other = signal.kind == SignalKind::Channel && !is_there;
+    // where it stands alone, and nowhere else, its own square is `input-square`
+    let model = scene.model;
+    let rates = model.states.iter().map(|s| &s.rate).chain(model.outputs.iter().map(|o| &o.equals));
+    let is_once = rates.filter(|e| edit::reaches(model, e, u)).count() < 2;
+    let is_alone = is_once && state.is_some_and(|s| edit::has_free_term_in(model, &s.rate, u));
+    if !is_other && (signal.kind != SignalKind::Input || is_alone) {
         return Vec::new();
     }
     let laws = [
-        ((CENTRED..CONSTANT).contains(&mean), 1.0, u.clone(), ""),
-        (mean < BENT, 2.0, format!("{u}*abs({u})"), " by its square"),
+        (is_other && (CENTRED..CONSTANT).contains(&mean), 1.0, u.clone(), ""),
+        (is_other && mean < BENT, 2.0, format!("{u}*abs({u})"), " by its square"),
         (mean < 1.0, 2.0, format!("{u}^2"), " by its square, from either side alike"),
     ];
     let of = |power: f64, law: &str, how: &str| {
