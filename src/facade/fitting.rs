@@ -9,7 +9,7 @@ use crate::estimate::fit::{
 use crate::estimate::{Correlation, correlations};
 use crate::model::Model;
 use crate::record::quality::outliers;
-use crate::record::{Kind, Recording, Source};
+use crate::record::{Channel, Kind, Recording, Source};
 use crate::report::fit::{FitReport, json, page, text};
 use crate::simulate::Budget;
 use crate::units::counted;
@@ -97,7 +97,7 @@ fn strays<'a>(model: &'a Model, recordings: &'a [Recording]) -> impl Iterator<It
 /// Outputs of which a fitted model says nothing: its error is as large as they move.
 fn says_nothing<'a>(fit: &'a Fit, recordings: &'a [Recording]) -> impl Iterator<Item = Warning> + 'a {
     fit.model.outputs.iter().zip(&fit.rmse).filter_map(|(o, rmse)| {
-        let values = recordings.iter().filter_map(|r| r.find(&o.name)).flat_map(|c| c.samples());
+        let values = recordings.iter().filter_map(|r| r.find(&o.name)).flat_map(Channel::samples);
         let (count, sum, squares) =
             values.fold((0.0, 0.0, 0.0), |(n, s, q), (_, v)| (n + 1.0, s + v, q + v * v));
         let spread = (squares / count - (sum / count).powi(2)).max(0.0).sqrt();

@@ -98,7 +98,7 @@ fn is_difference(scene: &Scene, e: &Expr, own: &str) -> bool {
     let parts = factors(other);
     let is_known = |f: &&Expr| matches!(f, Expr::Number(_) | Expr::Name(_));
     [a, b].contains(&&Expr::name(own))
-        && parts.iter().all(|f| is_known(&f))
+        && parts.iter().all(is_known)
         && (parts.iter().filter(|f| is_one(f)).count() == 1 || parts.len() == 1)
 }
 

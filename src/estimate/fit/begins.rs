@@ -34,9 +34,10 @@ pub fn begins(
     let parameters = held.parameters.iter().map(|p| p.value).collect();
     let p = problem(&held, &records, parameters, &options);
     let start = given(&p);
-    let initials = match start.is_empty() {
-        true => records[0].initials.clone(),
-        false => p.spread(&minimise(&p, &start, &records[0].reach, options.stopping)?.x).1.swap_remove(0),
+    let initials = if start.is_empty() {
+        records[0].initials.clone()
+    } else {
+        p.spread(&minimise(&p, &start, &records[0].reach, options.stopping)?.x).1.swap_remove(0)
     };
     let [record] = records;
     Ok(Some((held, record, initials)))
