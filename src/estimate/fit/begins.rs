@@ -47,7 +47,7 @@ pub fn begins(
 /// nothing is measured.
 ///
 /// # Errors
-/// As [`begins`].
+/// Where a channel is missing, or the model cannot be run from where it begins.
 pub fn begun_on(
     model: &Model,
     recording: &Recording,
