@@ -3,7 +3,7 @@
 use super::catalogue::Scene;
 use super::foretold;
 use super::measure::after_beginning;
-use super::watch::{LOOKS, Looks, Watched, spread};
+use super::watch::{LOOKS, Looks, Watched, spread, spread_of};
 use crate::estimate::fit::harness::{Record, Unknown};
 use crate::estimate::fit::setup;
 use crate::estimate::fit::{Effort, ascertain};
@@ -160,10 +160,7 @@ impl Bench {
 
     /// Root mean square of a channel about its mean, over all recordings.
     pub fn spread(&self, name: &str) -> f64 {
-        let channels = self.recordings.iter().filter_map(|r| r.find(name));
-        let values: Vec<f64> =
-            channels.flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
-        spread(&values)
+        spread_of(&self.recordings, name)
     }
 
     /// Whether a channel takes more than one value.

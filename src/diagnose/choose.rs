@@ -212,15 +212,10 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let is_likelier = |r: &Refitted| passes(r) && gain(now, r) >= ENOUGH * largest && both(r) > most;
     let is_rival = |i: &usize| near(&round.fitted[*i]) || is_likelier(&round.fitted[*i]);
     let rivals: Vec<usize> = (0..round.fitted.len()).filter(is_rival).collect();
-    let likeliest = rivals
-        .iter()
-        .copied()
-        .max_by(|a, b| worth(&round.fitted[*a]).total_cmp(&worth(&round.fitted[*b])))?;
+    let likelier = |a: &usize, b: &usize| worth(&round.fitted[*a]).total_cmp(&worth(&round.fitted[*b]));
+    let likeliest = rivals.iter().copied().max_by(likelier)?;
     let recorded = |i: &usize| is_recorded_wave(&round.fitted[*i], &round.fitted[likeliest], now);
-    let recorded = rivals.iter().copied().filter(recorded);
-    let likeliest = recorded
-        .max_by(|a, b| worth(&round.fitted[*a]).total_cmp(&worth(&round.fitted[*b])))
-        .unwrap_or(likeliest);
+    let likeliest = rivals.iter().copied().filter(recorded).max_by(likelier).unwrap_or(likeliest);
     let fall = |r: &Refitted| gain(now, r);
     let of = |i: usize| (&round.fitted[i].proposal, &round.fitted[i].measure);
     let alike = |i: usize, to: usize| alike(of(i), of(to), now);

@@ -54,6 +54,8 @@ mod wandering;
 mod watch;
 mod words;
 
+pub(crate) use watch::spread_of;
+
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::{FitOptions, Progress, begun, setup};

@@ -118,6 +118,14 @@ pub fn spread(v: &[f64]) -> f64 {
     rms(&v.iter().map(|x| x - mean).collect::<Vec<_>>())
 }
 
+/// The same of a channel, over all recordings.
+pub fn spread_of(recordings: &[Recording], name: &str) -> f64 {
+    let channels = recordings.iter().filter_map(|r| r.find(name));
+    let values: Vec<f64> =
+        channels.flat_map(|c| c.values.iter().copied()).filter(|v| v.is_finite()).collect();
+    spread(&values)
+}
+
 fn statistics(name: String, kind: SignalKind, unit: crate::units::Unit, v: &[f64], step: f64) -> Signal {
     let n = v.len().max(1) as f64;
     let mean = v.iter().sum::<f64>() / n;

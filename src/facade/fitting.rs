@@ -2,14 +2,14 @@
 
 use super::asking::Asking;
 use crate::Result;
-use crate::diagnose::Request;
+use crate::diagnose::{Request, spread_of};
 use crate::estimate::fit::{
     self as estimate, Fit, FitOptions, HeldOut, ResidualSpectrum, Status, Warning, residual_spectra,
 };
 use crate::estimate::{Correlation, correlations};
 use crate::model::Model;
 use crate::record::quality::outliers;
-use crate::record::{Channel, Kind, Recording, Source};
+use crate::record::{Kind, Recording, Source};
 use crate::report::fit::{FitReport, json, page, text};
 use crate::simulate::Budget;
 use crate::units::counted;
@@ -97,10 +97,7 @@ fn strays<'a>(model: &'a Model, recordings: &'a [Recording]) -> impl Iterator<It
 /// Outputs of which a fitted model says nothing: its error is as large as they move.
 fn says_nothing<'a>(fit: &'a Fit, recordings: &'a [Recording]) -> impl Iterator<Item = Warning> + 'a {
     fit.model.outputs.iter().zip(&fit.rmse).filter_map(|(o, rmse)| {
-        let values = recordings.iter().filter_map(|r| r.find(&o.name)).flat_map(Channel::samples);
-        let (count, sum, squares) =
-            values.fold((0.0, 0.0, 0.0), |(n, s, q), (_, v)| (n + 1.0, s + v, q + v * v));
-        let spread = (squares / count - (sum / count).powi(2)).max(0.0).sqrt();
+        let spread = spread_of(recordings, &o.name);
         (*rmse > spread && spread > 0.0).then(|| Warning {
             message: format!(
                 "the fitted model says nothing of `{}`: its error is as large as that moves; start its parameters \

@@ -8,7 +8,8 @@ use crate::simulate::{Options, OutputSignal, Simulator, Trajectory, warnings};
 use crate::{Error, Result};
 
 /// Asks for a run of a model on the inputs of a recording, at the values of the model file. Initial states that the file
-/// marks `"fit"` begin where the run lies nearest to what was measured; one that nothing measured begins at 0.
+/// marks `"fit"` begin where the run lies nearest to what was measured; one that this does not tell stays
+/// where the search for it begins.
 ///
 /// ```
 /// use gyrospec::{Model, Recording, simulate};

@@ -110,7 +110,7 @@ impl Input {
     /// The same, lone carriage returns of its first bytes turned already: how it is written is told from these.
     fn with_line_feeds(mut self) -> Self {
         if self.returns {
-            self.start.iter_mut().filter(|b| **b == b'\r').for_each(|b| *b = b'\n');
+            turn_returns(&mut self.start);
         }
         self
     }
@@ -207,9 +207,7 @@ impl Read for Input {
             got
         };
         if self.returns {
-            for byte in into[..got].iter_mut().filter(|b| **b == b'\r') {
-                *byte = b'\n';
-            }
+            turn_returns(&mut into[..got]);
         }
         Ok(got)
     }
@@ -225,6 +223,11 @@ fn source(path: &Path) -> io::Result<Box<dyn Read + Send>> {
         return Err(io::Error::other("this is a folder; give a file"));
     }
     Ok(Box::new(file))
+}
+
+/// Carriage returns become line feeds.
+fn turn_returns(bytes: &mut [u8]) {
+    bytes.iter_mut().filter(|b| **b == b'\r').for_each(|b| *b = b'\n');
 }
 
 /// Whether the first line end outside quotes is a carriage return alone.

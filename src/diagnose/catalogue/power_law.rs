@@ -68,17 +68,13 @@ fn terms(scene: &Scene, own: &str, rate: &Expr) -> Vec<Expr> {
     let mut all = edit::laws_of(scene.model, sum);
     // a level by itself may have the power where a gain makes up for its scale
     let is_scaled = |d: &Expr| matches!(d, Expr::Binary(_, a, b) if factors(a).len() + factors(b).len() > 2);
-    let is_part = |n: &str| within.iter().any(|d| !is_scaled(d) && reaches(scene, d, n));
+    let is_part = |n: &str| within.iter().any(|d| !is_scaled(d) && edit::reaches(scene.model, d, n));
     all.retain(|t| !matches!(t, Expr::Name(n) if is_part(n)));
     if is_difference(sum) {
         within = vec![whole.clone()];
     }
     all.extend(within);
     all
-}
-
-fn reaches(scene: &Scene, e: &Expr, name: &str) -> bool {
-    edit::reaches(scene.model, e, name)
 }
 
 /// Whether an expression, or the definition that it names, is the difference of a speed or level and one signal, which
@@ -93,13 +89,12 @@ fn is_difference(scene: &Scene, e: &Expr, own: &str) -> bool {
         _ => return false,
     };
     let other = if *a == Expr::name(own) { b } else { a };
-    let is_parameter = |n: &str| scene.model.parameters.iter().any(|p| p.name == n);
-    let is_one = |f: &&Expr| matches!(f, Expr::Name(n) if !is_parameter(n));
+    let is_signal = |f: &&&Expr| matches!(f, Expr::Name(n) if parameter(scene, n).is_none());
     let parts = factors(other);
     let is_known = |f: &&Expr| matches!(f, Expr::Number(_) | Expr::Name(_));
     [a, b].contains(&&Expr::name(own))
         && parts.iter().all(is_known)
-        && (parts.iter().filter(|f| is_one(f)).count() == 1 || parts.len() == 1)
+        && (parts.iter().filter(is_signal).count() == 1 || parts.len() == 1)
 }
 
 /// The differences that are terms of a sum.
@@ -139,8 +134,7 @@ fn powered(factor: &Expr) -> (&Expr, f64) {
 /// are parameters.
 fn driver(scene: &Scene, own: &str, term: &Expr) -> Option<Driver> {
     let is_parameter = |e: &Expr| {
-        matches!(e, Expr::Number(_))
-            || matches!(e, Expr::Name(n) if scene.model.parameters.iter().any(|p| p.name == *n))
+        matches!(e, Expr::Number(_)) || matches!(e, Expr::Name(n) if parameter(scene, n).is_some())
     };
     let others: Vec<&Expr> = factors(term).into_iter().filter(|f| !is_parameter(f)).collect();
     let x = powered(others.first()?).0;
