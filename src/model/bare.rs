@@ -1,7 +1,7 @@
 //! Tables without units, as simulations write them: a model that knows the units of its signals reads them.
 
 use super::Model;
-use crate::record::{Recording, columns};
+use crate::record::{Raw, Recording, clocks_of, columns};
 use crate::text::toml_string;
 use crate::{Error, Result};
 use std::fmt::Write;
@@ -28,27 +28,31 @@ pub(super) fn read(
         return whole;
     }
     let Ok(raw) = columns(file) else { return whole };
-    let Some(time) = raw.first() else { return whole };
-    // dates and clocks have no unit
-    let clock = raw.iter().find(|c| c.since.is_some()).unwrap_or(time);
-    let unit = if clock.since.is_some() { None } else { Some(time.unit.as_deref().unwrap_or("s")) };
-    let unit = unit.map(|u| format!(", unit = {}", toml_string(u))).unwrap_or_default();
-    let mut text = format!(
-        "name = \"table\"\n[[tables]]\nfile = {}\ntime = {{ column = {}{unit} }}\n[tables.channels]\n",
-        toml_string(&file.to_string_lossy()),
-        toml_string(&clock.name),
-    );
-    for w in wanted {
-        let Some(own) = raw.iter().find(|c| c.name == w.name) else {
-            let there: Vec<&str> = raw.iter().skip(1).map(|c| c.name.as_str()).collect();
-            match absent(&there, &w.name) {
-                Some(e) => return Err(e),
-                None => continue,
-            }
-        };
-        if let Some(unit) = own.unit.as_deref().or(w.unit.as_deref()) {
-            let (name, column) = (toml_string(&w.name), toml_string(&own.name));
-            let _ = writeln!(text, "{name} = {{ column = {column}, unit = {} }}", toml_string(unit));
+    if raw.is_empty() {
+        return whole;
+    }
+    let first = raw.iter().position(|c| c.since.is_some()).unwrap_or(0);
+    let mut text = "name = \"table\"\n".to_owned();
+    for side in clocks_of(&raw, first, |_| false) {
+        // dates and clocks have no unit
+        let clock = &raw[side.clock.unwrap_or(first)];
+        let unit = if clock.since.is_some() { None } else { Some(clock.unit.as_deref().unwrap_or("s")) };
+        let unit = unit.map(|u| format!(", unit = {}", toml_string(u))).unwrap_or_default();
+        let of_side = channels(&raw[side.columns], wanted);
+        if !of_side.is_empty() {
+            let _ = write!(
+                text,
+                "[[tables]]\nfile = {}\ntime = {{ column = {}{unit} }}\n[tables.channels]\n{of_side}",
+                toml_string(&file.to_string_lossy()),
+                toml_string(&clock.name),
+            );
+        }
+    }
+    let there = || raw.iter().skip(1).map(|c| c.name.as_str());
+    let is_there = |w: &&Wanted| there().any(|name| name == w.name);
+    for w in wanted.iter().filter(|w| !is_there(w)) {
+        if let Some(e) = absent(&there().collect::<Vec<_>>(), &w.name) {
+            return Err(e);
         }
     }
     let mut read = Recording::parse(&text, "").or_else(|e| whole.map_err(|_| e))?;
@@ -57,6 +61,17 @@ pub(super) fn read(
         read.sources.remove(0);
     }
     Ok(read)
+}
+
+/// The lines of the wanted columns that are there.
+fn channels(raw: &[Raw], wanted: &[Wanted]) -> String {
+    let own = |w: &Wanted| raw.iter().find(|c| c.name == w.name);
+    let line = |(w, own): (&Wanted, &Raw)| {
+        let unit = own.unit.as_deref().or(w.unit.as_deref())?;
+        let (name, column) = (toml_string(&w.name), toml_string(&own.name));
+        Some(format!("{name} = {{ column = {column}, unit = {} }}\n", toml_string(unit)))
+    };
+    wanted.iter().filter_map(|w| own(w).map(|own| (w, own))).filter_map(line).collect()
 }
 
 impl Model {

@@ -44,9 +44,11 @@ impl File<'_> {
         }
         let logs = self.zero_of_logs(&form)?;
         let (mut zero, mut of_numbers) = (logs.clone(), None);
-        for (number, table) in form.tables.iter().enumerate() {
+        for table in &form.tables {
+            let number = recording.origins.len();
             let path = self.resolve(&table.get_ref().file, &recording.sources)?;
             let read = self.table(table, (number, zero.clone()), kind, &path)?;
+            let origins = read.origins();
             if read.zero.is_none() && counts_numbers(table.get_ref(), kind) {
                 of_numbers = Some(table.get_ref().file.span().start);
             }
@@ -57,7 +59,7 @@ impl File<'_> {
             if !recording.sources.contains(&read.origin.source) {
                 recording.sources.push(read.origin.source.clone());
             }
-            recording.origins.push(read.origin);
+            recording.origins.extend(origins);
         }
         if let (None, Some(zero), Some(at)) = (&logs, &zero, of_numbers) {
             return Err(self.no_common_zero(zero, at));

@@ -28,6 +28,8 @@ mod wrap;
 mod zero;
 
 pub use apart::keep_apart;
+#[cfg(feature = "diagnose")]
+pub(crate) use csv::of_raw as clocks_of;
 pub use csv::{Raw, columns};
 pub(crate) use input::Input;
 #[cfg(feature = "cli")]
@@ -54,7 +56,8 @@ impl Recording {
     /// first stamp (or ZDA sentence, where lines have no stamp) is then the zero of time. What a file
     /// is, its first bytes tell; `-` is standard input. A pipe is read once; files that a TOML
     /// recording from a pipe names are relative to the working folder. A column with blanks at a pace
-    /// of two rows or more becomes a slower channel ([`at_its_pace`]).
+    /// of two rows or more becomes a slower channel ([`at_its_pace`]). A second column of time, with channels before and
+    /// behind it, is the clock of those behind it where it rises and does not go with the first.
     ///
     /// # Errors
     /// `BadInput` or `Units` with file, line and column and what to do; `Io`.
@@ -85,7 +88,7 @@ impl Recording {
             let request = request::Request { clock, wanted, rows: None, table: 0, zero: None, comma: None };
             csv::read(input, &request)?
         };
-        let (sources, origins) = (vec![table.origin.source.clone()], vec![table.origin]);
+        let (sources, origins) = (vec![table.origin.source.clone()], table.origins());
         let (notes, left_out, zero) = (table.notes, table.left_out, table.zero);
         Ok(Self {
             name,

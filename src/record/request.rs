@@ -41,6 +41,15 @@ pub(super) struct Table {
     pub time_unit: Option<Unit>,
 }
 
+impl Table {
+    /// Its origin, once for each clock that stands in it.
+    pub fn origins(&self) -> Vec<Origin> {
+        let of = |number: fn(usize, usize) -> usize| self.channels.iter().map(|c| c.table).reduce(number);
+        let clocks = of(usize::max).zip(of(usize::min)).map_or(1, |(last, first)| last - first + 1);
+        vec![self.origin.clone(); clocks]
+    }
+}
+
 /// What is wanted of a table of text.
 #[derive(Debug, Clone)]
 pub(super) struct Request {

@@ -78,6 +78,7 @@ mod rolling;
 mod saddles;
 mod schemas;
 mod sea;
+mod side_by_side;
 mod simulate;
 mod simulated;
 mod site;

@@ -41,11 +41,19 @@ fn guessed_of(held: &Held) -> Result<String> {
     }
     let columns = record::columns(csv)?;
     let time = time_of(&columns);
-    let mut out = clock(time.map(|i| (i, &columns[i])));
-    out.push_str("[tables.channels]\n");
-    let mut taken = BTreeSet::new();
-    for (i, c) in columns.iter().enumerate().filter(|(i, _)| Some(*i) != time) {
-        out += &channel(i, c, &mut taken);
+    let whole = || vec![(time, 0..columns.len())];
+    let of_clocks =
+        |first| record::clocks_of(&columns, first, like_time).into_iter().map(|s| (s.clock, s.columns));
+    let (mut out, mut taken) = (String::new(), BTreeSet::new());
+    for (n, (time, side)) in time.map_or_else(whole, |t| of_clocks(t).collect()).into_iter().enumerate() {
+        if n > 0 {
+            out += &format!("\n# GUESS: its own clock\n[[tables]]\nfile = {}\n", file_of(csv));
+        }
+        out += &clock(time.map(|i| (i, &columns[i])));
+        out.push_str("[tables.channels]\n");
+        for i in side.filter(|i| Some(*i) != time) {
+            out += &channel(i, &columns[i], &mut taken);
+        }
     }
     if taken.is_empty() {
         return Err(Error::bad_input("no column beside the time holds numbers")
@@ -69,7 +77,8 @@ fn written(held: &Held, first: &str, table: &str) -> Result<String> {
         return Ok(text(held.path(), ""));
     }
     let save = "  # GUESS: what came through a pipe has no name; save it under this one, or set another";
-    Ok(text(Path::new("recording.csv"), save))
+    let named = Path::new("recording.csv");
+    Ok(text(named, save).replace(&file_of(held.path()), &file_of(named)))
 }
 
 /// The first lines of the file, which name the table.
@@ -78,8 +87,12 @@ fn head(first: &str, file: &Path, comment: &str) -> String {
     format!(
         "# {first}\nname = {}\n\n[[tables]]\nfile = {}{comment}\n",
         toml_string(stem.split('.').next().unwrap_or_default()),
-        toml_string(&file.display().to_string())
+        file_of(file)
     )
+}
+
+fn file_of(file: &Path) -> String {
+    toml_string(&file.display().to_string())
 }
 
 /// The line of the file that says where the time is.
@@ -128,7 +141,10 @@ fn channel(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> String {
 /// The column of time: named like it or in a unit of time, and rising if there is such a one; else the first
 /// column if it rises in even steps.
 fn time_of(columns: &[Raw]) -> Option<usize> {
-    let rises = |c: &Raw| c.values.windows(2).all(|w| w[0] < w[1]) || c.since.is_some();
+    let rises = |c: &Raw| {
+        let end = c.values.iter().rposition(|v| !v.is_nan()).map_or(0, |last| last + 1);
+        c.values[..end].windows(2).all(|w| w[0] < w[1]) || c.since.is_some()
+    };
     let candidates = || columns.iter().enumerate().filter(|(_, c)| like_time(c));
     let rising = candidates().find(|(_, c)| rises(c));
     // a clock that stands or falls is still the clock: whoever reads it says what is wrong

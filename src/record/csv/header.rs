@@ -270,10 +270,14 @@ fn refuse_other_separators(line: &[u8]) -> Result<()> {
         .with_hint("every row needs the same separators as the header; words stand in columns of their own"))
 }
 
-/// Refuses two columns of the same name.
+/// Refuses two columns of the same name; clocks that stand side by side may have one.
 pub(super) fn refuse_twins(cells: &[Cell]) -> Result<()> {
+    let is_time = |c: &Cell| {
+        c.unit.as_ref().is_some_and(|u| Unit::parse(u).is_ok_and(|u| u.dimension() == Dimension::TIME))
+    };
     for (index, cell) in cells.iter().enumerate() {
-        if let Some(first) = cells[..index].iter().position(|c| c.name == cell.name) {
+        let twin = |c: &Cell| c.name == cell.name && !(is_time(c) && is_time(cell));
+        if let Some(first) = cells[..index].iter().position(twin) {
             return Err(Error::bad_input(format!(
                 "columns {} and {} are both named `{}`",
                 first + 1,
@@ -285,6 +289,11 @@ pub(super) fn refuse_twins(cells: &[Cell]) -> Result<()> {
         }
     }
     Ok(())
+}
+
+/// Two columns of one name.
+pub(super) fn twins(name: &str) -> Error {
+    Error::bad_input(format!("two columns are named `{name}`")).with_hint("rename one of them in the header")
 }
 
 /// The cells of a header line, which is text between commas.

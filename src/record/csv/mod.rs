@@ -1,6 +1,7 @@
 //! Tables of text: one header line, then one row a sample, fields between commas.
 
 mod clock;
+mod clocks;
 mod dialect;
 mod field;
 mod figures;
@@ -16,6 +17,8 @@ use super::request::{Clock, Request, Table, finished};
 use super::{Channel, LeftOut, Note, Origin, at_its_pace};
 use crate::units::Unit;
 use crate::{Error, Result};
+#[cfg(feature = "diagnose")]
+pub(crate) use clocks::of_raw;
 use dialect::Dialect;
 use header::{Cell, Header, Seen};
 pub use look::{Raw, columns};
@@ -145,7 +148,8 @@ impl<'a> Reader<'a> {
         let mut header = Header::of(cells, self.request, &self.seen).map_err(|e| e.with_line(line))?;
         header.left_out.iter_mut().for_each(|l| l.line = Some(line));
         self.notes.extend(header.notes.iter().map(|says| (Some(line), says.clone())));
-        self.rows = Some(Rows::new(&header, self.request.rows));
+        let is_open = has_clocks(&header, self.request, &self.seen);
+        self.rows = Some(Rows::new(&header, self.request.rows, is_open));
         self.header = Some(header);
         Ok(())
     }
@@ -158,6 +162,7 @@ impl<'a> Reader<'a> {
         let (Some(header), Some(rows)) = (self.header, self.rows) else {
             return Err(empty());
         };
+        let has_clocks = has_clocks(&header, self.request, &self.seen);
         let (mut columns, mut notes) = rows.finish()?;
         notes.extend(self.notes);
         let zero = self.translator.as_ref().and_then(Translator::zero);
@@ -175,11 +180,64 @@ impl<'a> Reader<'a> {
             (None, Clock::Regular { start, step }) => (0..count).map(|i| start + i as f64 * step).collect(),
             (None, _) => (first..first + count).map(|i| i as f64).collect(),
         };
-        let pairs = header.channels.iter().zip(columns);
-        let table = self.request.table;
-        let channels = pairs.map(|(c, v)| finished(&c.wanted, c.unit.clone(), table, &time, v));
+        let channels = if has_clocks {
+            side_by_side(&header, self.request.table, (&time, columns), &mut notes)?
+        } else {
+            on_one_clock(&header, self.request.table, (&time, columns))
+        };
         let are_trials = matches!(self.request.clock, Clock::RowNumbers);
-        let channels = channels.map(|c| if are_trials { c } else { at_its_pace(c) }).collect();
+        let channels = channels.into_iter().map(|c| if are_trials { c } else { at_its_pace(c) }).collect();
         Ok((channels, header.left_out, notes))
     }
+}
+
+/// Whether columns may be clocks of those that follow them, where nobody said which column is the time.
+fn has_clocks(header: &Header, request: &Request, seen: &Seen) -> bool {
+    let untold = request.wanted.is_empty() && matches!(request.clock, Clock::FirstColumn);
+    untold && seen.time.is_none() && clocks::may_be(&header.channels).next().is_some()
+}
+
+fn on_one_clock(
+    header: &Header,
+    table: usize,
+    (time, columns): (&Arc<[f64]>, Vec<Vec<f64>>),
+) -> Vec<Channel> {
+    let pairs = header.channels.iter().zip(columns);
+    pairs.map(|(c, v)| finished(&c.wanted, c.unit.clone(), table, time, v)).collect()
+}
+
+/// The channels, each on the clock that it stands behind.
+fn side_by_side(
+    header: &Header,
+    table: usize,
+    (time, columns): (&[f64], Vec<Vec<f64>>),
+    notes: &mut Notes,
+) -> Result<Vec<Channel>> {
+    let first = header.time.as_ref().map_or("", |t| t.wanted.name.as_str());
+    let seconds = |at: usize| columns[at].iter().map(|t| header.channels[at].unit.to_si(*t)).collect();
+    let may_be = clocks::may_be(&header.channels);
+    let sides = clocks::sides(time, header.channels.len(), may_be, seconds);
+    let mut channels: Vec<Channel> = Vec::new();
+    for (i, side) in sides.into_iter().enumerate() {
+        let clock = side.clock.map(|c| &header.channels[c]);
+        let times = side.clock.map_or_else(|| time.to_vec(), seconds);
+        let name = clock.map_or(first, |c| c.wanted.name.as_str());
+        let rows = clocks::rows(name, &times, &columns[side.columns.clone()])?;
+        let kept = |of: &[f64]| rows.iter().map(|row| of[*row]).collect::<Vec<f64>>();
+        let times: Arc<[f64]> = kept(&times).into();
+        for at in side.columns {
+            let c = &header.channels[at];
+            if c.wanted.name == first || channels.iter().any(|other| other.name == c.wanted.name) {
+                return Err(header::twins(&c.wanted.name));
+            }
+            channels.push(finished(&c.wanted, c.unit.clone(), table + i, &times, kept(&columns[at])));
+        }
+        if let Some(clock) = clock {
+            let on: Vec<String> =
+                channels.iter().filter(|c| c.table == table + i).map(|c| format!("`{}`", c.name)).collect();
+            let says = format!("column {}, `{name}`, is the clock of {}", clock.index + 1, on.join(", "));
+            notes.push((None, says));
+        }
+    }
+    Ok(channels)
 }

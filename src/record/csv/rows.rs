@@ -25,6 +25,8 @@ pub(super) struct Rows {
     slots: Vec<Vec<usize>>,
     /// The file's column of time; it is column 0 of `data`.
     time: Option<usize>,
+    /// Whether rows may have no time, since other columns may be clocks too.
+    is_open: bool,
     data: Vec<Vec<f64>>,
     previous: f64,
     /// Number of the next data row.
@@ -37,7 +39,7 @@ pub(super) struct Rows {
 }
 
 impl Rows {
-    pub(super) fn new(header: &Header, rows: Option<(usize, usize)>) -> Self {
+    pub(super) fn new(header: &Header, rows: Option<(usize, usize)>, is_open: bool) -> Self {
         let columns = header.time.iter().chain(&header.channels);
         let mut slots = vec![Vec::new(); header.names.len()];
         for (slot, column) in columns.enumerate() {
@@ -48,6 +50,7 @@ impl Rows {
             names: header.names.clone(),
             data: vec![Vec::new(); header.channels.len() + usize::from(header.time.is_some())],
             time: header.time.as_ref().map(|t| t.index),
+            is_open,
             slots,
             previous: f64::NEG_INFINITY,
             row: 0,
@@ -81,7 +84,14 @@ impl Rows {
         let row = self.row;
         self.row += 1;
         if (self.first..=self.last).contains(&row) {
-            self.parse(line).map_err(|e| self.explain(e, line, ended).with_line(number))?;
+            if let Err(index) = self.parse(line) {
+                if self.is_of_others(line) {
+                    let kept = self.data.iter().map(Vec::len).min().unwrap_or(0);
+                    self.data.iter_mut().for_each(|d| d.truncate(kept));
+                    return Ok(());
+                }
+                return Err(self.explain(index, line, ended).with_line(number));
+            }
             if !ended {
                 self.last_line(line, number)?;
             }
@@ -120,13 +130,21 @@ impl Rows {
         for slot in slots {
             self.data[*slot].push(value);
         }
-        if self.time == Some(index) {
+        if self.time == Some(index) && !(self.is_open && value.is_nan()) {
             if value.is_nan() || value <= self.previous {
                 return Err(index);
             }
             self.previous = value;
         }
         Ok(())
+    }
+
+    /// Whether a row has neither time nor values here, as where another table beside this one is longer.
+    fn is_of_others(&self, line: &[u8]) -> bool {
+        let fields = field::split(line, b',').filter(|f| f.len() == self.names.len());
+        let is_blank = |f: &Field| number(&f.text).is_some_and(f64::is_nan);
+        let wanted = |f: Vec<Field>| f.iter().zip(&self.slots).all(|(f, s)| s.is_empty() || is_blank(f));
+        self.time.is_some() && fields.is_some_and(wanted)
     }
 
     /// Why a line could not be taken.
