@@ -153,8 +153,8 @@ def diagnose(
     time_limit: s of wall time after which the search ends with the best so far, which `made.ended_early` tells.
     simulator: in place of a model, a callable `(t, u, p)` whose equations cannot be had: times in s, a dict of the `inputs`
         at them and a dict of the `parameters` give a dict of the `outputs`, arrays at the same times in the units of the
-        recording. Its parameters are fitted by whole runs to the first 60 % of the one recording; what acts on
-        outputs and clocks can then be named.
+        recording. Its parameters are fitted by whole runs to the first 60 % of the one recording, and once more beside what
+        is found, linear about those values; what acts on outputs and clocks can then be named.
     """
     if recordings is None:
         raise UsageError("give a recording")

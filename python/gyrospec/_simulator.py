@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
@@ -82,7 +83,7 @@ class Simulator:
         rest = self.residuals(values)
         for _ in range(_ROUNDS if self.free else 0):
             slopes = np.empty((len(rest), len(self.free)))
-            sizes = np.array([max(abs(values[n]), abs(self.values[n]), 1e-12) for n in self.free])
+            sizes = np.array([self._size(n, values[n]) for n in self.free])
             for k, n in enumerate(self.free):
                 h = _STEP * sizes[k] if values[n] + _STEP * sizes[k] <= self.bounds[n][1] else -_STEP * sizes[k]
                 slopes[:, k] = (self.residuals({**values, n: values[n] + h}) - rest) / (h / sizes[k])
@@ -102,15 +103,41 @@ class Simulator:
                 break
         return values, runs
 
+    def _size(self, n: str, value: float) -> float:
+        """The size of a parameter, by which it is stepped: one that starts at 0 has none of its own."""
+        return max(abs(value), abs(self.values[n])) or 1.0
+
+    def slopes(self, values: Mapping[str, float], n: str) -> dict[str, Floats]:
+        """Derivatives of the outputs by a parameter, by differences of two whole runs inside its bounds."""
+        h = _STEP * self._size(n, values[n])
+        low, high = (float(np.clip(values[n] + d, *self.bounds[n])) for d in (-h, h))
+        below, above = (self.run({**values, n: v}) for v in (low, high))
+        return {o: (above[o] - below[o]) / (high - low) if high > low else np.zeros_like(above[o]) for o in self.outputs}
+
     def model(self, values: Mapping[str, float], title: str, folder: Path) -> Model:
-        """The model file of what it computes at these values; its table lies in the folder."""
-        series = self.run(values)
-        columns = np.column_stack([self.time, *(series[n] for n in self.outputs)])
-        units = self.recording.units
-        header = ",".join(["t [s]", *(f"{n} [{units[n]}]" for n in self.outputs)])
-        np.savetxt(folder / "simulated.csv", columns, delimiter=",", header=header, comments="", fmt="%.17g")
-        lines = [f"name = {json.dumps(title, ensure_ascii=False)}", 'simulated = "simulated.csv"', "[outputs]"]
-        lines += [f"{n} = {{ unit = {json.dumps(units[n])} }}" for n in self.outputs]
+        """The model file of what it computes, linear in its parameters about these values; its table lies in the folder.
+
+        y = (y0 - sum p0 dy/dp) + sum p dy/dp: what is found is fitted beside the parameters, which it may have bent.
+        """
+        series, units = self.run(values), self.recording.units
+        names = {n: n if _is_name(n, self.recording.channels) else f"parameter_{k + 1}" for k, n in enumerate(self.free)}
+        slopes = {n: self.slopes(values, n) for n in self.free}
+        columns, header = [self.time], ["t [s]"]
+        for o in self.outputs:
+            columns.append(series[o] - sum(values[n] * slopes[n][o] for n in self.free))
+            header.append(f"{o}_rest [{units[o]}]")
+            for n in self.free:
+                columns.append(slopes[n][o])
+                header.append(f"{o}_by_{names[n]} [{'K' if units[o] == 'degC' else units[o]}]")
+        np.savetxt(folder / "simulated.csv", np.column_stack(columns), delimiter=",", header=",".join(header), comments="", fmt="%.17g")
+        lines = [f"name = {json.dumps(title, ensure_ascii=False)}", 'simulated = "simulated.csv"', "[parameters]"]
+        for n in self.free:
+            limits = "".join(f", {k} = {b!r}" for k, b in zip(("min", "max"), self.bounds[n], strict=True) if np.isfinite(b))
+            lines.append(f'{names[n]} = {{ value = {values[n]!r}, unit = "1", fit = true{limits} }}')
+        lines.append("[outputs]")
+        for o in self.outputs:
+            equals = " + ".join([f"{o}_rest_simulated", *(f"{names[n]}*{o}_by_{names[n]}_simulated" for n in self.free)])
+            lines.append(f'{o} = {{ equals = "{equals}", unit = {json.dumps(units[o])} }}')
         (folder / "model.toml").write_text("\n".join(lines) + "\n", encoding="utf-8")
         return Model.read(folder / "model.toml")
 
@@ -135,6 +162,11 @@ def _value(n: str, given: Any) -> float:
 def _bounds(given: Any) -> tuple[float, float]:
     fields = given if isinstance(given, Mapping) else {}
     return float(fields.get("min", -np.inf)), float(fields.get("max", np.inf))
+
+
+def _is_name(n: str, channels: Sequence[str]) -> bool:
+    """Whether a parameter may have its own name in a model file."""
+    return re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", n) is not None and n not in {"t", *channels} and not n.endswith("_simulated")
 
 
 def _whole(samples: tuple[Floats, Floats]) -> tuple[Floats, Floats]:

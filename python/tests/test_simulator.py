@@ -47,6 +47,31 @@ def test_an_offset_beside_it_is_named() -> None:
     assert found.verdict == "named" and found.findings[0].code == "output-offset", found.says
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_a_constant_that_its_parameters_bend_for_is_named_with_its_size(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    t = np.arange(0.0, 40.0, 0.02)
+    u = np.convolve(rng.normal(0, 30, len(t)), np.ones(30) / 5, "same")
+    y = lagging(t, {"u": u}, {"gain": 2.0, "T": 0.7})["y"] + 0.4 + rng.normal(0, 0.05, len(t))
+    given: dict[str, Any] = {"inputs": ["u"], "outputs": ["y"], "parameters": {"gain": 1.5, "T": 1.0}}
+    with pytest.warns(gyrospec.Warning):
+        recording = gyrospec.recording({"t": t, "u": u, "y": y}, units={"t": "s", "u": "V", "y": "V"})
+        found = gyrospec.diagnose(simulator=lagging, recordings=recording, **given)
+    assert found.verdict == "named" and found.findings[0].code == "output-offset", found.says
+    (b,) = found.findings[0].parameters
+    assert b.low - 0.005 < 0.4 < b.high + 0.005
+
+    # a parameter that starts at 0 is fitted too, also where the output's unit has a zero of its own
+    def above(t: Any, u: dict[str, Any], p: dict[str, float]) -> dict[str, Any]:
+        return {"y": lagging(t, u, p)["y"] + p["zero"]}
+
+    given["parameters"]["zero"] = 0.0
+    with pytest.warns(gyrospec.Warning, match=r"zero = 0\.(39|40)"):
+        recording = gyrospec.recording({"t": t, "u": u, "y": y}, units={"t": "s", "u": "V", "y": "degC"})
+        found = gyrospec.diagnose(simulator=above, recordings=recording, **given)
+    assert found.verdict == "nothing-missing", found.says
+
+
 @pytest.mark.parametrize(
     ("call", "change", "words"),
     [

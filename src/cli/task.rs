@@ -86,6 +86,9 @@ impl Task {
         )?;
         if outputs.model.as_ref().is_some_and(Place::is_in_place) {
             spare_comments(&self.model)?;
+            super::warn(
+                "--model-out names the model itself: the fitted values take the place of those in it",
+            );
         }
         let (model, source) = Model::read_with_source(&self.model)?;
         let read =

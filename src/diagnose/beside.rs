@@ -23,7 +23,7 @@ use crate::estimate::fit::Progress;
 use crate::record::Recording;
 
 /// Mechanisms, and what each is where one of its parameters is 0.
-const CASES: [(&str, &str); 4] = [
+pub const CASES: [(&str, &str); 4] = [
     ("drift-force", "constant-force"),
     ("output-drift", "output-offset"),
     ("asymmetric-friction", "dry-friction"),

@@ -9,7 +9,8 @@
 //! predictions. The residual is projected on the directions of all inputs together, orthogonal to the fitted
 //! sensitivities and whitened: a weight of 1 is an input that is held, 0 one that runs straight, and any other
 //! something else that shifts or smooths it, which is left to the search. What stands so is read as held, and stays so
-//! where the refitted model is likelier. Where something larger is missing that hides the reading, the search finds
+//! where the refitted model is likelier. So does an input that looks held by itself, since it stays and leaps, unless its
+//! weight is nearer to 0: beside something large a weight is far off. It is asked once more beside what was found. Where something larger is missing that hides the reading, the search finds
 //! what resembles it beside that, a delay or a resonance: held inputs take its place if they fit as well, with fewer
 //! unknowns.
 //!
@@ -31,7 +32,7 @@ use super::view::own_tracks;
 use crate::Result;
 use crate::estimate::Fit;
 use crate::model::Model;
-use crate::record::{Channel, Hold, Recording};
+use crate::record::{Channel, Hold, Recording, looks_held};
 
 /// How far a weight may lie from 1, and its standard deviation: a delay has any weight, and what leaves it so open
 /// that it may be 1 by luck settles nothing.
@@ -39,6 +40,8 @@ const FROM_ONE: (f64, f64) = (0.15, 0.06);
 /// How far a weight, or a delay or a lag over half a sample, may lie from 1 beside something large: the likelihood
 /// decides then.
 const ABOUT: f64 = 0.5;
+/// From which weight on an input is nearer to one that is held.
+const NEARER: f64 = 0.5;
 /// Standard deviations up to which a weight may be 1, which is told.
 const OPEN: f64 = 3.0;
 /// A standard deviation beyond which the reading makes no difference.
@@ -52,33 +55,71 @@ pub struct Settled {
     pub held: Vec<DataFault>,
     /// What a reader should know.
     pub notes: Vec<String>,
+    /// How they were read before, where the look of an input decided: what is missing may have deceived it.
+    pub before: Option<Box<Before>>,
 }
 
-/// Settles how the inputs of a fitted model are read.
+/// Recordings, fitted and separate, with inputs as they were read, and the model fitted to that.
+pub struct Before {
+    recordings: Vec<Recording>,
+    separate: Vec<Recording>,
+    fit: Fit,
+}
+
+impl Before {
+    /// Reads inputs as before, where that fits better beside what was found: the model as given, fitted so.
+    pub fn returns(self, bench: &mut Bench, separate: &mut Vec<Recording>, found: &Found) -> Option<Fit> {
+        let other = Bench { recordings: self.recordings, ..bench.clone() };
+        let straight = anew(&other, &found.last).ok()?;
+        let scale = Scale::of(&found.last, false);
+        let [held, straight] = [&found.last, &straight].map(|fit| Measure::of(fit, &scale).likelihood);
+        (straight > held).then(|| {
+            bench.recordings = other.recordings;
+            *separate = self.separate;
+            self.fit
+        })
+    }
+}
+
+/// Settles how the inputs of a fitted model are read; by their looks too, if wanted.
 ///
 /// # Errors
 /// Where the model cannot be fitted to what was settled.
-pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit) -> Result<Settled> {
+pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit, by_looks: bool) -> Result<Settled> {
     let weights = weighed(bench, &base).unwrap_or_default();
-    let (sure, open): (Vec<Weight>, Vec<Weight>) = weights.into_iter().partition(Weight::is_sure);
-    let notes: Vec<String> = open.iter().filter(|w| w.may_be()).map(Weight::note).collect();
-    let held: Vec<String> = sure.into_iter().map(|w| w.name).collect();
+    let looks = |w: &Weight| by_looks && w.held > NEARER && looks_held_everywhere(bench, &w.name);
+    let (shown, open): (Vec<Weight>, Vec<Weight>) =
+        weights.into_iter().partition(|w| w.is_sure() || looks(w));
+    let notes: Vec<String> = open.iter().filter(|w| w.may_be()).map(|w| note(&w.name)).collect();
+    let least = if shown.iter().any(Weight::is_sure) { TIE } else { 0.0 };
+    let is_doubtful = !shown.iter().all(Weight::is_sure);
+    let held: Vec<String> = shown.into_iter().map(|w| w.name).collect();
     if held.is_empty() {
-        return Ok(Settled { fit: base, held: Vec::new(), notes });
+        return Ok(Settled { fit: base, held: Vec::new(), notes, before: None });
     }
     let straight = bench.recordings.clone();
     read_held(&mut bench.recordings, &held);
     let fit = anew(bench, &base)?;
     let scale = Scale::of(&base, false);
     let (before, after) = (Measure::of(&base, &scale), Measure::of(&fit, &scale));
-    if after.likelihood - before.likelihood < TIE {
+    if after.likelihood - before.likelihood < least {
         bench.recordings = straight;
-        return Ok(Settled { fit: base, held: Vec::new(), notes });
+        return Ok(Settled { fit: base, held: Vec::new(), notes, before: None });
     }
+    let before_all = || Before { recordings: straight, separate: separate.to_vec(), fit: base };
+    let settled_by_looks = is_doubtful.then(|| Box::new(before_all()));
     read_held(separate, &held);
     let evidence = evidence(&after, &before, held.len());
     let held = held.into_iter().map(|name| told(name, &evidence, &[])).collect();
-    Ok(Settled { fit, held, notes })
+    Ok(Settled { fit, held, notes, before: settled_by_looks })
+}
+
+/// The inputs of a fitted model that the recordings show to be held between their samples though they are read as straight
+/// lines.
+pub fn held_inputs(fit: &Fit, recordings: &[Recording], separate_holdout: bool, seed: u64) -> Vec<String> {
+    let mut bench = Bench::new(&fit.model, recordings.to_vec(), separate_holdout, seed);
+    let settled = settle(&mut bench, &mut [], fit.clone(), false).ok();
+    settled.into_iter().flat_map(|s| s.held).map(|h| h.finding.site.name).collect()
 }
 
 /// What speaks for so many held inputs over straight ones.
@@ -164,14 +205,18 @@ impl Weight {
     fn may_be(&self) -> bool {
         self.deviation < BLIND && (self.held - 1.0).abs() <= OPEN * self.deviation
     }
+}
 
-    /// What a reader should know where it may be.
-    fn note(&self) -> String {
-        format!(
-            "{} is read as straight lines between its samples; held, it would fit as well: say `hold = \"previous\"` if it is a command that is held",
-            self.name
-        )
-    }
+/// What a reader should know of an input that may be held.
+pub fn note(name: &str) -> String {
+    format!(
+        "{name} is read as straight lines between its samples; held, it would fit as well: say `hold = \"previous\"` if it is a command that is held"
+    )
+}
+
+/// Whether an input stays and leaps in every recording.
+fn looks_held_everywhere(bench: &Bench, name: &str) -> bool {
+    bench.recordings.iter().all(|r| r.find(name).is_some_and(|c| looks_held(&c.values)))
 }
 
 /// How far the residual shows each straight input to be held.
@@ -217,15 +262,20 @@ fn weighed(bench: &Bench, base: &Fit) -> Option<Vec<Weight>> {
 }
 
 /// Reads inputs as held.
-fn read_held(recordings: &mut [Recording], names: &[String]) {
+pub fn read_held(recordings: &mut [Recording], names: &[String]) {
     let channels = recordings.iter_mut().flat_map(|r| &mut r.channels);
     channels.filter(|c| names.contains(&c.name)).for_each(|c| c.hold = Hold::Previous);
 }
 
-fn told(name: String, evidence: &Evidence, ties: &[String]) -> DataFault {
-    let says = format!(
+/// What is said of an input that is held.
+pub fn says(name: &str) -> String {
+    format!(
         "{name} is held between its samples, and was read so: write `hold = \"previous\"` at its channel in the recording's TOML file"
-    );
+    )
+}
+
+fn told(name: String, evidence: &Evidence, ties: &[String]) -> DataFault {
+    let says = says(&name);
     let finding = Finding {
         code: INPUT_HOLD.into(),
         site: SiteName { kind: "input".into(), name },

@@ -45,6 +45,7 @@ mod rest;
 mod scan;
 mod screen;
 mod search;
+mod small;
 mod stray;
 mod twins;
 mod verdict;
@@ -54,6 +55,7 @@ mod wandering;
 mod watch;
 mod words;
 
+pub(crate) use hold::{held_inputs, read_held, says as says_held};
 pub(crate) use watch::spread_of;
 
 use crate::Result;
@@ -308,18 +310,41 @@ impl Case<'_> {
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;
         self.bench.budget.tell(base.ended_early);
         self.notes.extend(settled);
-        let hold::Settled { fit: base, held, notes } =
-            hold::settle(&mut self.bench, &mut self.separate, base)?;
-        self.told.extend(held);
-        self.notes.extend(notes);
-        let found = self.named(base.clone())?;
-        let held = hold::in_place_of_findings(&mut self.bench, &mut self.separate, &found);
-        if held.is_empty() || self.bench.budget.cut().is_some() {
+        let settled = hold::settle(&mut self.bench, &mut self.separate, base, true)?;
+        let (base, found) = self.as_read(settled)?;
+        let spent = self.bench.budget.cut();
+        if spent == Some(Early::Time) {
             return Ok((found, is_cut));
         }
+        if spent.is_some() {
+            // steps that were spent on a wrong reading are no reason to keep it
+            self.bench.budget.renew();
+        }
+        let held = hold::in_place_of_findings(&mut self.bench, &mut self.separate, &found);
+        if held.is_empty() {
+            self.bench.budget.tell(spent);
+            return Ok((found, is_cut));
+        }
+        self.notes.retain(|n| !held.iter().any(|h| *n == hold::note(&h.finding.site.name)));
         self.told.extend(held);
         let base = compared::anew(&self.bench, &base)?;
         Ok((self.named(base)?, is_cut))
+    }
+
+    /// What the search finds with inputs as they were settled, or as they were before where that fits better beside it.
+    fn as_read(&mut self, settled: hold::Settled) -> Result<(Fit, Found)> {
+        let hold::Settled { fit: base, held, notes, before } = settled;
+        self.notes.extend(notes);
+        let found = self.named(base.clone())?;
+        let is_over = self.bench.budget.cut() == Some(Early::Time);
+        let before = before.filter(|_| !is_over);
+        let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found))
+        else {
+            self.told.extend(held);
+            return Ok((base, found));
+        };
+        let found = self.named(straight.clone())?;
+        Ok((straight, found))
     }
 
     /// The values that the model was given.

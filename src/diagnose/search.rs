@@ -8,7 +8,7 @@ use super::compared::same_samples;
 use super::measure::{Measure, Scale};
 use super::propose::{Screened, Screening, screen, worth_fitting};
 use super::race::{self, Against, By};
-use super::twins::twins;
+use super::twins::{finer, twins};
 use super::view::View;
 use super::{cut, prove, scan};
 use crate::Result;
@@ -220,6 +220,8 @@ pub fn round(
     let mut fitted = refit(&chosen);
     let others: Vec<&Screened> = twins(&screening, &fitted).into_iter().filter(may).collect();
     fitted.extend(refit(&others));
+    let finer = finer(bench, &scene, view, &fitted);
+    fitted.extend(refit(&finer.iter().collect::<Vec<_>>()));
     fitted.sort_by(|a, b| scale.squares(&a.fit).total_cmp(&scale.squares(&b.fit)));
     for r in fitted.iter_mut().take(SCANNED) {
         let better = scan::again(bench, view, &r.proposal, &r.fit, scale);
@@ -247,6 +249,10 @@ pub fn is_over(bench: &Bench) -> bool {
 
 /// What a next round would see of a fitted model; none where it cannot be run there, or over what is held out.
 pub fn ahead(bench: &Bench, separate: &[Recording], fit: &Fit) -> Option<View> {
+    // the time that is up ends the search, and is no reason against what it found
+    if bench.budget.over() == Some(Early::Time) {
+        bench.budget.lift_time();
+    }
     let view = View::of(bench, fit).ok()?;
     bench.scene(&fit.model, &view.stand).ok()?;
     prove::runs(bench, fit, separate).then_some(view)

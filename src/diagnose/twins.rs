@@ -7,10 +7,15 @@
 //! # Method
 //! Where the likeliest of a round is a law of a parameter, those of the same law at other parameters whose score is
 //! of its size are fitted too, and the same parameter with another form of the law. Whether they fit as well is then told by their likelihoods.
+//! Where a law has a finer form, such as friction that turns over within a range of speeds, or one of which it is the special
+//! case has, that is fitted too: what the coarse one leaves would be taken for something else.
 
-use super::catalogue::{Proposal, SiteKind};
-use super::propose::{Screened, Screening};
+use super::bench::Bench;
+use super::beside::CASES;
+use super::catalogue::{self, Proposal, Scene, SiteKind};
+use super::propose::{Screened, Screening, explaining};
 use super::search::Refitted;
+use super::view::View;
 
 /// Share of its score from which on another is fitted too.
 const NEAR: f64 = 0.5;
@@ -19,8 +24,7 @@ const MOST: usize = 6;
 
 /// The proposals that may be twins of the likeliest of those fitted, and were not fitted.
 pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Screened> {
-    let likelier = |a: &&Refitted, b: &&Refitted| a.measure.likelihood.total_cmp(&b.measure.likelihood);
-    let Some(best) = fitted.iter().max_by(likelier).map(|r| &r.proposal) else { return Vec::new() };
+    let Some(best) = likeliest(fitted) else { return Vec::new() };
     if best.site.kind != SiteKind::Parameter {
         return Vec::new();
     }
@@ -36,4 +40,19 @@ pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Scree
             && !fitted.iter().any(|r| is(&r.proposal, p))
     };
     screening.screened.iter().filter(alike).take(MOST).collect()
+}
+
+/// The finer forms of the likeliest of those fitted, or of its special case, at its site.
+pub fn finer(bench: &Bench, scene: &Scene, view: &View, fitted: &[Refitted]) -> Vec<Screened> {
+    let Some(best) = likeliest(fitted) else { return Vec::new() };
+    let case = CASES.iter().find(|c| c.0 == best.code).map_or(best.code, |c| c.1);
+    let asked = catalogue::ALL.iter().filter(|m| m.code == case);
+    let is_finer = |p: &Proposal| p.refines && p.site == best.site;
+    let proposed: Vec<Proposal> = asked.flat_map(|m| (m.propose)(scene)).filter(is_finer).collect();
+    if proposed.is_empty() { Vec::new() } else { explaining(bench, view, proposed) }
+}
+
+fn likeliest(fitted: &[Refitted]) -> Option<&Proposal> {
+    let likelier = |a: &&Refitted, b: &&Refitted| a.measure.likelihood.total_cmp(&b.measure.likelihood);
+    fitted.iter().max_by(likelier).map(|r| &r.proposal)
 }

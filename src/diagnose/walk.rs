@@ -26,6 +26,7 @@ use super::measure::{Measure, Scale};
 use super::propose::Screening;
 use super::prove;
 use super::search::{Found, Refitted, Round, State, Taken, ahead, is_over, round, trace};
+use super::small;
 use super::view::View;
 use crate::Result;
 use crate::estimate::Fit;
@@ -197,6 +198,7 @@ impl Walk<'_> {
 
     fn ends(self, round: Round, now: &Measure) -> Found {
         let is_trace = self.taken.is_empty() && choose::is_trace(&round, now);
+        let small = if self.taken.is_empty() { None } else { small::told(&round, now) };
         let rest = round.screening;
         let (first, rest) = match self.first {
             Some(f) => (f, rest),
@@ -206,7 +208,8 @@ impl Walk<'_> {
         };
         let scale = Scale::of(&self.base, self.bench.is_trials());
         let measures = (self.start, Measure::of(&self.current, &scale));
-        let (notes, fallen) = (round.notes, round.fallen.filter(|_| self.taken.is_empty()));
+        let (notes, fallen) =
+            (round.notes.into_iter().chain(small).collect(), round.fallen.filter(|_| self.taken.is_empty()));
         Found {
             base: self.base,
             last: self.current,

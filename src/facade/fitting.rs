@@ -2,7 +2,7 @@
 
 use super::asking::Asking;
 use crate::Result;
-use crate::diagnose::{Request, spread_of};
+use crate::diagnose::{Request, held_inputs, read_held, says_held, spread_of};
 use crate::estimate::fit::{
     self as estimate, Fit, FitOptions, HeldOut, ResidualSpectrum, Status, Warning, residual_spectra,
 };
@@ -19,7 +19,8 @@ use std::path::Path;
 
 /// Asks for a fit of a model's free parameters and initial states to recordings, by simulation.
 ///
-/// The last 40 % of a recording is held out, unless its spans or [`Fitting::holdout`] say otherwise.
+/// The last 40 % of a recording is held out, unless its spans or [`Fitting::holdout`] say otherwise. Inputs that the
+/// recordings show to be held between their samples are read so, as in [`diagnose`](crate::diagnose()), with a warning.
 ///
 /// ```
 /// use gyrospec::{Model, Recording, fit};
@@ -52,7 +53,7 @@ impl<'a> Fitting<'a> {
         let Request { model, source, recordings, separate, seed, time_limit, progress } = self.request;
         let begin = FitOptions { separate_holdout: !separate.is_empty(), progress, ..FitOptions::default() };
         let model = &*estimate::begun(model, recordings, &begin)?;
-        let (recordings, separate) = (model.all_joined(recordings)?, model.all_joined(separate)?);
+        let (mut recordings, mut separate) = (model.all_joined(recordings)?, model.all_joined(separate)?);
         estimate::setup::keep_apart(model, &recordings, &separate)?;
         let options = FitOptions {
             seed,
@@ -64,6 +65,13 @@ impl<'a> Fitting<'a> {
         let mut fit =
             estimate::fit(model, &recordings, &options).map_err(|e| model.refusal().unwrap_or(e))?;
         if fit.ended_early.is_none() {
+            let held = held_inputs(&fit, &recordings, options.separate_holdout, seed);
+            if !held.is_empty() {
+                read_held(recordings.to_mut(), &held);
+                read_held(separate.to_mut(), &held);
+                fit = estimate::fit(model, &recordings, &options)?;
+            }
+            fit.warnings.extend(held.iter().map(|name| Warning { message: says_held(name) }));
             estimate::ascertain(&mut fit, &recordings, &options)?;
         }
         let more: Vec<Warning> = strays(model, &recordings).chain(says_nothing(&fit, &recordings)).collect();

@@ -1,11 +1,15 @@
 //! A model run on a recording.
 
+use crate::diagnose::read_held;
 use crate::estimate::fit::{FitOptions, begun_on};
 use crate::model::{Initial, Model};
-use crate::record::{Kind, Recording};
+use crate::record::{Channel, Hold, Kind, Recording, looks_held};
 use crate::report::simulated;
 use crate::simulate::{Options, OutputSignal, Simulator, Trajectory, warnings};
 use crate::{Error, Result};
+
+/// By how much smaller errors must be, as a logarithm, for another reading of the inputs to be told.
+const NEARER: f64 = 0.05;
 
 /// Asks for a run of a model on the inputs of a recording, at the values of the model file. Initial states that the file
 /// marks `"fit"` begin where the run lies nearest to what was measured; one that this does not tell stays
@@ -52,6 +56,13 @@ impl Simulating<'_> {
     /// `Usage` for a tolerance that is no share; `BadInput` where a channel is missing; `NotComputed` where the run
     /// needs more steps than can be taken.
     pub fn run(self) -> Result<Simulated> {
+        let mut ran = self.plain()?;
+        ran.held = self.held(&ran);
+        Ok(ran)
+    }
+
+    /// The run with inputs as they are read.
+    fn plain(&self) -> Result<Simulated> {
         let options = Options::default().with_tolerance(self.tolerance)?;
         let refused = |e: Error| self.model.refusal().unwrap_or(e);
         let simulator = Simulator::new(self.model, self.recording, &options).map_err(refused)?;
@@ -64,7 +75,32 @@ impl Simulating<'_> {
         let fitted = simulator.model().states.iter().zip(&initials);
         let fitted = fitted.filter(|(s, _)| matches!(s.initial, Initial::Fit));
         let begins = fitted.map(|(s, x)| (s.name.clone(), s.unit.from_si(*x), s.unit.to_string())).collect();
-        Ok(Simulated { simulator, ran, kind: self.recording.kind, begins })
+        Ok(Simulated { simulator, ran, kind: self.recording.kind, begins, held: Vec::new() })
+    }
+
+    /// Inputs that stay and leap and are read as straight lines, where the run comes nearer to what was measured with all of
+    /// them held.
+    fn held(&self, ran: &Simulated) -> Vec<String> {
+        let looks = |c: &&Channel| c.hold == Hold::Linear && self.is_input(&c.name) && looks_held(&c.values);
+        let names: Vec<String> =
+            self.recording.channels.iter().filter(looks).map(|c| c.name.clone()).collect();
+        let is_compared = ran.outputs().any(|o| o.errors().0.is_finite());
+        if names.is_empty() || !is_compared || self.recording.kind == Kind::Trials {
+            return Vec::new();
+        }
+        let mut recording = self.recording.clone();
+        read_held(std::slice::from_mut(&mut recording), &names);
+        let other = Simulating { recording: &recording, ..*self }.plain().ok();
+        let errors =
+            |s: &Simulated| -> f64 { s.outputs().map(|o| o.errors().0.ln()).filter(|e| e.is_finite()).sum() };
+        names
+            .into_iter()
+            .filter(|_| other.as_ref().is_some_and(|o| errors(o) < errors(ran) - NEARER))
+            .collect()
+    }
+
+    fn is_input(&self, name: &str) -> bool {
+        self.model.inputs.iter().any(|i| i.name == name)
     }
 
     /// How the states begin: fitted ones as they fit what was measured, or where an output shows them first if they
@@ -85,6 +121,8 @@ pub struct Simulated {
     ran: Trajectory,
     kind: Kind,
     begins: Vec<(String, f64, String)>,
+    /// Inputs that should be read as held.
+    held: Vec<String>,
 }
 
 /// One output of a run, in the unit of the model file.
@@ -151,7 +189,13 @@ impl Simulated {
 
     /// What should be known about the run though it went on.
     pub fn warnings(&self) -> Vec<String> {
-        warnings(&self.simulator, &self.ran)
+        let held = |name: &String| {
+            format!(
+                "{name} is read as straight lines between its samples; held, the run comes nearer to what was measured: \
+                 write `hold = \"previous\"` at its channel in the recording's TOML file"
+            )
+        };
+        self.held.iter().map(held).chain(warnings(&self.simulator, &self.ran)).collect()
     }
 
     /// The run in words.

@@ -9,6 +9,8 @@ mod csv;
 mod file;
 mod foreign;
 mod form;
+#[cfg(feature = "diagnose")]
+mod held;
 mod input;
 mod label;
 mod mat;
@@ -31,6 +33,8 @@ pub use apart::keep_apart;
 #[cfg(feature = "diagnose")]
 pub(crate) use csv::of_raw as clocks_of;
 pub use csv::{Raw, columns};
+#[cfg(feature = "diagnose")]
+pub(crate) use held::looks_held;
 pub(crate) use input::Input;
 #[cfg(feature = "cli")]
 pub(crate) use label::label;

@@ -1,6 +1,8 @@
 //! What the user should know about a run though it went on.
 
+use super::machine::registers;
 use super::{OutputSignal, Simulator, Trajectory};
+use crate::model::program::{InputColumn, Remembered};
 use crate::record::principal;
 use crate::units::figure;
 
@@ -28,6 +30,7 @@ pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
             figure(slowest)
         ));
     }
+    out.extend(looks_ahead(s));
     if ran.solver_error > 1e-3 && ran.blew_up.is_none() {
         out.push(format!(
             "the solver's error is {:.1e} of an output's spread; --tolerance cannot be met",
@@ -45,6 +48,33 @@ pub fn warnings(s: &Simulator, ran: &Trajectory) -> Vec<String> {
         }
     }
     out
+}
+
+/// What a user should know of delays below 0: beyond the end of an input its last value stands, and nothing of a state
+/// is known ahead.
+fn looks_ahead(s: &Simulator) -> Vec<String> {
+    let r = registers(&s.program, &s.parameters());
+    let beyond = |c: &InputColumn| {
+        let (delay, input) = (r[usize::from(c.delay?)], &s.samples[c.input]);
+        let lacks = s.span().1 - delay - input.time.last()?;
+        (delay < 0.0 && lacks > 0.0).then(|| {
+            format!(
+                "{} is asked for {} s ahead: over the last {} s, for which it was not recorded, its last value stands",
+                s.model.inputs[c.input].name,
+                figure(-delay),
+                figure(lacks)
+            )
+        })
+    };
+    let of_states = |m: &Remembered| match m {
+        Remembered::Past { delay, .. } if r[usize::from(*delay)] < 0.0 => Some(format!(
+            "a delay of {} s looks ahead of a state, which nothing can: what it gives means nothing",
+            figure(r[usize::from(*delay)])
+        )),
+        _ => None,
+    };
+    let inputs = s.program.columns.iter().filter_map(beyond);
+    inputs.chain(s.program.remembered.iter().filter_map(of_states)).collect()
 }
 
 /// Samples of an output for which its formula gives no number though the states are finite.

@@ -25,7 +25,7 @@ const STEP: f64 = 0.02;
 
 /// Speed of the motor with T = 0.25 s and K = 2.2 rad/s/V, by the exact solution between samples: of a held voltage,
 /// or of one that runs straight, so many samples late, or early.
-fn answer(is_held: bool, late: isize, seed: u64) -> Answer {
+fn recorded(is_held: bool, late: isize, seed: u64) -> Recording {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
     let (count, time_constant, gain) = (3000, 0.25, 2.2);
@@ -50,8 +50,28 @@ fn answer(is_held: bool, late: isize, seed: u64) -> Answer {
         Channel::new("u", unit("V"), time.clone(), u),
         Channel::new("speed", unit("rad/s"), time, noisy),
     ];
-    let made = Recording::from_channels("motor", channels).unwrap();
-    diagnosed(&Model::parse(MOTOR).unwrap(), made).answer
+    Recording::from_channels("motor", channels).unwrap()
+}
+
+fn answer(is_held: bool, late: isize, seed: u64) -> Answer {
+    diagnosed(&Model::parse(MOTOR).unwrap(), recorded(is_held, late, seed)).answer
+}
+
+/// A fit reads an input as the diagnosis of the same recording does, and says so.
+#[test]
+fn a_fit_reads_a_held_command_as_held() {
+    let model = Model::parse(MOTOR).unwrap();
+    for is_held in [true, false] {
+        let recordings = [recorded(is_held, 0, 9)];
+        let fitted = gyrospec::fit(&model, &recordings).run().unwrap();
+        for (name, truth) in [("T", 0.25), ("K", 2.2)] {
+            let p = fitted.parameter(name).unwrap();
+            assert!((p.value - truth).abs() < 3.0 * (p.high - p.low) / 4.0, "{is_held} {name} {}", p.value);
+        }
+        assert!(fitted.holdout_rmse("speed").unwrap() < 0.053);
+        let told = fitted.warnings().any(|w| w.starts_with("u is held between its samples, and was read so"));
+        assert_eq!(told, is_held);
+    }
 }
 
 #[test]
@@ -152,7 +172,7 @@ pub const AXIS: &str = r#"
 
 /// The axis with M = 2.2, b = 2.5, k = 70 and a force of q and v that opposes it, so large that the reading of the
 /// input cannot be told before that is known; solved by Runge and Kutta's method at a tenth of a sample, the input held.
-fn opposed(input: fn(f64) -> f64, by: fn(f64, f64) -> f64, seed: u64) -> Answer {
+fn opposed(input: fn(f64) -> f64, by: fn(f64, f64) -> f64, seed: u64) -> Recording {
     let (count, h) = (3000, STEP / 10.0);
     let force: Vec<f64> = (0..count).map(|i| input(STEP * f64::from(i))).collect();
     let add = |[q, v]: [f64; 2], h: f64, [a, b]: [f64; 2]| [q + h * a, v + h * b];
@@ -178,23 +198,49 @@ fn opposed(input: fn(f64) -> f64, by: fn(f64, f64) -> f64, seed: u64) -> Answer 
         Channel::new("F", unit("N"), time.clone(), force),
         Channel::new("position", unit("m"), time, noisy),
     ];
-    let made = Recording::from_channels("axis", channels).unwrap();
-    diagnosed(&Model::parse(AXIS).unwrap(), made).answer
+    Recording::from_channels("axis", channels).unwrap()
 }
 
 #[test]
 fn a_hold_behind_something_larger_is_nothing_beside_it() {
     let two = |t: f64| 30.0 * (1.3 * t).sin() + 20.0 * (4.1 * t + 1.0).sin();
     let many = |t: f64| (1..=25).map(f64::from).map(|k| 12.0 * (0.7 * k * t + k * k).sin()).sum::<f64>();
-    for (told, code) in [
+    for (made, code) in [
         (opposed(two, |q, _| 400.0 * q * q * q, 5), "cubic-stiffness"),
         (opposed(many, |_, v| 12.0 * v * v.abs(), 6), "quadratic-damping"),
     ] {
+        let told = diagnosed(&Model::parse(AXIS).unwrap(), made).answer;
         let codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
         assert_eq!((told.verdict, codes.as_slice()), (Verdict::Named, &[code][..]), "{}", told.says);
         assert_eq!(told.faults[0].finding.code, "input-hold", "{}", told.says);
         assert!(told.faults[0].finding.evidence.as_ref().is_some_and(|e| e.log_likelihood_ratio > 3.0));
     }
+}
+
+/// Stairs of half a second, whose reading hides behind friction: what stays and leaps is held unless the data say otherwise.
+#[test]
+fn a_command_that_stays_and_leaps_is_held_though_friction_hides_it() {
+    let stairs = |t: f64| [30.0, -20.0, 5.0, 24.0, -31.0, 12.0, -9.0][(t / 0.5 + 1e-6) as usize * 3 % 7];
+    let made = opposed(stairs, |_, v| 4.0 * (v / 5e-3).tanh(), 7);
+    let model = Model::parse(AXIS).unwrap();
+    let told = diagnosed(&model, made.clone()).answer;
+    let codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!((told.verdict, codes.as_slice()), (Verdict::Named, &["dry-friction"][..]), "{}", told.says);
+    assert_eq!(told.faults[0].finding.code, "input-hold", "{}", told.says);
+    let friction = &told.findings[0].parameters[0];
+    assert!(friction.low < 4.0 && 4.0 < friction.high, "{}", told.says);
+    // a run of a model that fits says that it would fit better held
+    let law = AXIS.replace("b*v - k*q)", "b*v - k*q - 4*N*tanh(v/vs))").replace(
+        "[states]",
+        "N = { value = 1, unit = \"N\" }\n    vs = { value = 5e-3, unit = \"m/s\" }\n    [states]",
+    );
+    let law = law.replace("value = 2,", "value = 2.2,").replace("value = 3,", "value = 2.5,");
+    let law = Model::parse(&law.replace("value = 60,", "value = 70,")).unwrap();
+    let warned = |r: &Recording| gyrospec::simulate(&law, r).run().unwrap().warnings().join("; ");
+    assert!(warned(&made).contains("F is read as straight lines"), "{}", warned(&made));
+    let mut held = made;
+    held.channels[0].hold = Hold::Previous;
+    assert!(!warned(&held).contains("read as"), "{}", warned(&held));
 }
 
 /// A cell with an ohmic part and a store, under a held current: each sample has the current of its own row.

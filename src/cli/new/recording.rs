@@ -126,7 +126,7 @@ fn channel(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> String {
     }
     let g = guess(index, c, taken);
     let wraps = if g.wraps { ", wraps = true" } else { "" };
-    let is_held = !g.wraps && is_held(&c.values);
+    let is_held = !g.wraps && record::looks_held(&c.values);
     let hold = if is_held { ", hold = \"previous\"" } else { "" };
     let because = if is_held { "; GUESS: it stays and leaps, so it is held between its changes" } else { "" };
     format!(
@@ -208,26 +208,6 @@ fn turns(unit: &str, values: &[f64]) -> bool {
     };
     let known: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     known.windows(2).any(|w| (w[1] - w[0]).abs() > 0.9 * turn)
-}
-
-/// Share of its steps that a held signal stays.
-const STAYS: f64 = 0.6;
-/// Sizes of the usual leap, in the smallest leap and in the whole range, from which on it is more than a count of a
-/// coarse reading that runs on.
-const LEAPS: (f64, f64) = (3.0, 0.2);
-
-/// Whether a signal stays where it is for several samples and then leaps.
-fn is_held(values: &[f64]) -> bool {
-    let known: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-    let steps = known.windows(2).map(|w| (w[1] - w[0]).abs());
-    let mut leaps: Vec<f64> = steps.filter(|s| *s > 0.0).collect();
-    if leaps.len() < 3 || ((known.len() - leaps.len()) as f64) < STAYS * known.len() as f64 {
-        return false;
-    }
-    leaps.sort_unstable_by(f64::total_cmp);
-    let (least, usual) = (leaps[0], leaps[leaps.len() / 2]);
-    let (low, high) = known.iter().fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(*v), h.max(*v)));
-    usual >= LEAPS.0 * least || usual >= LEAPS.1 * (high - low)
 }
 
 #[cfg(test)]

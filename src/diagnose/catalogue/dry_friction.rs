@@ -76,7 +76,7 @@ fn rounded(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let mut d = Draft::at(scene, "dry-friction", m);
     let f = d.amplitude("Fc", &m.force, POSITIVE, "dry friction");
     d.refines();
-    let within = (5e-3 * spread, 0.1 * spread);
+    let within = (1e-3 * spread, 0.1 * spread);
     let vs = d.parameter("vs", &scene.unit(v), within, "speed within which it turns over");
     d.force(&m.state, &format!("-{f}*tanh({v}/{vs})"));
     d.start(&[m.size, 0.02 * spread]);
