@@ -326,6 +326,8 @@ def _doubles(name: str, values: Any) -> tuple[Floats, bool]:
     """Doubles, not copied where they are such; whether they were times of day."""
     if hasattr(values, "to_numpy") and not isinstance(values, np.ndarray):
         values = _of_series(values)
+    if isinstance(values, np.ma.MaskedArray) and values.dtype.kind in "biuf":
+        values = values.astype(np.float64).filled(np.nan)
     array = np.asarray(values)
     if array.ndim != 1:
         raise InputError(f"the column `{name}` has the shape {array.shape}, not one row of numbers")
@@ -359,6 +361,6 @@ def _of_series(values: Any) -> Any:
     if getattr(getattr(values, "dtype", None), "tz", None) is not None:
         zoned = getattr(values, "dt", values)
         values = zoned.tz_convert(None)
-    if type(values).__module__.startswith("pandas") and getattr(values.dtype, "kind", "O") not in "mMO":
+    if type(values).__module__.startswith("pandas") and getattr(values.dtype, "kind", "O") not in "mMOc":
         return values.to_numpy(dtype=np.float64, na_value=np.nan)
     return values.to_numpy()

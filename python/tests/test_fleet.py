@@ -109,6 +109,14 @@ def test_a_call_goes_on_where_another_stopped(voyages: list[Path], tmp_path: Pat
         fleet.diagnose(voyages, MODEL, out, seed=2)
     with pytest.raises(gyrospec.InputError, match="another model"):
         fleet.diagnose(voyages, MODEL.replace("45.0", "44.0"), out)
+    # a part that was damaged since is named, and made anew once it is gone
+    damaged = next(iter(sorted(out.glob("part-*"))))
+    damaged.write_bytes(damaged.read_bytes()[:200])
+    for call in (lambda: fleet.diagnose(voyages[:3], MODEL, out), lambda: fleet.report(out)):
+        with pytest.raises(gyrospec.InputError, match=f"{damaged.name}: this part of the results is damaged"):
+            call()
+    damaged.unlink()
+    assert fleet.diagnose(voyages[:3], MODEL, out).rows_made == 1
 
 
 def test_the_report_says_which_mechanism_on_which_ships(alone: tuple[Path, float], tmp_path: Path) -> None:
@@ -125,6 +133,7 @@ def test_the_report_says_which_mechanism_on_which_ships(alone: tuple[Path, float
     assert sum(len(a.files) for a in told.alike) == 6
     for n in told.neighbours:
         assert n.file != n.other
+    assert f"could not be diagnosed: {broken}" in str(told)
     assert "friction" in str(told) and "friction" in told._repr_html_() and told.to_dict()["recordings"] == 7
     named = fleet.diagnose(
         [broken], MODEL, tmp_path / "named", ships=lambda path: "Ship of " + Path(path).parent.name

@@ -98,6 +98,8 @@ def test_refusals_say_what_the_program_says() -> None:
     for wrong in ("1 2 3", [1, "x"], np.array([1, 2j]), None, [[1.0]]):
         with pytest.raises(TypeError, match="h must be a row of real numbers"):
             gyrospec.integral(wrong, [0, 1])  # type: ignore[arg-type]
+    with pytest.raises(TypeError, match="h is a masked array"):
+        gyrospec.integral(np.ma.array([1.0, 2.0, 3.0], mask=[False, True, False]), [0, 1])
     assert pickle.loads(pickle.dumps(unstable.value)).right_half_plane_roots == 2
 
 

@@ -148,6 +148,14 @@ def test_bad_columns_are_refused(viscous: Columns) -> None:
     ):
         with pytest.raises(error):
             gyrospec.recording({**viscous, "force": column}, units=UNITS)
+    twice = np.array(viscous["t"], dtype=float)
+    twice[7] = twice[6]
+    with pytest.raises(gyrospec.InputError, match=r"must be finite and rise: row 7 \(from 0\)"):
+        gyrospec.recording({**viscous, "t": twice}, units=UNITS)
+    # what lies behind a mask is a gap
+    force = np.ma.array(viscous["force"], mask=np.arange(400) == 3)
+    kept = gyrospec.recording({**viscous, "force": force}, units=UNITS).channel("force")[1]
+    assert np.flatnonzero(np.isnan(kept)).tolist() == [3]
     with pytest.raises(gyrospec.InputError, match="rise"):
         gyrospec.recording({**viscous, "t": viscous["t"][::-1]}, units=UNITS)
     with pytest.raises(gyrospec.InputError, match="two columns"):

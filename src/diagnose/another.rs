@@ -17,7 +17,7 @@
 
 use super::answer::{Answer, Verdict};
 use super::bench::Bench;
-use super::choose::{Choice, TIE, choose, price, worth_of};
+use super::choose::{Choice, TIE, choose, worth_of};
 use super::free_law::surely_leaves;
 use super::measure::Measure;
 use super::search::{self, Found, Round, State, Taken, is_over};
@@ -60,11 +60,7 @@ pub fn beginning(
         }
     }
     beside::settle(bench, separate, &mut found, progress);
-    let worth = |f: &Found| {
-        let last = Measure::of(&f.last, &first.scale);
-        last.likelihood - f.taken.iter().map(|t| price(&t.proposal, last.samples)).sum::<f64>()
-    };
-    (worth(&found) > worth(first) + SURELY).then_some(found)
+    (found.worth(&first.scale) > first.worth(&first.scale) + SURELY).then_some(found)
 }
 
 /// By how much the logarithm of held-out errors differs where nothing tells them apart.

@@ -69,7 +69,8 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
     let rivals: Vec<usize> = (0..all.len()).filter(|k| falls(*k) >= RIVAL * largest).collect();
     let is_case = |k: &usize| CASES.contains(&(own.code, all[*k].proposal.code)) && worth(*k) >= worth(0);
     let most = rivals.iter().copied().rev().max_by(|a, b| worth(*a).total_cmp(&worth(*b)))?;
-    let best = (1..all.len()).find(is_case).unwrap_or(most);
+    let cases = (1..all.len()).filter(is_case);
+    let best = cases.max_by(|a, b| worth(*a).total_cmp(&worth(*b))).unwrap_or(most);
     // the same change of another parameter is as good a name though blocks left out may like it less
     let is_other = |k: usize| {
         let (p, q) = (&all[k].proposal, &all[best].proposal);

@@ -21,13 +21,13 @@
 use super::answer::{DataFault, Evidence, Finding, INPUT_HOLD, SiteName};
 use super::backward::without;
 use super::bench::{self, Bench, Stand};
-use super::catalogue::{Proposal, SiteKind};
-use super::choose::TIE;
+use super::catalogue::{self, Proposal, SiteKind};
+use super::choose::{CHANCE, TIE};
 use super::compared::{anew, same_tracks};
 use super::measure::{Measure, Scale};
 use super::propose::difference;
 use super::screen::Screen;
-use super::search::Found;
+use super::search::{Found, Taken};
 use super::view::own_tracks;
 use crate::Result;
 use crate::estimate::Fit;
@@ -53,8 +53,8 @@ pub struct Settled {
     pub fit: Fit,
     /// Inputs that are held.
     pub held: Vec<DataFault>,
-    /// What a reader should know.
-    pub notes: Vec<String>,
+    /// Straight inputs that may be held.
+    pub open: Vec<String>,
     /// How they were read before, where the look of an input decided: what is missing may have deceived it.
     pub before: Option<Box<Before>>,
 }
@@ -67,13 +67,15 @@ pub struct Before {
 }
 
 impl Before {
-    /// Reads inputs as before, where that fits better beside what was found: the model as given, fitted so.
+    /// Reads inputs as before, where that fits better beside what was found, or as well where that shifts something in time,
+    /// as half a sample would: the model as given, fitted so.
     pub fn returns(self, bench: &mut Bench, separate: &mut Vec<Recording>, found: &Found) -> Option<Fit> {
         let other = Bench { recordings: self.recordings, ..bench.clone() };
         let straight = anew(&other, &found.last).ok()?;
         let scale = Scale::of(&found.last, false);
         let [held, straight] = [&found.last, &straight].map(|fit| Measure::of(fit, &scale).likelihood);
-        (straight > held).then(|| {
+        let least = if may_stand_for_a_hold(found) { held - TIE } else { held };
+        (straight > least).then(|| {
             bench.recordings = other.recordings;
             *separate = self.separate;
             self.fit
@@ -90,12 +92,12 @@ pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit, by_looks
     let looks = |w: &Weight| by_looks && w.held > NEARER && looks_held_everywhere(bench, &w.name);
     let (shown, open): (Vec<Weight>, Vec<Weight>) =
         weights.into_iter().partition(|w| w.is_sure() || looks(w));
-    let notes: Vec<String> = open.iter().filter(|w| w.may_be()).map(|w| note(&w.name)).collect();
+    let open: Vec<String> = open.into_iter().filter(Weight::may_be).map(|w| w.name).collect();
     let least = if shown.iter().any(Weight::is_sure) { TIE } else { 0.0 };
     let is_doubtful = !shown.iter().all(Weight::is_sure);
     let held: Vec<String> = shown.into_iter().map(|w| w.name).collect();
     if held.is_empty() {
-        return Ok(Settled { fit: base, held: Vec::new(), notes, before: None });
+        return Ok(Settled { fit: base, held: Vec::new(), open, before: None });
     }
     let straight = bench.recordings.clone();
     read_held(&mut bench.recordings, &held);
@@ -104,14 +106,13 @@ pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit, by_looks
     let (before, after) = (Measure::of(&base, &scale), Measure::of(&fit, &scale));
     if after.likelihood - before.likelihood < least {
         bench.recordings = straight;
-        return Ok(Settled { fit: base, held: Vec::new(), notes, before: None });
+        return Ok(Settled { fit: base, held: Vec::new(), open, before: None });
     }
     let before_all = || Before { recordings: straight, separate: separate.to_vec(), fit: base };
     let settled_by_looks = is_doubtful.then(|| Box::new(before_all()));
     read_held(separate, &held);
-    let evidence = evidence(&after, &before, held.len());
-    let held = held.into_iter().map(|name| told(name, &evidence, &[])).collect();
-    Ok(Settled { fit, held, notes, before: settled_by_looks })
+    let held = faults(held, (&after, &before));
+    Ok(Settled { fit, held, open, before: settled_by_looks })
 }
 
 /// The inputs of a fitted model that the recordings show to be held between their samples though they are read as straight
@@ -120,6 +121,45 @@ pub fn held_inputs(fit: &Fit, recordings: &[Recording], separate_holdout: bool, 
     let mut bench = Bench::new(&fit.model, recordings.to_vec(), separate_holdout, seed);
     let settled = settle(&mut bench, &mut [], fit.clone(), false).ok();
     settled.into_iter().flat_map(|s| s.held).map(|h| h.finding.site.name).collect()
+}
+
+/// Inputs that are held, by how good the model is with them and with straight ones.
+fn faults(names: Vec<String>, (held, straight): (&Measure, &Measure)) -> Vec<DataFault> {
+    let evidence = evidence(held, straight, names.len());
+    names.into_iter().map(|name| told(name, &evidence, &[])).collect()
+}
+
+/// Whether something was found that half a sample would look like, or is left.
+pub fn may_hide_a_hold(found: &Found) -> bool {
+    may_stand_for_a_hold(found) || found.rest.p_value < CHANCE
+}
+
+/// Whether something was found that half a sample would look like.
+fn may_stand_for_a_hold(found: &Found) -> bool {
+    let alike = ["extra-resonance", "extra-lag", "neglected-inertia"];
+    let is = |t: &Taken| {
+        alike.contains(&t.proposal.code) || catalogue::find(t.proposal.code).is_ok_and(|m| m.shifts_time)
+    };
+    found.taken.iter().any(is)
+}
+
+/// Whether what was found fits as well with inputs as a bench reads them.
+pub fn fits_as_well(bench: &Bench, found: &Found) -> bool {
+    let scale = Scale::of(&found.last, false);
+    let worth = |fit: &Fit| Measure::of(fit, &scale).likelihood;
+    anew(bench, &found.last).is_ok_and(|held| worth(&held) > worth(&found.last) - TIE)
+}
+
+/// The inputs as held, where what is found with them is the likelier for the price of its parameters, and does not make them
+/// earlier again.
+pub fn likelier(names: &[String], held: &Found, straight: &Found) -> Vec<DataFault> {
+    let scale = Scale::of(&straight.last, false);
+    let is_early = held.taken.iter().any(|t| t.proposal.code == "clock-offset");
+    if is_early || held.worth(&scale) <= straight.worth(&scale) + TIE {
+        return Vec::new();
+    }
+    let [held, straight] = [held, straight].map(|f| Measure::of(&f.last, &scale));
+    faults(names.to_vec(), (&held, &straight))
 }
 
 /// What speaks for so many held inputs over straight ones.

@@ -40,6 +40,7 @@ pub mod pictures;
 mod propose;
 pub(crate) mod prove;
 mod race;
+mod reading;
 mod response;
 mod rest;
 mod scan;
@@ -328,23 +329,7 @@ impl Case<'_> {
         self.notes.retain(|n| !held.iter().any(|h| *n == hold::note(&h.finding.site.name)));
         self.told.extend(held);
         let base = compared::anew(&self.bench, &base)?;
-        Ok((self.named(base)?, is_cut))
-    }
-
-    /// What the search finds with inputs as they were settled, or as they were before where that fits better beside it.
-    fn as_read(&mut self, settled: hold::Settled) -> Result<(Fit, Found)> {
-        let hold::Settled { fit: base, held, notes, before } = settled;
-        self.notes.extend(notes);
-        let found = self.named(base.clone())?;
-        let is_over = self.bench.budget.cut() == Some(Early::Time);
-        let before = before.filter(|_| !is_over);
-        let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found))
-        else {
-            self.told.extend(held);
-            return Ok((base, found));
-        };
-        let found = self.named(straight.clone())?;
-        Ok((straight, found))
+        Ok((self.named(&self.bench, &self.separate, base)?, is_cut))
     }
 
     /// The values that the model was given.
@@ -353,23 +338,22 @@ impl Case<'_> {
     }
 
     /// What the search finds and what of it stands.
-    fn named(&self, base: Fit) -> Result<Found> {
+    fn named(&self, bench: &Bench, separate: &[Recording], base: Fit) -> Result<Found> {
         let given = self.given();
-        let mut found =
-            walk::search(&self.bench, &self.separate, base, (&given, None), self.request.progress)?;
-        backward::stand(&self.bench, &self.separate, &mut found);
-        beside::settle(&self.bench, &self.separate, &mut found, self.request.progress);
-        self.rests(&mut found);
+        let mut found = walk::search(bench, separate, base, (&given, None), self.request.progress)?;
+        backward::stand(bench, separate, &mut found);
+        beside::settle(bench, separate, &mut found, self.request.progress);
+        Self::rests(bench, &mut found);
         Ok(found)
     }
 
     /// Ends the last fit from all reasoned starts where a law with corners was found: a walk may stop at a corner.
-    fn rests(&self, found: &mut Found) {
+    fn rests(bench: &Bench, found: &mut Found) {
         let is_cornered = found.taken.iter().any(|t| t.proposal.has_corners());
-        if !is_cornered || search::is_over(&self.bench) {
+        if !is_cornered || search::is_over(bench) {
             return;
         }
-        let Ok(fit) = self.bench.full_fit(&found.last.model) else { return };
+        let Ok(fit) = bench.full_fit(&found.last.model) else { return };
         if found.scale.squares(&fit) < ENDED * found.scale.squares(&found.last) {
             found.last = fit;
             found.measures.1 = Measure::of(&found.last, &found.scale);

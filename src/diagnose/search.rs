@@ -129,6 +129,12 @@ impl Found {
         self.measures.1 = Measure::of(&self.last, &self.scale);
     }
 
+    /// Likelihood of the last model less the price of all that was taken.
+    pub fn worth(&self, scale: &Scale) -> f64 {
+        let last = Measure::of(&self.last, scale);
+        last.likelihood - self.taken.iter().map(|t| choose::price(&t.proposal, last.samples)).sum::<f64>()
+    }
+
     /// ln of the fall of the left-out sum of squares from the given model to the last.
     pub fn gain(&self) -> f64 {
         gain(&self.measures.0, &self.measures.1)
@@ -220,8 +226,14 @@ pub fn round(
     let mut fitted = refit(&chosen);
     let others: Vec<&Screened> = twins(&screening, &fitted).into_iter().filter(may).collect();
     fitted.extend(refit(&others));
-    let finer = finer(bench, &scene, view, &fitted);
-    fitted.extend(refit(&finer.iter().collect::<Vec<_>>()));
+    for finer in finer(bench, &scene, view, &fitted) {
+        let one = refit(&[&finer]);
+        let is_beyond = one.iter().any(Refitted::is_pressed);
+        fitted.extend(one);
+        if !is_beyond {
+            break;
+        }
+    }
     fitted.sort_by(|a, b| scale.squares(&a.fit).total_cmp(&scale.squares(&b.fit)));
     for r in fitted.iter_mut().take(SCANNED) {
         let better = scan::again(bench, view, &r.proposal, &r.fit, scale);

@@ -42,14 +42,15 @@ pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Scree
     screening.screened.iter().filter(alike).take(MOST).collect()
 }
 
-/// The finer forms of the likeliest of those fitted, or of its special case, at its site.
+/// The finer forms of the likeliest of those fitted, or of its special case, at its site, in the order of the catalogue: the
+/// next is for what runs into the bound of the one before.
 pub fn finer(bench: &Bench, scene: &Scene, view: &View, fitted: &[Refitted]) -> Vec<Screened> {
     let Some(best) = likeliest(fitted) else { return Vec::new() };
     let case = CASES.iter().find(|c| c.0 == best.code).map_or(best.code, |c| c.1);
     let asked = catalogue::ALL.iter().filter(|m| m.code == case);
-    let is_finer = |p: &Proposal| p.refines && p.site == best.site;
+    let is_finer = |p: &Proposal| p.refines && p.site == best.site && p.depends == best.depends;
     let proposed: Vec<Proposal> = asked.flat_map(|m| (m.propose)(scene)).filter(is_finer).collect();
-    if proposed.is_empty() { Vec::new() } else { explaining(bench, view, proposed) }
+    proposed.into_iter().flat_map(|p| explaining(bench, view, vec![p])).collect()
 }
 
 fn likeliest(fitted: &[Refitted]) -> Option<&Proposal> {

@@ -304,8 +304,13 @@ impl Recording {
             if c.time.len() != c.values.len() {
                 return wrong("times and values differ in number");
             }
-            if !c.time.windows(2).all(|w| w[0] < w[1]) || !c.time.iter().all(|t| t.is_finite()) {
-                return wrong("times must be finite and rise");
+            let falls = |i: &usize| !c.time[*i].is_finite() || *i > 0 && c.time[*i] <= c.time[i - 1];
+            if let Some(row) = (0..c.time.len()).find(falls) {
+                let after = row.checked_sub(1).map(|i| format!(" after {} s", c.time[i])).unwrap_or_default();
+                return wrong(&format!(
+                    "times must be finite and rise: row {row} (from 0) is at {} s{after}",
+                    c.time[row]
+                ));
             }
         }
         Ok(Self { name: name.into(), channels, ..Self::default() })

@@ -26,6 +26,11 @@ const STEP: f64 = 0.02;
 /// Speed of the motor with T = 0.25 s and K = 2.2 rad/s/V, by the exact solution between samples: of a held voltage,
 /// or of one that runs straight, so many samples late, or early.
 fn recorded(is_held: bool, late: isize, seed: u64) -> Recording {
+    recorded_with(|u| u, (is_held, late), seed)
+}
+
+/// The same where of each voltage only some acts.
+fn recorded_with(acts: impl Fn(f64) -> f64, (is_held, late): (bool, isize), seed: u64) -> Recording {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
     let (count, time_constant, gain) = (3000, 0.25, 2.2);
@@ -36,7 +41,7 @@ fn recorded(is_held: bool, late: isize, seed: u64) -> Recording {
     let decay = f64::exp(-STEP / time_constant);
     let mut w = vec![0.0; count];
     for i in 1..count {
-        let at = |i: usize| i.checked_add_signed(-late).and_then(|i| u.get(i)).copied().unwrap_or(0.0);
+        let at = |i: usize| acts(i.checked_add_signed(-late).and_then(|i| u.get(i)).copied().unwrap_or(0.0));
         let (from, to) = (at(i - 1), if is_held { at(i - 1) } else { at(i) });
         // w(h) = (w − K u₀ + K s T) e^(−h/T) + K u₀ + K s (h − T) for u = u₀ + s t
         let ramp = gain * (to - from) / STEP;
@@ -215,6 +220,19 @@ fn a_hold_behind_something_larger_is_nothing_beside_it() {
         assert_eq!(told.faults[0].finding.code, "input-hold", "{}", told.says);
         assert!(told.faults[0].finding.evidence.as_ref().is_some_and(|e| e.log_likelihood_ratio > 3.0));
     }
+}
+
+/// A command that changes at each sample, read straight, beside a zone in which it does nothing: with its other laws a wrong
+/// reading would lead elsewhere.
+#[test]
+fn a_hold_is_found_beside_a_dead_zone() {
+    let acts = |u: f64| u - u.clamp(-0.8, 0.8);
+    let told = diagnosed(&Model::parse(MOTOR).unwrap(), recorded_with(acts, (true, 0), 12)).answer;
+    let codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!((told.verdict, codes.as_slice()), (Verdict::Named, &["input-dead-zone"][..]), "{}", told.says);
+    assert!(told.faults.iter().any(|f| f.finding.code == "input-hold"), "{}", told.says);
+    let zone = &told.findings[0].parameters[0];
+    assert!(zone.low < 0.8 && 0.8 < zone.high, "{}", told.says);
 }
 
 /// Stairs of half a second, whose reading hides behind friction: what stays and leaps is held unless the data say otherwise.

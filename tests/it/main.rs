@@ -75,6 +75,7 @@ mod roll_formula;
 mod roll_spectrum;
 mod roll_tail;
 mod rolling;
+mod room_laws;
 mod saddles;
 mod schemas;
 mod sea;

@@ -12,7 +12,6 @@ from pathlib import Path
 from typing import Any, TypeAlias
 
 import pyarrow as pa
-import pyarrow.parquet as pq
 
 from .. import _gyrospec as native
 from .._api import diagnose as diagnose_one
@@ -20,7 +19,7 @@ from .._errors import Error, InputError
 from .._gyrospec import Model
 from .._inputs import ModelLike, as_model
 from .._results import Diagnosis
-from ._parts import Progress, chunks, digest, do, finish, open_folder, parts, write_part
+from ._parts import Progress, chunks, digest, do, finish, open_folder, parts, read_part, write_part
 
 Ships: TypeAlias = Mapping[str, str] | Callable[[str], str]
 
@@ -114,7 +113,7 @@ def make_part(folder: Path, model: str, seed: int, group: list[Member]) -> int:
 
 def done_keys(folder: Path) -> set[str]:
     """Keys of the recordings that are done."""
-    columns = (pq.read_table(p, columns=["key"]).column("key").to_pylist() for p in parts(folder))
+    columns = (read_part(p, ["key"]).column("key").to_pylist() for p in parts(folder))
     return {key for column in columns for key in column}
 
 

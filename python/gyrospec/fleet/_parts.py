@@ -77,6 +77,14 @@ def parts(folder: Path) -> list[Path]:
     return sorted(folder.glob("part-*.parquet"))
 
 
+def read_part(file: Path, columns: list[str] | None = None) -> pa.Table:
+    """A finished part; an error that names it where it was damaged since."""
+    try:
+        return pq.read_table(file, columns=columns)
+    except (pa.ArrowException, OSError) as e:
+        raise InputError(f"{file}: this part of the results is damaged: {e}\nhelp: remove it; what it held is made anew") from e
+
+
 def write_part(folder: Path, name: str, table: pa.Table) -> None:
     """Writes a part beside its place and moves it there whole."""
     _replace(part(folder, name), lambda temporary: pq.write_table(table, temporary))

@@ -12,10 +12,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import pyarrow.parquet as pq
 
 from .._errors import InputError
-from ._parts import parts, read_card
+from ._parts import parts, read_card, read_part
 
 
 COLUMNS = ["ship", "file", "status", "verdict", "says", "findings", "faults"]
@@ -91,7 +90,7 @@ class FleetReport:
         lines = [f"{_count(self.recordings, 'recording')} of {_count(self.ships, 'ship')}"]
         lines += [f"  {n:>6}  {verdict}" for verdict, n in self.verdicts.items()]
         if self.errors:
-            lines.append(f"  {len(self.errors):>6}  could not be diagnosed")
+            lines.append(f"  {len(self.errors):>6}  could not be diagnosed: {_short(list(self.errors))}")
         for code, channels in self.faults.items():
             each = ", ".join(f"{c} in {_count(len(files), 'recording')}" for c, files in channels.items())
             lines.append(f"  fault of the data, {code}: {each}")
@@ -138,7 +137,7 @@ def _rows(folder: Path) -> list[dict[str, Any]]:
     """One row a recording: of a file that has changed meanwhile, the one that was written last."""
     latest: dict[str, dict[str, Any]] = {}
     for file in sorted(parts(folder), key=lambda p: (p.stat().st_mtime_ns, p.name)):
-        for row in pq.read_table(file, columns=COLUMNS).to_pylist():
+        for row in read_part(file, COLUMNS).to_pylist():
             latest[row["file"]] = row
     return [latest[f] for f in sorted(latest)]
 

@@ -14,6 +14,7 @@ pub fn row(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
 
 /// A column: the array itself where it holds doubles, else as NumPy converts it.
 pub fn column<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArray1<'py, f64>> {
+    refuse_masked(name, given)?;
     given
         .extract()
         .or_else(|_| as_doubles(given)?.extract())
@@ -22,10 +23,21 @@ pub fn column<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonly
 
 /// A table with one problem a row.
 pub fn rows<'py>(name: &str, given: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArray2<'py, f64>> {
+    refuse_masked(name, given)?;
     given
         .extract()
         .or_else(|_| as_doubles(given)?.extract())
         .map_err(|_| no_numbers(name, "a table of real numbers with one problem a row", given))
+}
+
+/// Refuses a masked array: what lies behind a mask is no number.
+fn refuse_masked(name: &str, given: &Bound<'_, PyAny>) -> PyResult<()> {
+    if given.hasattr("mask")? && given.hasattr("filled")? {
+        return Err(PyTypeError::new_err(format!(
+            "{name} is a masked array: fill what is masked, or leave it out"
+        )));
+    }
+    Ok(())
 }
 
 fn as_doubles<'py>(given: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {

@@ -40,7 +40,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
     for m in scene.motions() {
-        all.extend([at(scene, &m), rounded(scene, &m)].into_iter().flatten());
+        all.extend(at(scene, &m).into_iter().chain(ROUNDED.iter().filter_map(|r| rounded(scene, &m, *r))));
     }
     all.extend(between::all(scene, Of::Speeds).iter().filter_map(|b| rubs(scene, b)));
     all.extend(scene.richer_lag("dry-friction").and_then(|(mut d, lag)| {
@@ -69,17 +69,21 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.done(&says)
 }
 
+/// Where friction may turn over, and where that is looked for first, as shares of the speed's spread. What is sharp makes short
+/// steps, and stands alone.
+const ROUNDED: [((f64, f64), f64); 2] = [((5e-3, 0.1), 0.02), ((5e-4, 6e-3), 3e-3)];
+
 /// Friction that turns over within a range of speeds, small beside those of the recording.
-fn rounded(scene: &Scene, m: &Motion) -> Option<Proposal> {
+fn rounded(scene: &Scene, m: &Motion, (within, first): ((f64, f64), f64)) -> Option<Proposal> {
     let v = m.speed.as_ref()?;
     let spread = scene.signal(v)?.spread;
     let mut d = Draft::at(scene, "dry-friction", m);
     let f = d.amplitude("Fc", &m.force, POSITIVE, "dry friction");
     d.refines();
-    let within = (1e-3 * spread, 0.1 * spread);
+    let within = (within.0 * spread, within.1 * spread);
     let vs = d.parameter("vs", &scene.unit(v), within, "speed within which it turns over");
     d.force(&m.state, &format!("-{f}*tanh({v}/{vs})"));
-    d.start(&[m.size, 0.02 * spread]);
+    d.start(&[m.size, first * spread]);
     d.done(&format!("dry friction of {{0}} acts against {}, and turns over within {{1}}", scene.words(v)))
 }
 

@@ -10,6 +10,7 @@
 //!     p -> p (1 + a x^2)                 with a state, an input or a channel that goes through 0
 //!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
 //!     p -> p exp(a (u - mean u))
+//!     p -> p (u/mean u)^n                with an input or a channel that stays above 0, as heat transfer with a flow
 //!     p -> p + c (u - p)                 with a channel in the place of a known p of its kind, c = 1
 //!     and the same with an output that is no state, as its expression stands
 //!     c -> c (1 + a sign(v))             with the speed, or the difference of two, that a damper c multiplies
@@ -58,6 +59,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let own = pairs.clone().filter(|(p, s)| !couples(p, s));
     let mut all: Vec<Proposal> = own.filter_map(|(p, s)| at(scene, p, s)).collect();
     all.extend(pairs.clone().filter_map(|(p, s)| in_place(scene, p, s)));
+    all.extend(pairs.clone().filter_map(|(p, s)| in_power(scene, p, s)));
     if !scene.trials {
         let terms = arguments::terms(scene.model);
         let forms = |p: &str, s: &Signal| {
@@ -255,6 +257,25 @@ fn at(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
     d.replace(p, &format!("({p}*(1 + {a}*{part}))"), |_| true);
     d.start(&[0.3 / signal.spread]);
     d.done(&format!("{} varies with {}, relatively by {{0}}", scene.words(p), scene.words(&signal.name)))
+}
+
+/// By how much a signal must be larger somewhere than elsewhere for its power to be no slope.
+const BENDS: f64 = 1.5;
+
+/// A parameter that goes with a power of what stays above 0, as a refinement of one that goes with it.
+fn in_power(scene: &Scene, p: &str, signal: &Signal) -> Option<Proposal> {
+    if signal.min <= 0.0 || signal.max < BENDS * signal.min {
+        return None;
+    }
+    let s = &signal.name;
+    let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
+    d.refines();
+    let n = d.amplitude("n", &Unit::one(), ANY, "power of the signal with which the parameter goes");
+    let mean = d.constant(&format!("{s}_mean"), &signal.unit, signal.mean, "mean of the recording");
+    d.uses(s);
+    d.replace(p, &format!("({p}*(abs({s}/{mean}) + 1e-6)^{n})"), |_| true);
+    d.start(&[0.5]);
+    d.done(&format!("{} goes with {} to the power of {{0}}", scene.words(p), scene.words(s)))
 }
 
 /// The known parameter of that name, where a recorded quantity that the model does not read is of its kind.

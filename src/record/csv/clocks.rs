@@ -5,8 +5,11 @@
 //! go with the first clock, is the clock of what follows it.
 
 use super::header::Column;
+#[cfg(feature = "diagnose")]
 use super::look::Raw;
-use crate::units::{Dimension, Unit};
+use crate::units::Dimension;
+#[cfg(feature = "diagnose")]
+use crate::units::Unit;
 use crate::{Error, Result};
 use std::ops::Range;
 
@@ -50,6 +53,7 @@ pub(super) fn sides(
 
 /// The clocks of a table that nobody has told of: that of column `first`, and those of its name (`t1`, `t2`) or that
 /// `is_time` takes for one. The numbers of columns are those of the table.
+#[cfg(feature = "diagnose")]
 pub(crate) fn of_raw(columns: &[Raw], first: usize, is_time: impl Fn(&Raw) -> bool) -> Vec<Side> {
     let seconds = |i: usize| {
         let unit = columns[i].unit.as_ref().and_then(|u| Unit::parse(u).ok());

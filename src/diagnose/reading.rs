@@ -1,0 +1,49 @@
+//! What is found with inputs as they are read, and with another reading where that may have led to it.
+
+use super::search::Found;
+use super::{Case, compared, hold};
+use crate::Result;
+use crate::estimate::Fit;
+use crate::simulate::Early;
+
+impl Case<'_> {
+    /// What the search finds with inputs as they were settled, or as they were before where that fits better beside it; and
+    /// where that may hide a hold, with inputs held that may be, if that is likelier.
+    pub(super) fn as_read(&mut self, settled: hold::Settled) -> Result<(Fit, Found)> {
+        let hold::Settled { fit: base, held, open, before } = settled;
+        let found = self.named(&self.bench, &self.separate, base.clone())?;
+        let may = |case: &Self| case.bench.budget.cut() != Some(Early::Time);
+        let before = before.filter(|_| may(self));
+        if let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found)) {
+            let found = self.named(&self.bench, &self.separate, straight.clone())?;
+            return Ok((straight, found));
+        }
+        self.told.extend(held);
+        let is_open = !open.is_empty() && may(self) && hold::may_hide_a_hold(&found);
+        if is_open && let Some(other) = self.held(&open, &base, &found)? {
+            return Ok(other);
+        }
+        self.notes.extend(open.iter().map(|name| hold::note(name)));
+        Ok((base, found))
+    }
+
+    /// What the search finds with inputs held, where that is likelier than what it found.
+    fn held(&mut self, names: &[String], base: &Fit, found: &Found) -> Result<Option<(Fit, Found)>> {
+        self.bench.budget.renew();
+        let (mut bench, mut separate) = (self.bench.clone(), self.separate.clone());
+        hold::read_held(&mut bench.recordings, names);
+        hold::read_held(&mut separate, names);
+        if !hold::fits_as_well(&bench, found) {
+            return Ok(None);
+        }
+        let base = compared::anew(&bench, base)?;
+        let other = self.named(&bench, &separate, base.clone())?;
+        let faults = hold::likelier(names, &other, found);
+        if faults.is_empty() {
+            return Ok(None);
+        }
+        (self.bench, self.separate) = (bench, separate);
+        self.told.extend(faults);
+        Ok(Some((base, other)))
+    }
+}
