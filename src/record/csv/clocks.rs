@@ -61,7 +61,7 @@ pub(crate) fn of_raw(columns: &[Raw], first: usize, is_time: impl Fn(&Raw) -> bo
         columns[i].values.iter().map(si).collect::<Vec<f64>>()
     };
     if columns[first].since.is_some() {
-        return vec![Side { clock: None, columns: 0..columns.len() }];
+        return vec![Side { clock: Some(first), columns: 0..columns.len() }];
     }
     let stem = |c: &Raw| c.name.trim_end_matches(|c: char| !c.is_alphabetic()).to_lowercase();
     let may_be = |i: &usize| stem(&columns[*i]) == stem(&columns[first]) || is_time(&columns[*i]);
