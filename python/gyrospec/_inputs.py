@@ -326,8 +326,9 @@ def _doubles(name: str, values: Any) -> tuple[Floats, bool]:
     """Doubles, not copied where they are such; whether they were times of day."""
     if hasattr(values, "to_numpy") and not isinstance(values, np.ndarray):
         values = _of_series(values)
-    if isinstance(values, np.ma.MaskedArray) and values.dtype.kind in "biuf":
-        values = values.astype(np.float64).filled(np.nan)
+    given: Any = values
+    if isinstance(values, np.ma.MaskedArray) and given.dtype.kind in "biuf":
+        values = given.astype(np.float64).filled(np.nan)
     array = np.asarray(values)
     if array.ndim != 1:
         raise InputError(f"the column `{name}` has the shape {array.shape}, not one row of numbers")
