@@ -80,6 +80,15 @@ fn a_recording_file_may_name_a_clock_that_ends_before_the_table() {
     let text = format!("name = \"two\"\n{}{}", one("t1", "F"), one("t2", "x"));
     let r = Recording::parse(&text, folder.path().join("log.toml")).unwrap();
     assert_eq!((r.channel("F").unwrap().len(), r.channel("x").unwrap().len()), (100, 40));
+    // so it may where it stands behind its values
+    let behind: String = table(["t1", "t2"])
+        .lines()
+        .map(|l| l.split(',').collect::<Vec<_>>())
+        .fold(String::new(), |text, f| text + &format!("{},{},{},{}\n", f[0], f[1], f[3], f[2]));
+    std::fs::write(folder.path().join("log.csv"), behind).unwrap();
+    let r = Recording::parse(&text, folder.path().join("log.toml")).unwrap();
+    let place = r.channel("x").unwrap();
+    assert!(place.len() == 40 && place.time.iter().all(|t| t.is_finite()));
     // a time that is missing beside a value is told, with its line
     let broken = table(["t1", "t2"]).replacen("0.28,2", ",2", 1);
     std::fs::write(folder.path().join("log.csv"), broken).unwrap();

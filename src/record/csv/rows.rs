@@ -84,9 +84,9 @@ impl Rows {
         let row = self.row;
         self.row += 1;
         if (self.first..=self.last).contains(&row) {
+            let kept = self.data.first().map_or(0, Vec::len);
             if let Err(index) = self.parse(line) {
                 if self.is_of_others(line) {
-                    let kept = self.data.iter().map(Vec::len).min().unwrap_or(0);
                     self.data.iter_mut().for_each(|d| d.truncate(kept));
                     return Ok(());
                 }
