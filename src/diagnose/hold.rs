@@ -10,9 +10,9 @@
 //! sensitivities and whitened: a weight of 1 is an input that is held, 0 one that runs straight, and any other
 //! something else that shifts or smooths it, which is left to the search. What stands so is read as held, and stays so
 //! where the refitted model is likelier. So does an input that looks held by itself, since it stays and leaps, unless its
-//! weight is nearer to 0: beside something large a weight is far off. It is asked once more beside what was found. Where something larger is missing that hides the reading, the search finds
-//! what resembles it beside that, a delay or a resonance: held inputs take its place if they fit as well, with fewer
-//! unknowns.
+//! weight is nearer to 0: beside something large a weight is far off. It is asked once more beside what was found. Where
+//! something larger is missing that hides the reading, the search finds what resembles it beside that, a delay or a
+//! resonance: held inputs take its place if they fit as well, with fewer unknowns.
 //!
 //! # References
 //! G. F. Franklin, J. D. Powell, M. Workman, Digital Control of Dynamic Systems, 3rd ed. (1998), 4.3 (a hold delays by
@@ -71,11 +71,8 @@ impl Before {
     /// as half a sample would: the model as given, fitted so.
     pub fn returns(self, bench: &mut Bench, separate: &mut Vec<Recording>, found: &Found) -> Option<Fit> {
         let other = Bench { recordings: self.recordings, ..bench.clone() };
-        let straight = anew(&other, &found.last).ok()?;
-        let scale = Scale::of(&found.last, false);
-        let [held, straight] = [&found.last, &straight].map(|fit| Measure::of(fit, &scale).likelihood);
-        let least = if may_stand_for_a_hold(found) { held - TIE } else { held };
-        (straight > least).then(|| {
+        let least = if may_stand_for_a_hold(found) { -TIE } else { 0.0 };
+        (gain(&other, found)? > least).then(|| {
             bench.recordings = other.recordings;
             *separate = self.separate;
             self.fit
@@ -145,9 +142,15 @@ fn may_stand_for_a_hold(found: &Found) -> bool {
 
 /// Whether what was found fits as well with inputs as a bench reads them.
 pub fn fits_as_well(bench: &Bench, found: &Found) -> bool {
+    gain(bench, found).is_some_and(|gain| gain > -TIE)
+}
+
+/// By how much what was found is likelier, in log-likelihood, with inputs as a bench reads them.
+fn gain(bench: &Bench, found: &Found) -> Option<f64> {
     let scale = Scale::of(&found.last, false);
-    let worth = |fit: &Fit| Measure::of(fit, &scale).likelihood;
-    anew(bench, &found.last).is_ok_and(|held| worth(&held) > worth(&found.last) - TIE)
+    let other = anew(bench, &found.last).ok()?;
+    let [other, last] = [&other, &found.last].map(|fit| Measure::of(fit, &scale).likelihood);
+    Some(other - last)
 }
 
 /// The inputs as held, where what is found with them is the likelier for the price of its parameters, and does not make them

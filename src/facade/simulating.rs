@@ -93,10 +93,7 @@ impl Simulating<'_> {
         let other = Simulating { recording: &recording, ..*self }.plain().ok();
         let errors =
             |s: &Simulated| -> f64 { s.outputs().map(|o| o.errors().0.ln()).filter(|e| e.is_finite()).sum() };
-        names
-            .into_iter()
-            .filter(|_| other.as_ref().is_some_and(|o| errors(o) < errors(ran) - NEARER))
-            .collect()
+        if other.is_some_and(|o| errors(&o) < errors(ran) - NEARER) { names } else { Vec::new() }
     }
 
     fn is_input(&self, name: &str) -> bool {
