@@ -52,7 +52,8 @@ pub fn beginning(
     if is_over(bench) || bench.is_trials() {
         return None;
     }
-    let mut found = walk::search(bench, separate, first.base.clone(), (given, Some(began)), progress).ok()?;
+    let mut found =
+        walk::search(bench, separate, first.base.clone(), (given, Some(began), &|_| false), progress).ok()?;
     backward::stand(bench, separate, &mut found);
     for i in 0..found.taken.len() {
         if found.taken.len() > 1 && !is_over(bench) {

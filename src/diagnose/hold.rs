@@ -67,12 +67,18 @@ pub struct Before {
 }
 
 impl Before {
+    /// Whether a model that something was found for is likelier with inputs as they were read before.
+    pub fn is_likelier(&self, bench: &Bench, last: &Fit) -> bool {
+        let other = Bench { recordings: self.recordings.clone(), ..bench.clone() };
+        gain(&other, last).is_some_and(|gain| gain > 0.0)
+    }
+
     /// Reads inputs as before, where that fits better beside what was found, or as well where that shifts something in time,
     /// as half a sample would: the model as given, fitted so.
     pub fn returns(self, bench: &mut Bench, separate: &mut Vec<Recording>, found: &Found) -> Option<Fit> {
         let other = Bench { recordings: self.recordings, ..bench.clone() };
         let least = if may_stand_for_a_hold(found) { -TIE } else { 0.0 };
-        (gain(&other, found)? > least).then(|| {
+        (gain(&other, &found.last)? > least).then(|| {
             bench.recordings = other.recordings;
             *separate = self.separate;
             self.fit
@@ -142,14 +148,14 @@ fn may_stand_for_a_hold(found: &Found) -> bool {
 
 /// Whether what was found fits as well with inputs as a bench reads them.
 pub fn fits_as_well(bench: &Bench, found: &Found) -> bool {
-    gain(bench, found).is_some_and(|gain| gain > -TIE)
+    gain(bench, &found.last).is_some_and(|gain| gain > -TIE)
 }
 
-/// By how much what was found is likelier, in log-likelihood, with inputs as a bench reads them.
-fn gain(bench: &Bench, found: &Found) -> Option<f64> {
-    let scale = Scale::of(&found.last, false);
-    let other = anew(bench, &found.last).ok()?;
-    let [other, last] = [&other, &found.last].map(|fit| Measure::of(fit, &scale).likelihood);
+/// By how much a fitted model is likelier, in log-likelihood, with inputs as a bench reads them.
+fn gain(bench: &Bench, last: &Fit) -> Option<f64> {
+    let scale = Scale::of(last, false);
+    let other = anew(bench, last).ok()?;
+    let [other, last] = [&other, last].map(|fit| Measure::of(fit, &scale).likelihood);
     Some(other - last)
 }
 

@@ -329,7 +329,7 @@ impl Case<'_> {
         self.notes.retain(|n| !held.iter().any(|h| *n == hold::note(&h.finding.site.name)));
         self.told.extend(held);
         let base = compared::anew(&self.bench, &base)?;
-        Ok((self.named(&self.bench, &self.separate, base)?, is_cut))
+        Ok((self.named(&self.bench, &self.separate, base, None)?, is_cut))
     }
 
     /// The values that the model was given.
@@ -337,10 +337,22 @@ impl Case<'_> {
         self.model.parameters.iter().map(|p| p.value).collect()
     }
 
-    /// What the search finds and what of it stands.
-    fn named(&self, bench: &Bench, separate: &[Recording], base: Fit) -> Result<Found> {
+    /// What the search finds and what of it stands; what was found first where inputs fit better beside it as they were
+    /// read before.
+    fn named(
+        &self,
+        bench: &Bench,
+        separate: &[Recording],
+        base: Fit,
+        before: Option<&hold::Before>,
+    ) -> Result<Found> {
         let given = self.given();
-        let mut found = walk::search(bench, separate, base, (&given, None), self.request.progress)?;
+        let is_over = |last: &Fit| before.is_some_and(|b| b.is_likelier(bench, last));
+        let asked = (&given[..], None, &is_over as &dyn Fn(&Fit) -> bool);
+        let mut found = walk::search(bench, separate, base, asked, self.request.progress)?;
+        if is_over(&found.last) {
+            return Ok(found);
+        }
         backward::stand(bench, separate, &mut found);
         beside::settle(bench, separate, &mut found, self.request.progress);
         Self::rests(bench, &mut found);

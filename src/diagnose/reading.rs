@@ -11,11 +11,13 @@ impl Case<'_> {
     /// where that may hide a hold, with inputs held that may be, if that is likelier.
     pub(super) fn as_read(&mut self, settled: hold::Settled) -> Result<(Fit, Found)> {
         let hold::Settled { fit: base, held, open, before } = settled;
-        let found = self.named(&self.bench, &self.separate, base.clone())?;
+        let found = self.named(&self.bench, &self.separate, base.clone(), before.as_deref())?;
         let may = |case: &Self| case.bench.budget.cut() != Some(Early::Time);
         let before = before.filter(|_| may(self));
         if let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found)) {
-            let found = self.named(&self.bench, &self.separate, straight.clone())?;
+            // steps that were spent on a wrong reading are no reason to keep it
+            self.bench.budget.renew();
+            let found = self.named(&self.bench, &self.separate, straight.clone(), None)?;
             return Ok((straight, found));
         }
         self.told.extend(held);
@@ -37,7 +39,7 @@ impl Case<'_> {
             return Ok(None);
         }
         let base = compared::anew(&bench, base)?;
-        let other = self.named(&bench, &separate, base.clone())?;
+        let other = self.named(&bench, &separate, base.clone(), None)?;
         let faults = hold::likelier(names, &other, found);
         if faults.is_empty() {
             return Ok(None);

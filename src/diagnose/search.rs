@@ -154,7 +154,8 @@ pub struct Round {
 }
 
 impl Round {
-    fn nothing() -> Self {
+    /// One that looked at nothing.
+    pub fn nothing() -> Self {
         Self { screening: Screening::nothing(), fitted: Vec::new(), notes: Vec::new(), fallen: None }
     }
 }

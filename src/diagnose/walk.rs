@@ -63,7 +63,8 @@ struct Trial {
     current: Fit,
 }
 
-/// Searches from a fitted model; where wanted, beginning with no law like some.
+/// Searches from a fitted model; where wanted, beginning with no law like some, and no further than to a model of which
+/// something holds.
 ///
 /// # Errors
 /// Where the fitted model itself cannot be run.
@@ -71,7 +72,7 @@ pub fn search(
     bench: &Bench,
     separate: &[Recording],
     base: Fit,
-    (given, avoids): (&[f64], Option<&Proposal>),
+    (given, avoids, is_over): (&[f64], Option<&Proposal>, &dyn Fn(&Fit) -> bool),
     progress: &dyn Progress,
 ) -> Result<Found> {
     let mut walk = Walk {
@@ -93,6 +94,9 @@ pub fn search(
         let standing = standing(bench, separate, &mut round, &now);
         if let Some((choice, next)) = standing.filter(|(choice, _)| walk.bears(&round.fitted[choice.best])) {
             walk.takes(round, choice, next, &now);
+            if is_over(&walk.current) {
+                return Ok(walk.ends(Round::nothing(), &now));
+            }
         } else if let Some(trial) = walk.trial.take() {
             return Ok(walk.returns(trial));
         } else if let Some((i, next)) = walk.hopeful(&round, &now) {

@@ -145,6 +145,7 @@ impl Record {
         if run.predictions.iter().flatten().all(|y| y.is_finite()) {
             return Ok(run);
         }
-        Err(Error::not_computed(format!("the simulation of '{}' does not stay finite", self.name)))
+        Err(Error::not_computed(format!("the simulation of '{}' does not stay finite", self.name))
+            .with_hint("give parameters and the `initial` of states values nearer to the instrument's: a division by what begins at 0 is enough"))
     }
 }

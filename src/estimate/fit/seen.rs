@@ -4,7 +4,7 @@ use super::harness::{Harness, Track};
 use crate::estimate::coordinates::Range;
 use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
-use crate::model::{Initial, Model};
+use crate::model::{Initial, Input, Model};
 use crate::record::Recording;
 use crate::units::Unit;
 
@@ -67,8 +67,8 @@ fn nearly_seen(model: &Model, state: usize) -> Option<Seen> {
 }
 
 /// First guesses of all states at the start of their tracks: seen ones from the smoothed signal, an
-/// unseen one like a seen state of the same dimension, else zero.
-pub fn guess(model: &Model, tracks: &[Track], start: f64) -> Vec<f64> {
+/// unseen one like a seen state of the same dimension, else like an input of it, else zero.
+fn guess(model: &Model, recording: &Recording, tracks: &[Track], start: f64) -> Vec<f64> {
     let seen: Vec<Option<Seen>> = seen_states(model)
         .into_iter()
         .enumerate()
@@ -93,10 +93,18 @@ pub fn guess(model: &Model, tracks: &[Track], start: f64) -> Vec<f64> {
                 && model.states[*k].unit.dimension() == model.states[i].unit.dimension()
         };
         if values[i].is_none() {
-            values[i] = (0..values.len()).find(alike).and_then(|k| values[k]);
+            let seen = (0..values.len()).find(alike).and_then(|k| values[k]);
+            values[i] = seen.or_else(|| driven(model, recording, &model.states[i].unit, start));
         }
     }
     values.into_iter().map(|v| v.filter(|v| v.is_finite()).unwrap_or(0.0)).collect()
+}
+
+/// What the first input of a dimension is at a time: a lag begins near what it follows, a temperature near another.
+fn driven(model: &Model, recording: &Recording, unit: &Unit, start: f64) -> Option<f64> {
+    let alike = |i: &&Input| i.unit.dimension() == unit.dimension() && !unit.dimension().is_none();
+    let input = recording.find(&model.inputs.iter().find(alike)?.name)?;
+    input.samples().take_while(|s| s.0 <= start).last().map(|s| s.1)
 }
 
 /// How many times as far as what is seen a hidden state may start from it.
@@ -147,9 +155,9 @@ fn signals(model: &Model, recording: &Recording, unit: &Unit) -> Option<(f64, f6
 /// The initial states that a record starts from, and which of them are free: these where given, else where guessed.
 pub fn initials(
     model: &Model,
+    recording: &Recording,
     tracks: &[Track],
-    start: f64,
-    given: Option<&Vec<f64>>,
+    (start, given): (f64, Option<&Vec<f64>>),
 ) -> (Vec<f64>, Vec<usize>) {
     let free: Vec<usize> =
         (0..model.states.len()).filter(|k| model.states[*k].initial == Initial::Fit).collect();
@@ -157,7 +165,7 @@ pub fn initials(
     let starts = match given {
         Some(given) => given,
         None if free.is_empty() => vec![f64::NAN; model.states.len()],
-        None => guess(model, tracks, start),
+        None => guess(model, recording, tracks, start),
     };
     let value = |(s, start): (&crate::model::State, f64)| match s.initial {
         Initial::Number(x) => x,

@@ -70,7 +70,7 @@ pub fn record_if_any(
     if tracks.iter().all(|t| t.time.is_empty()) {
         return Ok(None);
     }
-    let (mut values, free) = initials(model, &tracks, start, options.initials.get(number));
+    let (mut values, free) = initials(model, recording, &tracks, (start, options.initials.get(number)));
     let reach = reach(model, recording, harness.as_ref(), (&values, &free));
     for (k, range) in free.iter().zip(&reach) {
         values[*k] = range.clamp(values[*k]);
