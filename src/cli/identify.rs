@@ -103,6 +103,12 @@ fn found(call: &Call) -> Result<Identification> {
         )
         .with_hint("say --lever, or name the compass with --compass"));
     }
+    if call.latitude.is_none() && call.compass.is_none() && table.find("latitude").is_none() {
+        let degrees = compass.sphere.latitude.to_degrees();
+        note(&format!(
+            "no latitude is given: {degrees} deg is taken, that of the paper's gyrocompass; say --latitude"
+        ));
+    }
     let told = identification(&table, &compass)
         .map_err(|e| if e.file().is_some() { e } else { e.with_file(held.given()) })?;
     if !told.unused.is_empty() {

@@ -400,10 +400,15 @@ impl Bench {
                 s.initial = if start.is_nan() { s.initial } else { Initial::Number(*start) };
             }
             let record = setup::record(&probes, &wider, k, &spans, &self.options(Effort::Near, 0))?;
-            let run = record.run(&stand.parameters, &stand.initials[k], &[])?;
+            let parameters = record.parameters(&stand.parameters);
+            let run = record.harness.run(&parameters, &stand.initials[k], &[])?;
             for (track, predicted) in record.tracks.iter().zip(&run.predictions) {
-                values[track.output].extend(predicted);
+                values[track.output].extend(predicted.iter().filter(|x| x.is_finite()));
             }
+        }
+        // a term may be steeper somewhere than the outputs for which steps are chosen; what is seen of it does
+        if values.iter().any(Vec::is_empty) {
+            return Err(Error::not_computed("what the model is made of does not stay finite"));
         }
         Ok(watched.statistics(model, &self.recordings, &values, pace))
     }

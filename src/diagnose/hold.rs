@@ -86,17 +86,22 @@ impl Before {
     }
 }
 
-/// Settles how the inputs of a fitted model are read; by their looks too, if wanted.
+/// Settles how the inputs of a fitted model are read: by their looks too, for less where that is asked once more later.
 ///
 /// # Errors
 /// Where the model cannot be fitted to what was settled.
-pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit, by_looks: bool) -> Result<Settled> {
+pub fn settle(
+    bench: &mut Bench,
+    separate: &mut [Recording],
+    base: Fit,
+    is_asked_again: bool,
+) -> Result<Settled> {
     let weights = weighed(bench, &base).unwrap_or_default();
-    let looks = |w: &Weight| by_looks && w.held > NEARER && looks_held_everywhere(bench, &w.name);
+    let looks = |w: &Weight| w.held > NEARER && looks_held_everywhere(bench, &w.name);
     let (shown, open): (Vec<Weight>, Vec<Weight>) =
         weights.into_iter().partition(|w| w.is_sure() || looks(w));
     let open: Vec<String> = open.into_iter().filter(Weight::may_be).map(|w| w.name).collect();
-    let least = if shown.iter().any(Weight::is_sure) { TIE } else { 0.0 };
+    let least = if shown.iter().any(Weight::is_sure) || !is_asked_again { TIE } else { 0.0 };
     let is_doubtful = !shown.iter().all(Weight::is_sure);
     let held: Vec<String> = shown.into_iter().map(|w| w.name).collect();
     if held.is_empty() {

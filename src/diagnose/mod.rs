@@ -7,6 +7,7 @@ mod another;
 pub mod answer;
 mod apart;
 mod assemble;
+mod at_rest;
 mod backward;
 pub(crate) mod bench;
 mod beside;
@@ -56,6 +57,7 @@ mod wandering;
 mod watch;
 mod words;
 
+pub(crate) use at_rest::begins_in_motion;
 pub(crate) use hold::{held_inputs, read_held, says as says_held};
 pub(crate) use watch::spread_of;
 
@@ -211,6 +213,7 @@ impl Case<'_> {
         progress.report("fitting the model as it stands", None);
         self.bench.budget.begin(foretold::FIRST_FIT);
         let base = self.bench.full_fit(model).map_err(|e| model.refusal().unwrap_or(e))?;
+        let base = self.begun(base, model)?;
         let base = if is_left { self.without_strays(base)? } else { base };
         self.bench.budget.tell(base.ended_early);
         let few = is_left.then(|| few::too_few(&self.bench, &base, self.spoiled_samples())).flatten();
@@ -274,6 +277,17 @@ impl Case<'_> {
         Ok(other.filter(|o| another::is_better(&best.answer, &o.answer)).unwrap_or(best))
     }
 
+    /// The fit of the model as given with its states where the recordings begin, should they not be at rest there.
+    fn begun(&mut self, base: Fit, given: &Model) -> Result<Fit> {
+        let Some(moving) = at_rest::moving(&self.bench, &base)? else { return Ok(base) };
+        self.model = given.clone();
+        for (own, moved) in self.model.states.iter_mut().zip(&moving.model.states) {
+            own.initial = moved.initial;
+        }
+        self.notes.push(moving.says);
+        Ok(moving.fit)
+    }
+
     /// The fit of the model as given once samples are left out that stand apart from all that it leaves over.
     fn without_strays(&mut self, mut base: Fit) -> Result<Fit> {
         for _ in 0..PASSES {
@@ -298,9 +312,8 @@ impl Case<'_> {
 
     /// The search, with signs and units mended; with whether gaps of inputs leave too little to tell.
     fn searched(&mut self, mut base: Fit) -> Result<(Found, bool)> {
-        let model = self.request.model;
         self.bench.budget.begin("faults");
-        if let Some(misread) = faults::misread(&self.bench, model, &base) {
+        if let Some(misread) = faults::misread(&self.bench, &self.model.clone(), &base) {
             misread.mend(&mut self.bench.recordings);
             misread.mend(&mut self.separate);
             self.told.push(misread.fault);

@@ -2,13 +2,14 @@
 
 use super::asking::Asking;
 use crate::Result;
-use crate::diagnose::{Request, held_inputs, read_held, says_held, spread_of};
+use crate::diagnose::{Request, begins_in_motion, held_inputs, read_held, says_held, spread_of};
 use crate::estimate::fit::{
-    self as estimate, Fit, FitOptions, HeldOut, ResidualSpectrum, Status, Warning, residual_spectra,
+    self as estimate, Fit, FitOptions, HeldOut, ParameterEstimate, ResidualSpectrum, Status, Warning,
+    residual_spectra,
 };
 use crate::estimate::{Correlation, correlations};
 use crate::model::Model;
-use crate::record::quality::outliers;
+use crate::record::quality::{outliers, wrapped_angle};
 use crate::record::{Kind, Recording, Source};
 use crate::report::fit::{FitReport, json, page, text};
 use crate::simulate::Budget;
@@ -72,18 +73,29 @@ impl<'a> Fitting<'a> {
                 fit = estimate::fit(model, &recordings, &options)?;
             }
             fit.warnings.extend(held.iter().map(|name| Warning { message: says_held(name) }));
+            let moves = begins_in_motion(&fit, &recordings, options.separate_holdout, seed);
+            fit.warnings.extend(moves.map(|message| Warning { message }));
             estimate::ascertain(&mut fit, &recordings, &options)?;
         }
-        let more: Vec<Warning> = strays(model, &recordings).chain(says_nothing(&fit, &recordings)).collect();
-        fit.warnings.extend(more);
         let held_out = estimate::holdout(&fit, &recordings, &separate, &options.without_limit())?;
+        let seen = strays(model, &recordings).chain(turns(model, &recordings));
+        let more: Vec<Warning> = seen.chain(says_nothing(&fit, &recordings)).collect();
+        fit.warnings.extend(more);
         let spectra = residual_spectra(&fit);
         let correlations = correlations(&fit, &recordings);
+        let several = |p: &ParameterEstimate| p.status == Status::Constant && differs(&recordings, &p.name);
+        fit.parameters.iter_mut().filter(|p| several(p)).for_each(|p| p.value = f64::NAN);
         // a model that was not read from a file: its own text stands among the inputs
         let source =
             source.cloned().unwrap_or_else(|| Source::of(Path::new("model"), model.to_toml().as_bytes()));
         Ok(Fitted { fit, source, held_out, spectra, correlations, recordings, separate, seed })
     }
+}
+
+/// Whether recordings know a parameter by several values, so that it has none for all of them.
+fn differs(recordings: &[Recording], name: &str) -> bool {
+    let known = recordings.iter().flat_map(|r| &r.constants).filter(|c| c.name == name).map(|c| c.value);
+    known.clone().zip(known.skip(1)).any(|(a, b)| a != b)
 }
 
 /// Samples of outputs that stand far off alone: a fit takes them as they are.
@@ -97,6 +109,23 @@ fn strays<'a>(model: &'a Model, recordings: &'a [Recording]) -> impl Iterator<It
              cells without a measurement empty; `gyrospec diagnose` leaves them out by itself",
             r.name,
             fault.spans.first()?.from
+        );
+        Some(Warning { message })
+    })
+}
+
+/// Angles that jump by a turn: a fit takes the jumps for motion.
+fn turns<'a>(model: &'a Model, recordings: &'a [Recording]) -> impl Iterator<Item = Warning> + 'a {
+    let named = model.inputs.iter().map(|i| &i.name).chain(model.outputs.iter().map(|o| &o.name));
+    let each = named.flat_map(|name| recordings.iter().map(move |r| (r, r.find(name))));
+    each.filter_map(|(r, channel)| {
+        let fault = wrapped_angle(channel.filter(|_| r.kind == Kind::Time)?)?;
+        let message = format!(
+            "`{}` in '{}' jumps by a turn, first at {} s, and is read as it stands: mark its channel `wraps = true`; \
+             `gyrospec diagnose` mends that by itself",
+            fault.channel,
+            r.name,
+            fault.spans.first()?.to
         );
         Some(Warning { message })
     })

@@ -96,7 +96,7 @@ pub(super) struct SpansForm {
 }
 
 #[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "a value with its unit, as in { value = 35.0, unit = \"kg\" }")]
 pub(super) struct QuantityForm {
     pub value: f64,
     pub unit: Spanned<String>,

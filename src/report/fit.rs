@@ -267,6 +267,7 @@ fn row(name: &str, values: [f64; 3], unit: &Unit, remark: Option<&str>) -> Vec<S
     let (mut shown, mut interval) = page::estimate(value, low, high);
     match remark {
         Some("fixed") => (shown, interval) = (format!("{value}"), "fixed".into()),
+        Some(remark) if value.is_nan() => (shown, interval) = ("several".into(), remark.into()),
         Some("at its bound") if interval != "–" => interval += ", at its bound",
         Some(remark) => interval = remark.into(),
         None if interval == "–" => interval = "cannot be told from these data".into(),

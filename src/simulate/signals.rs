@@ -53,6 +53,14 @@ fn channel<'a>(
 /// What a user should know of the model's beginnings and of the recording's channels.
 pub(super) fn cautions(model: &Model, recording: &Recording) -> Vec<String> {
     let mut all = model.cautions();
+    let is_unknown = |name: &str| model.parameters.iter().all(|p| p.name != name);
+    let unknown = recording.constants.iter().filter(|c| is_unknown(&c.name));
+    all.extend(unknown.map(|c| {
+        format!(
+            "the constant `{}` of '{}' is no parameter of the model, and does nothing",
+            c.name, recording.name
+        )
+    }));
     all.extend(model.caution_of(recording));
     all.extend(taken_as_radians(model, recording));
     all

@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr)] // what was skipped, and figures for the record
 
 mod absent;
+mod actuators;
 mod angular;
 mod apart;
 mod audit;
@@ -10,6 +11,7 @@ mod between;
 mod card;
 mod chained;
 mod circles;
+mod claims;
 mod clock_shift;
 mod closer;
 mod correlation;

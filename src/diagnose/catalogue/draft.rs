@@ -237,6 +237,13 @@ impl<'a> Draft<'a> {
         name
     }
 
+    /// Holds a parameter of the model at a value.
+    pub fn hold(&mut self, name: &str, value: f64) {
+        for p in self.proposal.model.parameters.iter_mut().filter(|p| p.name == name) {
+            (p.fit, p.value) = (false, value);
+        }
+    }
+
     /// Asks for it only in the place of what was found.
     pub fn refines(&mut self) {
         self.proposal.refines = true;

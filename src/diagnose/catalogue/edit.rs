@@ -1,6 +1,6 @@
 //! Edits of a model: where forces enter, how a signal is replaced, which unit an expression has.
 
-use crate::estimate::Range;
+use crate::estimate::{Range, Side};
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::model::{Definition, Model, Parameter};
 use crate::units::{Dimension, Unit};
@@ -194,7 +194,7 @@ pub fn has_term_in(model: &Model, rate: &Expr, signal: &str) -> bool {
 /// Whether it has one of any size that a recording may ask for: one of its parameters is fitted and inside its bounds, or
 /// it has none.
 pub fn has_free_term_in(model: &Model, rate: &Expr, signal: &str) -> bool {
-    let is_free = |p: &&Parameter| p.fit && !is_pressed(p);
+    let is_free = |p: &&Parameter| p.fit && pressed_against(p).is_none();
     coefficients(model, rate, signal).any(|all| all.is_empty() || all.iter().any(is_free))
 }
 
@@ -209,10 +209,10 @@ fn coefficients<'m>(model: &'m Model, rate: &Expr, signal: &str) -> impl Iterato
     found.into_iter()
 }
 
-/// Whether a parameter lies at one of its bounds.
-fn is_pressed(p: &Parameter) -> bool {
+/// At which of its bounds a parameter lies.
+pub fn pressed_against(p: &Parameter) -> Option<Side> {
     let (min, max) = (p.min.unwrap_or(f64::NEG_INFINITY), p.max.unwrap_or(f64::INFINITY));
-    Range { min, max }.at_bound(p.value).is_some()
+    Range { min, max }.at_bound(p.value)
 }
 
 /// Whether an expression is a product or quotient with a name as one of its factors.

@@ -7,6 +7,7 @@
 //! # Equation
 //! ```text
 //!     p -> p + d      p a parameter that is not fitted
+//!     p = b -> b + d  p one that is fitted and pressed against its bound b, from there on
 //! ```
 //!
 //! # What else looks like this
@@ -19,7 +20,8 @@
 //! # Example
 //! A spring of 2600 N/m that the drawing calls one of 2500.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind, edit};
+use crate::estimate::Side;
 use crate::model::Parameter;
 
 /// A known value that is off.
@@ -33,7 +35,33 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let known = scene.model.parameters[..scene.own_parameters].iter().filter(|p| !p.fit && p.value != 0.0);
-    known.filter_map(|p| at(scene, p)).collect()
+    let own = scene.model.parameters[..scene.own_parameters].iter();
+    known.filter_map(|p| at(scene, p)).chain(own.filter_map(|p| beyond(scene, p))).collect()
+}
+
+/// A value beyond a bound of the model; a bound of 0 is where something is not there at all.
+fn beyond(scene: &Scene, p: &Parameter) -> Option<Proposal> {
+    let side = edit::pressed_against(p).filter(|_| p.fit)?;
+    let is_upper = side == Side::Upper;
+    let bound = if is_upper { p.max } else { p.min }.filter(|b| *b != 0.0)?;
+    let mut d = Draft::new(scene, "parameter-value", SiteKind::Parameter, &p.name);
+    d.hold(&p.name, bound);
+    // from the bound on, as far as a value held for known may be off
+    let (near, far) = (-0.95 * bound.abs(), 30.0 * bound.abs());
+    let limits = match (is_upper, bound > 0.0) {
+        (true, true) => (0.0, far),
+        (true, false) => (0.0, -near),
+        (false, true) => (near, 0.0),
+        (false, false) => (-far, 0.0),
+    };
+    let off =
+        d.amplitude(&format!("d{}", p.name), &p.unit, limits, "how far the value lies beyond its bound");
+    d.replace(&p.name, &format!("({} + {off})", p.name), |_| true);
+    d.start(&[0.1 * if is_upper { bound.abs() } else { -bound.abs() }]);
+    d.done(&format!(
+        "{} lies {{0}} beyond the bound that the model gives it: widen that",
+        scene.words(&p.name)
+    ))
 }
 
 fn at(scene: &Scene, p: &Parameter) -> Option<Proposal> {

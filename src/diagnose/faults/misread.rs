@@ -7,7 +7,7 @@ use crate::diagnose::bench::Bench;
 use crate::diagnose::catalogue::edit;
 use crate::diagnose::choose::{CHANCE, TIE};
 use crate::diagnose::measure::chance;
-use crate::estimate::fit::Effort;
+use crate::estimate::fit::{Effort, ParameterEstimate, Status};
 use crate::estimate::{Fit, fit};
 use crate::expression::Expr;
 use crate::model::{Model, Parameter};
@@ -161,6 +161,9 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
         mends.into_iter().filter(|m| m.misfit < BETTER * before && is_sure(m)).collect();
     let most = stand.iter().map(|m| m.likelihood).fold(f64::NEG_INFINITY, f64::max);
     stand.retain(|m| m.likelihood > most - TIE);
+    if stand.iter().any(|m| !is_turned(&m.way)) && is_another_value(bench, model, base, &stand) {
+        stand.retain(|m| is_turned(&m.way));
+    }
     stand.sort_by_key(|m| m.way.part);
     let first = stand.first()?;
     let others: Vec<Way<'_>> = stand[1..].iter().map(|m| m.way).collect();
@@ -168,6 +171,52 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     let Mend { way, model, fit, .. } = stand.swap_remove(0);
     let channel = way.part.is_channel().then(|| way.name.to_string());
     Some(Misread { fault, channel, factor: way.factor, model, fit })
+}
+
+/// Share of the misfit that a unit leaves up to which a value that is another one explains more.
+const FAR_LESS: f64 = 0.5;
+/// How many times as large as a bound a value is no other unit.
+const NEAR_BOUND: f64 = 2.0;
+
+/// Whether one value, held for known, that is another explains far more than a unit, or a bound that is too narrow as much.
+fn is_another_value(bench: &Bench, model: &Model, base: &Fit, units: &[Mend<'_>]) -> bool {
+    let least = units.iter().map(|m| m.misfit).fold(f64::INFINITY, f64::min);
+    let refitted = |model: &Model| {
+        let fit = fit(model, &bench.recordings, &bench.options(Effort::Near, 10)).ok()?;
+        let misfit = relative(bench, &fit, "", 1.0).into_iter().fold(0.0, f64::max);
+        Some((fit, misfit))
+    };
+    let known = model.parameters.iter().enumerate().filter(|(_, p)| !p.fit && p.value != 0.0);
+    let freed: Vec<Model> = known
+        .map(|(k, _)| {
+            let mut other = model.clone();
+            other.parameters[k].fit = true;
+            other
+        })
+        .collect();
+    let explains = |m: &Model| refitted(m).is_some_and(|(_, misfit)| misfit < FAR_LESS * least);
+    freed.par_iter().with_max_len(1).any(explains)
+        || wider(model, base).is_some_and(|(wide, pressed)| {
+            let near = |fit: &Fit| {
+                pressed.iter().all(|(k, bound)| {
+                    let value = fit.parameters[*k].value.abs();
+                    value < NEAR_BOUND * bound.abs() && value > bound.abs() / NEAR_BOUND
+                })
+            };
+            refitted(&wide).is_some_and(|(fit, misfit)| misfit < least * (1.0 + FAR_LESS) && near(&fit))
+        })
+}
+
+/// The model without the bounds that its fit presses against, and these; none where it presses against none.
+fn wider(model: &Model, base: &Fit) -> Option<(Model, Vec<(usize, f64)>)> {
+    let at =
+        |(k, p): (usize, &ParameterEstimate)| matches!(p.status, Status::AtBound(_)).then_some((k, p.value));
+    let pressed: Vec<(usize, f64)> = base.parameters.iter().enumerate().filter_map(at).collect();
+    let mut wide = model.clone();
+    for (k, _) in &pressed {
+        (wide.parameters[*k].min, wide.parameters[*k].max) = (None, None);
+    }
+    (!pressed.is_empty()).then_some((wide, pressed))
 }
 
 /// Every channel that moves, turned over and in every unit that it may be in, and every definition that acts and every

@@ -237,20 +237,23 @@ impl Assembly<'_> {
         parameters
             .map(|(k, p)| {
                 let at = self.problem.free.iter().position(|f| *f == k);
-                let known =
-                    !self.problem.records.is_empty() && self.problem.records.iter().all(|r| r.knows(k));
+                let constants =
+                    self.problem.records.iter().map(|r| r.constants.iter().find(|c| c.0 == k).map(|c| c.1));
+                let known: Option<Vec<f64>> =
+                    constants.collect::<Option<_>>().filter(|c: &Vec<f64>| !c.is_empty());
                 let status = match at {
                     Some(at) => match self.minimum.at_bound[at] {
                         Some(side) => Status::AtBound(side),
                         None => Status::Fitted,
                     },
-                    None if known => Status::Constant,
+                    None if known.is_some() => Status::Constant,
                     None => Status::Fixed,
                 };
                 let (low, high) = at.map_or((f64::NAN, f64::NAN), |at| self.interval(at, covariance, reach));
+                let same = |c: &Vec<f64>| c.iter().all(|x| *x == c[0]).then_some(c[0]);
                 ParameterEstimate {
                     name: p.name.clone(),
-                    value: values[k],
+                    value: known.as_ref().filter(|_| at.is_none()).and_then(same).unwrap_or(values[k]),
                     low,
                     high,
                     unit: p.unit.clone(),

@@ -6,7 +6,7 @@ use super::seen::{initials, reach};
 use super::simulated::{Ready, ready};
 use crate::estimate::coordinates::Range;
 use crate::model::Model;
-use crate::record::{self, Recording, Span, Spans};
+use crate::record::{self, Channel, Recording, Span, Spans};
 use crate::{Error, Result, simulate};
 
 /// What of a recording is fitted and held out.
@@ -38,13 +38,20 @@ pub fn record(
     spans: &[Span],
     options: &FitOptions<'_>,
 ) -> Result<Record> {
-    record_if_any(model, recording, number, spans, options)?.ok_or_else(|| {
-        Error::bad_input(format!(
-            "recording '{}' has no sample to compare in the wanted spans",
-            recording.name
-        ))
-        .with_hint("look at its times and spans with `gyrospec record`")
-    })
+    record_if_any(model, recording, number, spans, options)?.ok_or_else(|| no_sample(model, recording))
+}
+
+/// Why nothing can be compared.
+fn no_sample(model: &Model, recording: &Recording) -> Error {
+    let name = &recording.name;
+    let is_empty = |c: &Channel| c.samples().next().is_none();
+    let outputs: Vec<&Channel> = model.outputs.iter().filter_map(|o| recording.find(&o.name)).collect();
+    let message = match outputs.as_slice() {
+        [one] if is_empty(one) => format!("output {} of recording '{name}' holds no number at all", one.name),
+        all if all.iter().all(|c| is_empty(c)) => format!("no output of recording '{name}' holds a number"),
+        _ => format!("recording '{name}' has no sample to compare in the wanted spans"),
+    };
+    Error::bad_input(message).with_hint("look at its times and spans with `gyrospec record`")
 }
 
 /// The same, or none where no sample is left.

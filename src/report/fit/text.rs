@@ -54,6 +54,10 @@ fn row(name: &str, values: [f64; 3], unit: &Unit, remark: Option<&str>) -> Strin
         Some(remark) => remark.to_owned(),
         None => known,
     };
-    let shown = if remark == Some("fixed") { format!("{value}") } else { significant(value, digits) };
+    let shown = match remark {
+        Some("fixed") => format!("{value}"),
+        _ if value.is_nan() => "several".to_owned(),
+        _ => significant(value, digits),
+    };
     format!("  {name:<16} {shown:>14}   {interval:<28} {}\n", unit.text())
 }

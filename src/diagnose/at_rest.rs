@@ -1,0 +1,88 @@
+//! Whether a recording begins at rest where the model says so.
+//!
+//! # Purpose
+//! A state that the model starts `"steady"` while the recording begins in motion leaves a transient that no law explains:
+//! parameters bend to it, and whatever moves the beginning is named.
+//!
+//! # Method
+//! Such states are fitted at their beginning instead. That is kept where it is surely likelier, the price of the
+//! beginnings paid, and told.
+//!
+//! # References
+//! G. Schwarz, Ann. Statist. 6 (1978) 461 (the price).
+
+use super::bench::Bench;
+use super::measure::{Measure, Scale};
+use crate::Result;
+use crate::estimate::fit::Effort;
+use crate::estimate::{Fit, fit};
+use crate::model::{Initial, Model};
+use crate::record::Recording;
+
+/// How much likelier a beginning in motion must be, its price paid: odds of e⁵ to 1.
+const SURELY: f64 = 5.0;
+/// Steps of the fit.
+const STEPS: usize = 60;
+
+/// A model whose recordings do not begin at rest.
+pub struct Moving {
+    /// The model with its beginnings to be fitted.
+    pub model: Model,
+    /// The same, fitted.
+    pub fit: Fit,
+    /// What a reader should know.
+    pub says: String,
+}
+
+/// The model with the beginnings fitted that it says to be steady, where the recordings surely begin otherwise.
+///
+/// # Errors
+/// Where that model cannot be fitted.
+pub fn moving(bench: &Bench, base: &Fit) -> Result<Option<Moving>> {
+    let mut model = base.model.clone();
+    let steady: Vec<usize> =
+        (0..model.states.len()).filter(|k| model.states[*k].initial == Initial::Steady).collect();
+    if steady.is_empty() || bench.is_trials() {
+        return Ok(None);
+    }
+    steady.iter().for_each(|k| model.states[*k].initial = Initial::Fit);
+    let other = fit(&model, &bench.recordings, &bench.options(Effort::Near, STEPS))?;
+    let scale = Scale::of(base, false);
+    let [before, after] = [base, &other].map(|fit| Measure::of(fit, &scale));
+    // ½ ln n for each beginning
+    let price = 0.5 * (steady.len() * bench.recordings.len()) as f64 * after.samples.max(1.0).ln();
+    if after.likelihood - before.likelihood < price + SURELY {
+        return Ok(None);
+    }
+    let says = says(&model, &steady, &other);
+    Ok(Some(Moving { model, fit: other, says }))
+}
+
+/// The same for a fit alone: what a reader should know.
+pub fn begins_in_motion(
+    fit: &Fit,
+    recordings: &[Recording],
+    separate_holdout: bool,
+    seed: u64,
+) -> Option<String> {
+    let bench = Bench::new(&fit.model, recordings.to_vec(), separate_holdout, seed);
+    let other = moving(&bench, fit).ok().flatten()?;
+    Some(other.says)
+}
+
+fn says(model: &Model, steady: &[usize], fit: &Fit) -> String {
+    let begins = steady.iter().map(|k| {
+        let state = &model.states[*k];
+        let start = fit.initials.iter().find(|i| i.state == state.name).map_or(f64::NAN, |i| i.value);
+        format!(
+            "{} at {} {}",
+            state.name,
+            crate::units::significant(state.unit.from_si(start), 4),
+            state.unit
+        )
+    });
+    format!(
+        "the recording does not begin at rest, as `initial = \"steady\"` says: it begins with {}; write `initial = \"fit\"`",
+        begins.collect::<Vec<_>>().join(", ")
+    )
+}

@@ -1,0 +1,152 @@
+//! An actuator that the model has as a lag and whose rate is limited; a crop that thirsts below a level; a well behind an
+//! orifice; a capsule whose pressure an output has under a logarithm.
+
+use crate::diagnose::diagnosed;
+use gyrospec::diagnose::answer::Verdict;
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Recording};
+use gyrospec::units::Unit;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
+
+/// Samples of x' = rate(t, x) in fine Euler steps, so many to a sample.
+fn stepped(times: &[f64], begins: f64, fine: u32, rate: impl Fn(f64, f64) -> f64) -> Vec<f64> {
+    let mut x = begins;
+    let mut course = vec![x];
+    for pair in times.windows(2) {
+        let h = (pair[1] - pair[0]) / f64::from(fine);
+        for k in 0..fine {
+            x += h * rate(pair[0] + h * f64::from(k), x);
+        }
+        course.push(x);
+    }
+    course
+}
+
+fn noisy(values: &[f64], noise: f64, seed: u64) -> Vec<f64> {
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
+    values.iter().map(|v| v + noise * normal()).collect()
+}
+
+fn recording(time: &[f64], channels: &[(&str, &str, Vec<f64>)]) -> Recording {
+    let one = |(name, unit, values): &(&str, &str, Vec<f64>)| {
+        Channel::new(*name, Unit::parse(unit).unwrap(), time.to_vec(), values.clone())
+    };
+    Recording::from_channels("made", channels.iter().map(one).collect()).unwrap()
+}
+
+/// A straight line through samples.
+fn line(times: &[f64], values: &[f64], t: f64) -> f64 {
+    let i = times.partition_point(|s| *s <= t).clamp(1, times.len() - 1);
+    let share = (t - times[i - 1]) / (times[i] - times[i - 1]);
+    values[i - 1] + share * (values[i] - values[i - 1])
+}
+
+#[test]
+fn the_rate_of_an_actuator_of_the_model_is_limited() {
+    let time: Vec<f64> = (0..1500).map(|i| 0.1 * f64::from(i)).collect();
+    let order: Vec<f64> = time.iter().map(|t| 15.0 * (0.31 * t).sin() + 8.0 * (0.83 * t).sin()).collect();
+    let rudder = stepped(&time, 0.0, 100, |t, x| ((line(&time, &order, t) - x) / 0.8).clamp(-4.0, 4.0));
+    let model = Model::parse(
+        "name = \"steering gear\"\n[inputs]\norder = { unit = \"deg\" }\n[parameters]\n\
+         T = { value = 1.0, unit = \"s\", fit = true, min = 0.01, max = 100 }\n\
+         [states]\nr = { rate = \"(order - r)/T\", unit = \"deg\", initial = \"fit\" }\n\
+         [outputs]\nrudder = { equals = \"r\", unit = \"deg\" }\n",
+    )
+    .unwrap();
+    let made = recording(&time, &[("order", "deg", order), ("rudder", "deg", noisy(&rudder, 0.1, 3))]);
+    let told = diagnosed(&model, made).answer;
+    let first = &told.findings[0];
+    assert_eq!((told.verdict, told.findings.len()), (Verdict::Named, 1), "{}", told.says);
+    assert_eq!((first.code.as_str(), first.site.name.as_str()), ("input-rate-limit", "r"), "{}", told.says);
+    let limit = &first.parameters[0];
+    let rate = Unit::parse(&limit.unit).unwrap().to_si(limit.value).to_degrees();
+    assert!((rate - 4.0).abs() < 0.02, "{rate}: {}", told.says);
+}
+
+#[test]
+fn a_crop_thirsts_below_a_level() {
+    let time: Vec<f64> = (0..1500).map(|i| 3600.0 * f64::from(i)).collect();
+    let hours = |t: f64| t / 3600.0;
+    let sun: Vec<f64> = time.iter().map(|t| 0.25 * (hours(*t) * 0.2618).sin().max(0.0)).collect();
+    let rain: Vec<f64> =
+        time.iter().map(|t| if hours(*t).rem_euclid(310.0) < 9.0 { 4.0 } else { 0.0 }).collect();
+    // mm an hour; the loss falls in proportion below 60 mm
+    let water = stepped(&time, 80.0, 20, |t, w| {
+        let (rain, sun) = (line(&time, &rain, t), line(&time, &sun, t));
+        (rain - 0.9 * sun * (w / 60.0).min(1.0) - w / 700.0) / 3600.0
+    });
+    let model = Model::parse(
+        "name = \"plot\"\n[inputs]\nP = { unit = \"mm/h\" }\nE = { unit = \"mm/h\" }\n[parameters]\n\
+         k = { value = 0.7, unit = \"1\", fit = true, min = 0.05, max = 20 }\n\
+         tau = { value = 600, unit = \"h\", fit = true, min = 20, max = 8000 }\n\
+         [states]\nW = { rate = \"P - k*E - W/tau\", unit = \"mm\", initial = \"fit\" }\n\
+         [outputs]\nwater = { equals = \"W\", unit = \"mm\" }\n",
+    )
+    .unwrap();
+    let made =
+        recording(&time, &[("P", "mm/h", rain), ("E", "mm/h", sun), ("water", "mm", noisy(&water, 0.4, 7))]);
+    let told = diagnosed(&model, made).answer;
+    let first = &told.findings[0];
+    assert_eq!(
+        (told.verdict, first.code.as_str()),
+        (Verdict::Named, "parameter-dependence"),
+        "{}",
+        told.says
+    );
+    assert_eq!((first.site.name.as_str(), first.parameters.len()), ("k", 2), "{}", told.says);
+    let level = &first.parameters[1];
+    let mm = |x: f64| 1e3 * Unit::parse(&level.unit).unwrap().to_si(x);
+    assert!(
+        mm(level.low) < 60.0 && mm(level.high) > 60.0 && mm(level.high) - mm(level.low) < 8.0,
+        "{}",
+        told.says
+    );
+}
+
+/// Where the difference of two levels passes through 0 its root is so steep that steps for the rate itself are none.
+#[test]
+fn a_well_fills_through_an_orifice() {
+    let time: Vec<f64> = (0..2500).map(|i| 30.0 * f64::from(i)).collect();
+    let sea: Vec<f64> =
+        time.iter().map(|t| 3.0 + 1.1 * (2.4e-4 * t).sin() + 0.06 * (0.011 * t).sin()).collect();
+    let well = stepped(&time, 3.0, 200, |t, h| {
+        let over = line(&time, &sea, t) - h;
+        9.3e-4 * over.signum() * over.abs().sqrt()
+    });
+    let model = Model::parse(
+        "name = \"tide gauge\"\n[inputs]\nsea = { unit = \"m\" }\n[parameters]\nA = { value = 0.2, unit = \"m^2\" }\n\
+         k = { value = 4e-4, unit = \"m^2/s\", fit = true }\n\
+         [states]\nh = { rate = \"k*(sea - h)/A\", unit = \"m\", initial = \"fit\" }\n\
+         [outputs]\nlevel = { equals = \"h\", unit = \"m\" }\n",
+    )
+    .unwrap();
+    let made = recording(&time, &[("sea", "m", sea), ("level", "m", noisy(&well, 1.5e-3, 2))]);
+    let told = diagnosed(&model, made).answer;
+    let first = &told.findings[0];
+    assert_eq!((told.verdict, first.code.as_str()), (Verdict::Named, "power-law"), "{}", told.says);
+    assert!((first.parameters[0].value + 0.5).abs() < 0.02, "{}", told.says);
+}
+
+/// ln(p₀/p) has no value where the hidden pressure begins at 0: it begins near the one outside.
+#[test]
+fn a_hidden_state_begins_near_an_input_of_its_kind() {
+    let time: Vec<f64> = (0..800).map(f64::from).collect();
+    let outside: Vec<f64> = time.iter().map(|t| 80.0 + 6.0 * (0.05 * t).sin()).collect();
+    let inside = stepped(&time, 80.0, 100, |t, p| (line(&time, &outside, t) - p) / 6.0);
+    let height: Vec<f64> = inside.iter().map(|p| 8400.0 * (101.325 / p).ln()).collect();
+    let model = Model::parse(
+        "name = \"altimeter\"\n[inputs]\np = { unit = \"kPa\" }\n[parameters]\np0 = { value = 101.325, unit = \"kPa\" }\n\
+         H = { value = 9000, unit = \"m\", fit = true }\ntau = { value = 8, unit = \"s\", fit = true, min = 0.1 }\n\
+         [states]\nc = { rate = \"(p - c)/tau\", unit = \"kPa\", initial = \"fit\" }\n\
+         [outputs]\nalt = { equals = \"H*ln(p0/c)\", unit = \"m\" }\n",
+    )
+    .unwrap();
+    let made = recording(&time, &[("p", "kPa", outside), ("alt", "m", noisy(&height, 2.0, 4))]);
+    let told = diagnosed(&model, made).answer;
+    assert_eq!(told.verdict, Verdict::NothingMissing, "{}", told.says);
+    let height = told.parameters.iter().find(|p| p.name == "H").unwrap();
+    assert!((height.after - 8400.0).abs() < 10.0, "{}", height.after);
+}
