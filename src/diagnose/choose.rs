@@ -108,9 +108,12 @@ pub fn chosen_from(p: &Proposal, samples: f64) -> f64 {
     }
 }
 
-/// Whether a law was taken before at the same site on the same signals: twice, it is another law.
+/// Whether a law was taken before at the same site on the same signals: twice, it is another law. Another harmonic of an angle
+/// is no repetition.
 pub fn is_repeated(p: &Proposal, taken: &[Taken]) -> bool {
-    let same = |t: &Proposal| t.code == p.code && t.site == p.site && t.depends == p.depends;
+    let own = p.harmonics();
+    let is_new = |t: &Proposal| t.harmonics().iter().all(|h| !own.contains(h)) && !own.is_empty();
+    let same = |t: &Proposal| t.code == p.code && t.site == p.site && t.depends == p.depends && !is_new(t);
     !is_anchored(p) && taken.iter().any(|t| same(&t.proposal))
 }
 

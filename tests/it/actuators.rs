@@ -32,7 +32,9 @@ fn noisy(values: &[f64], noise: f64, seed: u64) -> Vec<f64> {
 
 fn recording(time: &[f64], channels: &[(&str, &str, Vec<f64>)]) -> Recording {
     let one = |(name, unit, values): &(&str, &str, Vec<f64>)| {
-        Channel::new(*name, Unit::parse(unit).unwrap(), time.to_vec(), values.clone())
+        let unit = Unit::parse(unit).unwrap();
+        let si = values.iter().map(|v| unit.to_si(*v)).collect();
+        Channel::new(*name, unit, time.to_vec(), si)
     };
     Recording::from_channels("made", channels.iter().map(one).collect()).unwrap()
 }

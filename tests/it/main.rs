@@ -39,6 +39,7 @@ mod gimbal;
 mod gyro;
 mod gyro_nonlinear;
 mod gyro_time;
+mod harmonics;
 mod headline;
 mod held_inputs;
 mod help;

@@ -121,6 +121,19 @@ impl Proposal {
         edit::find(&term, &is_turned).is_some()
     }
 
+    /// What its term takes sines and cosines of, but for what it fits.
+    pub fn harmonics(&self) -> Vec<Expr> {
+        let Ok(term) = Expr::parse(&self.term) else { return Vec::new() };
+        let mut found = Vec::new();
+        term.visit(&mut |e| {
+            if let Expr::Call(Function::Sin | Function::Cos, arguments) = e {
+                let is_known = |x: &&Expr| !self.added.iter().any(|a| x.mentions(&a.name));
+                found.extend(arguments.iter().filter(is_known).cloned());
+            }
+        });
+        found
+    }
+
     /// Whether its term has corners: a sign, a stop, a play.
     pub fn has_corners(&self) -> bool {
         let Ok(term) = Expr::parse(&self.term) else { return false };

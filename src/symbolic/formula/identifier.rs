@@ -6,7 +6,7 @@ use crate::{Error, Result};
 /// Words of Rust that are no names, and what a file compiled alone needs.
 const RUST: &str = "_ Self abstract as async await become box break const continue crate do dyn else enum extern \
     false final fn for gen if impl in let loop macro main match mod move mut override priv pub ref return self static \
-    struct super trait true try type typeof unsafe unsized use virtual where while yield";
+    struct super trait true try type typeof unsafe unsized use virtual where while yield None Some Ok Err";
 
 /// Words of Python 3 that are no names, and what the functions call.
 const PYTHON: &str = "False None True abs and as assert async await break class continue def del elif else except \
@@ -17,7 +17,7 @@ const PYTHON: &str = "False None True abs and as assert async await break class 
 const C: &str = "alignas alignof asm auto bool break case char const constexpr continue default do double else enum \
     extern false float for goto if inline int long nullptr register restrict return short signed sizeof static \
     static_assert struct switch thread_local true typedef typeof typeof_unqual union unsigned void volatile while \
-    linux unix main abs exit free index div labs NAN INFINITY HUGE_VAL MAXFLOAT \
+    NULL EOF stdin stdout stderr errno linux unix main abs exit free index div labs NAN INFINITY HUGE_VAL MAXFLOAT \
     acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh drem erf erfc exp exp10 exp2 expm1 fabs fdim \
     finite floor fma fmax fmin fmod frexp gamma hypot ilogb isfinite isinf isnan isnormal j0 j1 jn ldexp lgamma llrint \
     llround log log10 log1p log2 logb lrint lround math_errhandling modf nan nearbyint nextafter nexttoward pow pow10 \
@@ -44,18 +44,23 @@ impl CodeLanguage {
         }
     }
 
+    /// Whether a name begins as the constants of the language's library do.
+    fn is_macro(self, name: &str) -> bool {
+        self == Self::C && (name.starts_with("M_") || name.starts_with("FP_"))
+    }
+
     fn takes(self, name: &str) -> bool {
         let words = match self {
             Self::Rust => RUST,
             Self::Python => PYTHON,
             Self::C => C,
         };
-        let macros = self == Self::C && (name.starts_with("M_") || name.starts_with("FP_"));
-        macros || words.split_whitespace().any(|word| word == name)
+        self.is_macro(name) || words.split_whitespace().any(|word| word == name)
     }
 }
 
-/// A name as the language has it: Greek letters written out, an underscore behind a word that is taken.
+/// A name as the language has it: Greek letters written out, an underscore behind a word that is taken, a letter before one
+/// whose beginning is.
 ///
 /// # Errors
 /// Bad input, where it holds anything but letters of the alphabet, Greek letters, digits and `_`.
@@ -69,6 +74,9 @@ pub fn identifier(name: &str, language: CodeLanguage) -> Result<String> {
         let near = if near.is_empty() { "result" } else { near };
         return Err(Error::bad_input(wrong)
             .with_hint(format!("write letters, digits and _ and begin with a letter: {near}")));
+    }
+    if language.is_macro(&plain) {
+        plain.insert(0, 'x');
     }
     while language.takes(&plain) {
         plain.push('_');
@@ -97,4 +105,24 @@ pub fn arguments<'a>(
         names.push((name, symbol));
     }
     Ok(names.into_iter().map(|(name, _)| name).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_that_the_language_takes_is_another() {
+        let of = |name: &str, language| identifier(name, language).unwrap();
+        assert_eq!(of("M_PI", CodeLanguage::C), "xM_PI");
+        assert_eq!(of("M_PI", CodeLanguage::Rust), "M_PI");
+        assert_eq!(
+            (of("NULL", CodeLanguage::C), of("sin", CodeLanguage::C)),
+            ("NULL_".into(), "sin_".into())
+        );
+        assert_eq!(
+            (of("None", CodeLanguage::Rust), of("None", CodeLanguage::Python)),
+            ("None_".into(), "None_".into())
+        );
+    }
 }
