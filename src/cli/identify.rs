@@ -8,7 +8,7 @@ use crate::gyro::range;
 use crate::record::{Input, Recording};
 use crate::report::identified::{json, page, text};
 use crate::rolling::{Compass, Identification, identification};
-use crate::units::Unit;
+use crate::units::{Unit, significant};
 use crate::{Error, Result};
 use clap::Parser;
 use std::path::PathBuf;
@@ -104,7 +104,7 @@ fn found(call: &Call) -> Result<Identification> {
         .with_hint("say --lever, or name the compass with --compass"));
     }
     if call.latitude.is_none() && call.compass.is_none() && table.find("latitude").is_none() {
-        let degrees = compass.sphere.latitude.to_degrees();
+        let degrees = significant(compass.sphere.latitude.to_degrees(), 4);
         note(&format!(
             "no latitude is given: {degrees} deg is taken, that of the paper's gyrocompass; say --latitude"
         ));

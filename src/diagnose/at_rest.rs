@@ -13,11 +13,11 @@
 
 use super::bench::Bench;
 use super::measure::{Measure, Scale};
-use crate::Result;
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
 use crate::model::{Initial, Model};
 use crate::record::Recording;
+use crate::units::significant;
 
 /// How much likelier a beginning in motion must be, its price paid: odds of e⁵ to 1.
 const SURELY: f64 = 5.0;
@@ -35,27 +35,24 @@ pub struct Moving {
 }
 
 /// The model with the beginnings fitted that it says to be steady, where the recordings surely begin otherwise.
-///
-/// # Errors
-/// Where that model cannot be fitted.
-pub fn moving(bench: &Bench, base: &Fit) -> Result<Option<Moving>> {
+pub fn moving(bench: &Bench, base: &Fit) -> Option<Moving> {
     let mut model = base.model.clone();
     let steady: Vec<usize> =
         (0..model.states.len()).filter(|k| model.states[*k].initial == Initial::Steady).collect();
     if steady.is_empty() || bench.is_trials() {
-        return Ok(None);
+        return None;
     }
     steady.iter().for_each(|k| model.states[*k].initial = Initial::Fit);
-    let other = fit(&model, &bench.recordings, &bench.options(Effort::Near, STEPS))?;
+    let other = fit(&model, &bench.recordings, &bench.options(Effort::Near, STEPS)).ok()?;
     let scale = Scale::of(base, false);
     let [before, after] = [base, &other].map(|fit| Measure::of(fit, &scale));
     // ½ ln n for each beginning
     let price = 0.5 * (steady.len() * bench.recordings.len()) as f64 * after.samples.max(1.0).ln();
     if after.likelihood - before.likelihood < price + SURELY {
-        return Ok(None);
+        return None;
     }
     let says = says(&model, &steady, &other);
-    Ok(Some(Moving { model, fit: other, says }))
+    Some(Moving { model, fit: other, says })
 }
 
 /// The same for a fit alone: what a reader should know.
@@ -66,20 +63,14 @@ pub fn begins_in_motion(
     seed: u64,
 ) -> Option<String> {
     let bench = Bench::new(&fit.model, recordings.to_vec(), separate_holdout, seed);
-    let other = moving(&bench, fit).ok().flatten()?;
-    Some(other.says)
+    moving(&bench, fit).map(|other| other.says)
 }
 
 fn says(model: &Model, steady: &[usize], fit: &Fit) -> String {
     let begins = steady.iter().map(|k| {
         let state = &model.states[*k];
         let start = fit.initials.iter().find(|i| i.state == state.name).map_or(f64::NAN, |i| i.value);
-        format!(
-            "{} at {} {}",
-            state.name,
-            crate::units::significant(state.unit.from_si(start), 4),
-            state.unit
-        )
+        format!("{} at {} {}", state.name, significant(state.unit.from_si(start), 4), state.unit)
     });
     format!(
         "the recording does not begin at rest, as `initial = \"steady\"` says: it begins with {}; write `initial = \"fit\"`",

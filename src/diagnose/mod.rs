@@ -213,7 +213,7 @@ impl Case<'_> {
         progress.report("fitting the model as it stands", None);
         self.bench.budget.begin(foretold::FIRST_FIT);
         let base = self.bench.full_fit(model).map_err(|e| model.refusal().unwrap_or(e))?;
-        let base = self.begun(base, model)?;
+        let base = self.begun(base);
         let base = if is_left { self.without_strays(base)? } else { base };
         self.bench.budget.tell(base.ended_early);
         let few = is_left.then(|| few::too_few(&self.bench, &base, self.spoiled_samples())).flatten();
@@ -278,14 +278,13 @@ impl Case<'_> {
     }
 
     /// The fit of the model as given with its states where the recordings begin, should they not be at rest there.
-    fn begun(&mut self, base: Fit, given: &Model) -> Result<Fit> {
-        let Some(moving) = at_rest::moving(&self.bench, &base)? else { return Ok(base) };
-        self.model = given.clone();
+    fn begun(&mut self, base: Fit) -> Fit {
+        let Some(moving) = at_rest::moving(&self.bench, &base) else { return base };
         for (own, moved) in self.model.states.iter_mut().zip(&moving.model.states) {
             own.initial = moved.initial;
         }
         self.notes.push(moving.says);
-        Ok(moving.fit)
+        moving.fit
     }
 
     /// The fit of the model as given once samples are left out that stand apart from all that it leaves over.

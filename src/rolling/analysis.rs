@@ -1,5 +1,6 @@
 //! A recorded roll: its spectrum, its correlation function and the fit of (3.3).
 
+use crate::record::quality::quantum;
 use crate::record::{Recording, Source};
 use crate::spectrum::{
     CorrelationFit, EvenSamples, MeasuredSpectrum, RollIntervals, autocovariance, even_samples,
@@ -38,6 +39,18 @@ pub struct Analysis {
     /// Part of the variance in the upper half of the band: where it is more than a little, the samples are too far apart,
     /// and what moves faster than they follow was folded down into the band.
     pub fast_share: f64,
+    /// The step of which all samples are whole multiples, rad, where there is one.
+    pub quantum: Option<f64>,
+}
+
+impl Analysis {
+    /// The spectrum of the rounding of the samples: white, of the variance q²/12 (B. Widrow, I. Kollár, Quantization Noise, 2008).
+    pub fn rounding(&self) -> Option<MeasuredSpectrum> {
+        let density = self.quantum?.powi(2) / 12.0 * self.samples.step;
+        let mut spectrum = self.spectrum.clone();
+        spectrum.density.fill(density);
+        Some(spectrum)
+    }
 }
 
 /// Part of the variance in the upper half of the band from which on the samples are too far apart.
@@ -68,6 +81,13 @@ pub fn analyse(recording: &Recording, channel: &str) -> Result<Analysis> {
         return Err(Error::new(ErrorKind::Units, text));
     }
     let samples = even_samples(&roll.time, &roll.values)?;
+    if PI / samples.step < 2.0 * SLOW {
+        return Err(Error::bad_input(format!(
+            "the samples of `{channel}` are {:.0} s apart and show no roll: of a ship's periods, 5 to 30 s, they make slower ones",
+            samples.step
+        ))
+        .with_hint("record at least two samples a second"));
+    }
     let length = (samples.values.len() / 4).clamp(16, 4096);
     let spectrum = welch(&samples.values, samples.step, length)?;
     let rolling = without_slow(&samples, SLOW)?;
@@ -102,6 +122,7 @@ pub fn analyse(recording: &Recording, channel: &str) -> Result<Analysis> {
         deviation: all.sqrt(),
         slow_share: (1.0 - measured[0] / all).max(0.0),
         fast_share,
+        quantum: quantum(roll),
     })
 }
 

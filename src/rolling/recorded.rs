@@ -7,6 +7,7 @@ use super::{Against, Analysis, Compass, Days, Excitation, SLOW, Source};
 use crate::Result;
 use crate::estimate::fit::Progress;
 use crate::gyro::{BySpectrum, Replay};
+use crate::spectrum::MeasuredSpectrum;
 use std::sync::Arc;
 
 /// A compass on a ship whose roll was recorded.
@@ -32,8 +33,14 @@ impl Recorded {
     /// [`Request::table`](super::Request::table).
     pub fn table(&self, progress: &dyn Progress) -> Result<Table> {
         let (roll, analysis) = (self.analysis.fit.roll, &self.analysis);
+        let by = |s: &MeasuredSpectrum| self.compass.instrument().mean_by_spectrum(&roll, self.band, s);
+        let mut rounding = 0.0;
         let (mean, replay) = if self.compass.instrument().is_linear()? {
-            (Some(self.compass.instrument().mean_by_spectrum(&roll, self.band, &analysis.spectrum)?), None)
+            let mean = by(&analysis.spectrum)?;
+            if let Some(s) = analysis.rounding().filter(|_| mean.fitted != 0.0) {
+                rounding = by(&s)?.measured / mean.fitted;
+            }
+            (Some(mean), None)
         } else {
             let replay = Replay::of(&analysis.samples, SLOW, self.band, analysis.peak)?;
             (None, Some(Arc::new(replay)))
@@ -57,7 +64,7 @@ impl Recorded {
             sea: None,
             off_by: None,
             by_rectangle: None,
-            recorded: Some(MeasuredRoll { analysis: self.analysis.clone(), band: self.band, mean }),
+            recorded: Some(MeasuredRoll { analysis: self.analysis.clone(), band: self.band, mean, rounding }),
             against: Against::Heading(self.headings.clone()),
             rows: Vec::new(),
             left_out: Vec::new(),

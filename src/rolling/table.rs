@@ -58,6 +58,9 @@ pub struct MeasuredRoll {
     /// The mean by its fit and by its spectrum; `None` for a part that is not linear, which is followed through the
     /// recording itself.
     pub mean: Option<BySpectrum>,
+    /// What the rounding of the samples alone makes of the mean by the measured spectrum, for one of 1 by the fit: it grows with
+    /// the fourth power of the frequency, as acceleration does.
+    pub rounding: f64,
 }
 
 impl MeasuredRoll {
@@ -69,7 +72,13 @@ impl MeasuredRoll {
     /// Whether the mean by the measured spectrum is the one to trust.
     pub fn is_surer(&self) -> bool {
         let (Some(m), fit) = (&self.mean, &self.analysis.fit) else { return false };
-        m.above().abs() >= Self::MUCH || m.form().abs() >= Self::MUCH || fit.misfit >= Self::FAIR
+        let differs = m.above().abs() >= Self::MUCH || m.form().abs() >= Self::MUCH;
+        !self.is_rounded() && (differs || fit.misfit >= Self::FAIR)
+    }
+
+    /// Whether the rounding of the samples makes much of the mean by the measured spectrum.
+    pub fn is_rounded(&self) -> bool {
+        self.rounding.abs() >= Self::MUCH
     }
 }
 

@@ -133,3 +133,33 @@ fn where_the_rational_spectrum_of_a_sea_is_off_each_row_has_the_sums() {
     }
     assert_eq!(seen, 1);
 }
+
+/// Acceleration goes with the square of the frequency, and the error with its square: the rounding of a coarse instrument would
+/// outweigh the roll in the measured spectrum.
+#[test]
+fn a_roll_in_coarse_steps_is_not_trusted_to_its_spectrum() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("roll.csv");
+    let mean = |step: f64| {
+        let mut text = "time [s],roll [deg]\n".to_owned();
+        for k in 0..4800 {
+            let t = 0.25 * f64::from(k);
+            let roll = 3.0 * (TAU * t / 9.0).sin();
+            writeln!(text, "{t},{:.4}", (roll / step).round() * step).unwrap();
+        }
+        std::fs::write(&file, text).unwrap();
+        let told = asked_json(&[file.to_str().unwrap()]);
+        let trusted = told["trusted_mean"].as_str().unwrap().to_owned();
+        (told["rows"][0][&trusted].as_f64().unwrap(), told["note"].as_str().unwrap().to_owned())
+    };
+    // the mean on such a sine by the formula of regular roll
+    let told = asked_json(&["--regular", "3deg,9s"]);
+    let regular = told["rows"][0]["mean_deg"].as_f64().unwrap();
+    for step in [1.0, 0.5, 0.1] {
+        let (coarse, note) = mean(step);
+        assert!((coarse / regular - 1.0).abs() < 0.1, "{step}: {coarse} for {regular}");
+        assert!(note.contains(&format!("in steps of {step}")), "{note}");
+    }
+    let (fine, note) = mean(0.001);
+    assert!((fine / regular - 1.0).abs() < 0.1 && !note.contains("in steps of"), "{fine}: {note}");
+}

@@ -199,8 +199,8 @@ fn is_another_value(bench: &Bench, model: &Model, base: &Fit, units: &[Mend<'_>]
         || wider(model, base).is_some_and(|(wide, pressed)| {
             let near = |fit: &Fit| {
                 pressed.iter().all(|(k, bound)| {
-                    let value = fit.parameters[*k].value.abs();
-                    value < NEAR_BOUND * bound.abs() && value > bound.abs() / NEAR_BOUND
+                    let ratio = fit.parameters[*k].value / bound;
+                    ratio < NEAR_BOUND && ratio > 1.0 / NEAR_BOUND
                 })
             };
             refitted(&wide).is_some_and(|(fit, misfit)| misfit < least * (1.0 + FAR_LESS) && near(&fit))

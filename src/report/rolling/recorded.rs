@@ -3,6 +3,7 @@
 use crate::report::terminal::{Trace, picture};
 use crate::rolling::{FAST_SHARE, MeasuredRoll};
 use crate::spectrum::{Interval, RollIntervals};
+use crate::units::significant;
 use std::f64::consts::{PI, TAU};
 
 /// The recorded roll and its fit in words, with a picture of the correlation.
@@ -128,6 +129,14 @@ step). The quick\nspread is that of the fit. Rounding and noise of the samples s
 pub fn differs(measured: &MeasuredRoll, follows: &str) -> String {
     let Some(m) = &measured.mean else { return FOLLOWED.into() };
     let mut text = unmeasured(m.above(), measured.band.is_some());
+    if let Some(q) = measured.analysis.quantum.filter(|_| measured.is_rounded()) {
+        text.push_str(&format!(
+            "The roll was recorded in steps of {}°: their rounding alone makes {:.0} % of the mean by the fit in the measured\n\
+             spectrum, so that the mean by the fit is the one to take; --band takes away what is faster than the ship.\n",
+            significant(q.to_degrees(), 3),
+            100.0 * measured.rounding.abs()
+        ));
+    }
     text.push_str(&format!(
         "The mean by the measured spectrum is {} than by the fit: {} since it ends with the measured band, and\n\
          {} since inside the band the roll is not quite of the fitted form, or the recording is short.\n",
