@@ -213,6 +213,9 @@ const INSIDE: f64 = 0.1;
 /// A parameter that varies with a state on one side of a level alone: a valve that opens, a crop that thirsts.
 fn from_level(scene: &Scene, p: &str, signal: &Signal, side: Beyond) -> Option<Proposal> {
     let (s, range) = (&signal.name, signal.max - signal.min);
+    if scene.is_bent(s) {
+        return None;
+    }
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
     let per = Unit::one().over(&scene.unit(s));
     let a = d.amplitude("a", &per, ANY, "relative change of the parameter for a unit beyond the level");
