@@ -22,6 +22,7 @@ use super::free_law::surely_leaves;
 use super::measure::Measure;
 use super::search::{self, Found, Round, State, Taken, is_over};
 use super::view::View;
+use super::walk::Bounds;
 use super::{backward, beside, walk};
 use crate::estimate::fit::Progress;
 use crate::record::Recording;
@@ -52,8 +53,8 @@ pub fn beginning(
     if is_over(bench) || bench.is_trials() {
         return None;
     }
-    let mut found =
-        walk::search(bench, separate, first.base.clone(), (given, Some(began), &|_| false), progress).ok()?;
+    let bounds = Bounds { given, avoids: Some(began), is_over: &|_| false };
+    let mut found = walk::search(bench, separate, first.base.clone(), &bounds, progress).ok()?;
     backward::stand(bench, separate, &mut found);
     for i in 0..found.taken.len() {
         if found.taken.len() > 1 && !is_over(bench) {

@@ -42,7 +42,9 @@ pub fn moving(bench: &Bench, base: &Fit) -> Option<Moving> {
     if steady.is_empty() || bench.is_trials() {
         return None;
     }
-    steady.iter().for_each(|k| model.states[*k].initial = Initial::Fit);
+    for k in &steady {
+        model.states[*k].initial = Initial::Fit;
+    }
     let other = fit(&model, &bench.recordings, &bench.options(Effort::Near, STEPS)).ok()?;
     let scale = Scale::of(base, false);
     let [before, after] = [base, &other].map(|fit| Measure::of(fit, &scale));

@@ -360,8 +360,8 @@ impl Case<'_> {
     ) -> Result<Found> {
         let given = self.given();
         let is_over = |last: &Fit| before.is_some_and(|b| b.is_likelier(bench, last));
-        let asked = (&given[..], None, &is_over as &dyn Fn(&Fit) -> bool);
-        let mut found = walk::search(bench, separate, base, asked, self.request.progress)?;
+        let bounds = walk::Bounds { given: &given, avoids: None, is_over: &is_over };
+        let mut found = walk::search(bench, separate, base, &bounds, self.request.progress)?;
         if is_over(&found.last) {
             return Ok(found);
         }

@@ -63,8 +63,17 @@ struct Trial {
     current: Fit,
 }
 
-/// Searches from a fitted model; where wanted, beginning with no law like some, and no further than to a model of which
-/// something holds.
+/// How a search begins and ends.
+pub struct Bounds<'a> {
+    /// The values that the model was given.
+    pub given: &'a [f64],
+    /// A law that it does not begin with, nor with its look-alikes.
+    pub avoids: Option<&'a Proposal>,
+    /// Of which model it goes no further.
+    pub is_over: &'a dyn Fn(&Fit) -> bool,
+}
+
+/// Searches from a fitted model.
 ///
 /// # Errors
 /// Where the fitted model itself cannot be run.
@@ -72,7 +81,7 @@ pub fn search(
     bench: &Bench,
     separate: &[Recording],
     base: Fit,
-    (given, avoids, is_over): (&[f64], Option<&Proposal>, &dyn Fn(&Fit) -> bool),
+    bounds: &Bounds<'_>,
     progress: &dyn Progress,
 ) -> Result<Found> {
     let mut walk = Walk {
@@ -82,19 +91,19 @@ pub fn search(
         current: base.clone(),
         view: patiently(bench, || View::of(bench, &base))?,
         base,
-        given: given.to_vec(),
+        given: bounds.given.to_vec(),
         gains: 0.0,
         taken: Vec::new(),
         first: None,
         trial: None,
-        avoids,
+        avoids: bounds.avoids,
     };
     loop {
         let (mut round, now) = walk.round(progress)?;
         let standing = standing(bench, separate, &mut round, &now);
         if let Some((choice, next)) = standing.filter(|(choice, _)| walk.bears(&round.fitted[choice.best])) {
             walk.takes(round, choice, next, &now);
-            if is_over(&walk.current) {
+            if (bounds.is_over)(&walk.current) {
                 return Ok(walk.ends(Round::nothing(), &now));
             }
         } else if let Some(trial) = walk.trial.take() {

@@ -30,7 +30,7 @@ fn two_harmonics_of_a_heading_are_two_laws() {
          [outputs]\nmagnetic = { equals = \"true + A\", unit = \"deg\" }\n",
     )
     .unwrap();
-    let told = diagnosed(&model, Recording::read(&file("d.toml")).unwrap()).answer;
+    let told = diagnosed(&model, Recording::read(file("d.toml")).unwrap()).answer;
     assert_eq!((told.verdict, told.findings.len()), (Verdict::Named, 2), "{}", told.says);
     assert!(told.findings.iter().all(|f| f.code == "cross-coupling"), "{}", told.says);
     let parts = |order: &str| told.findings.iter().find(|f| f.term.contains(order)).unwrap();

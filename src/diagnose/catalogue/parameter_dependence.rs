@@ -228,7 +228,9 @@ fn from_level(scene: &Scene, p: &str, signal: &Signal, side: Beyond) -> Option<P
     };
     d.uses(s);
     d.replace(p, &format!("({p}*(1 + {a}*max({beyond}, 0*{level})))"), |_| true);
-    LEVELS.iter().for_each(|share| d.start(&[0.5 / range, at(*share)]));
+    for share in LEVELS {
+        d.start(&[0.5 / range, at(share)]);
+    }
     let (p, s) = (scene.words(p), scene.words(s));
     d.done(&format!("{p} varies with {s} {how} {{1}}, relatively by {{0}}"))
 }
