@@ -1,5 +1,4 @@
-//! An actuator that the model has as a lag and whose rate is limited; a crop that thirsts below a level; a well behind an
-//! orifice; a capsule whose pressure an output has under a logarithm.
+//! An actuator that the model has as a lag and whose rate is limited; a well behind an orifice; a capsule whose pressure an output has under a logarithm.
 
 use crate::diagnose::diagnosed;
 use gyrospec::diagnose::answer::Verdict;
@@ -66,46 +65,6 @@ fn the_rate_of_an_actuator_of_the_model_is_limited() {
     let limit = &first.parameters[0];
     let rate = Unit::parse(&limit.unit).unwrap().to_si(limit.value).to_degrees();
     assert!((rate - 4.0).abs() < 0.02, "{rate}: {}", told.says);
-}
-
-#[test]
-fn a_crop_thirsts_below_a_level() {
-    let time: Vec<f64> = (0..1500).map(|i| 3600.0 * f64::from(i)).collect();
-    let hours = |t: f64| t / 3600.0;
-    let sun: Vec<f64> = time.iter().map(|t| 0.25 * (hours(*t) * 0.2618).sin().max(0.0)).collect();
-    let rain: Vec<f64> =
-        time.iter().map(|t| if hours(*t).rem_euclid(310.0) < 9.0 { 4.0 } else { 0.0 }).collect();
-    // mm an hour; the loss falls in proportion below 60 mm
-    let water = stepped(&time, 80.0, 20, |t, w| {
-        let (rain, sun) = (line(&time, &rain, t), line(&time, &sun, t));
-        (rain - 0.9 * sun * (w / 60.0).min(1.0) - w / 700.0) / 3600.0
-    });
-    let model = Model::parse(
-        "name = \"plot\"\n[inputs]\nP = { unit = \"mm/h\" }\nE = { unit = \"mm/h\" }\n[parameters]\n\
-         k = { value = 0.7, unit = \"1\", fit = true, min = 0.05, max = 20 }\n\
-         tau = { value = 600, unit = \"h\", fit = true, min = 20, max = 8000 }\n\
-         [states]\nW = { rate = \"P - k*E - W/tau\", unit = \"mm\", initial = \"fit\" }\n\
-         [outputs]\nwater = { equals = \"W\", unit = \"mm\" }\n",
-    )
-    .unwrap();
-    let made =
-        recording(&time, &[("P", "mm/h", rain), ("E", "mm/h", sun), ("water", "mm", noisy(&water, 0.4, 7))]);
-    let told = diagnosed(&model, made).answer;
-    let first = &told.findings[0];
-    assert_eq!(
-        (told.verdict, first.code.as_str()),
-        (Verdict::Named, "parameter-dependence"),
-        "{}",
-        told.says
-    );
-    assert_eq!((first.site.name.as_str(), first.parameters.len()), ("k", 2), "{}", told.says);
-    let level = &first.parameters[1];
-    let mm = |x: f64| 1e3 * Unit::parse(&level.unit).unwrap().to_si(x);
-    assert!(
-        mm(level.low) < 60.0 && mm(level.high) > 60.0 && mm(level.high) - mm(level.low) < 8.0,
-        "{}",
-        told.says
-    );
 }
 
 /// Where the difference of two levels passes through 0 its root is so steep that steps for the rate itself are none.

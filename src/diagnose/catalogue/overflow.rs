@@ -54,7 +54,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 fn at(scene: &Scene, m: &Motion, into: Option<&Motion>) -> Option<Proposal> {
     let s = &m.state;
     let signal = scene.signal(s)?;
-    if signal.mean < 0.5 * signal.spread || scene.is_bent(s) {
+    if signal.mean < 0.5 * signal.spread {
         return None;
     }
     let mut d = Draft::at(scene, "overflow", m);

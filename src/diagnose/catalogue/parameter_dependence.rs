@@ -11,7 +11,6 @@
 //!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
 //!     p -> p exp(a (u - mean u))
 //!     p -> p (u/mean u)^n                with an input or a channel that stays above 0, as heat transfer with a flow
-//!     p -> p (1 + a max(x - xc, 0))      with a state, from a level on;  or p (1 + a max(xc - x, 0)), up to it, as a crop's thirst
 //!     p -> p + c (u - p)                 with a channel in the place of a known p of its kind, c = 1
 //!     and the same with an output that is no state, as its expression stands
 //!     c -> c (1 + a sign(v))             with the speed, or the difference of two, that a damper c multiplies
@@ -80,8 +79,6 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
                 let forms = FORMS.iter().filter(|f| !alone || f.saturates());
                 let forms = forms.filter(|f| !rate || **f != Form::Saturating);
                 all.extend(forms.filter_map(|f| on_state(scene, p, s, *f)));
-                let bends = [Beyond::Above, Beyond::Below].into_iter().filter(|_| !alone);
-                all.extend(bends.filter_map(|side| from_level(scene, p, s, side)));
             }
             all.extend(scene.model.outputs.iter().filter_map(|o| on_output(scene, p, o)));
         }
@@ -197,42 +194,6 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
         Form::Exponential => "varies exponentially with",
     };
     d.done(&format!("{} {how} {}, relatively by {{0}}", scene.words(p), scene.words(s)))
-}
-
-/// On which side of a level a parameter varies.
-#[derive(Clone, Copy, PartialEq)]
-enum Beyond {
-    Above,
-    Below,
-}
-
-/// Shares of a state's range at which a level is looked for, and outside which it is none.
-const LEVELS: [f64; 3] = [0.3, 0.5, 0.7];
-const INSIDE: f64 = 0.1;
-
-/// A parameter that varies with a state on one side of a level alone: a valve that opens, a crop that thirsts.
-fn from_level(scene: &Scene, p: &str, signal: &Signal, side: Beyond) -> Option<Proposal> {
-    let (s, range) = (&signal.name, signal.max - signal.min);
-    if scene.is_bent(s) {
-        return None;
-    }
-    let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
-    let per = Unit::one().over(&scene.unit(s));
-    let a = d.amplitude("a", &per, ANY, "relative change of the parameter for a unit beyond the level");
-    let at = |share: f64| signal.min + share * range;
-    let level =
-        d.parameter("xc", &signal.unit, (at(INSIDE), at(1.0 - INSIDE)), "level from which on it varies");
-    let (beyond, how) = match side {
-        Beyond::Above => (format!("{s} - {level}"), "above"),
-        Beyond::Below => (format!("{level} - {s}"), "below"),
-    };
-    d.uses(s);
-    d.replace(p, &format!("({p}*(1 + {a}*max({beyond}, 0*{level})))"), |_| true);
-    for share in LEVELS {
-        d.start(&[0.5 / range, at(share)]);
-    }
-    let (p, s) = (scene.words(p), scene.words(s));
-    d.done(&format!("{p} varies with {s} {how} {{1}}, relatively by {{0}}"))
 }
 
 /// A parameter that varies with what it multiplies in a term: a sum, a quotient or a definition, of which a spring or a

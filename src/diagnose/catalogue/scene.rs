@@ -2,7 +2,7 @@
 
 use super::draft::{Draft, SiteKind};
 use super::edit;
-use crate::expression::{BinaryOp, Expr, Function};
+use crate::expression::{BinaryOp, Expr};
 use crate::model::{Model, State};
 use crate::units::Unit;
 use std::collections::BTreeMap;
@@ -293,18 +293,6 @@ impl Scene<'_> {
         let all = &self.model.parameters[..self.own_parameters];
         let few = all.len() <= 8;
         all.iter().filter(|p| p.fit || few).map(|p| p.name.clone()).collect()
-    }
-
-    /// Whether what was found bends at a level of a state already: two such laws of one state are a curve, and no names.
-    pub fn is_bent(&self, state: &str) -> bool {
-        let added = &self.model.parameters[self.own_parameters..];
-        let is_edge = |e: &Expr| {
-            let is_max = matches!(e, Expr::Call(Function::Max, _)) && e.mentions(state);
-            is_max && added.iter().any(|a| e.mentions(&a.name))
-        };
-        let rates = self.model.states.iter().map(|s| &s.rate);
-        let mut all = rates.chain(self.model.definitions.iter().map(|d| &d.equals));
-        all.any(|e| edit::find(e, &is_edge).is_some())
     }
 
     /// The inputs of each table that holds inputs and no outputs, where there are several tables.
