@@ -37,8 +37,7 @@ pub struct Moving {
 /// The model with the beginnings fitted that it says to be steady, where the recordings surely begin otherwise.
 pub fn moving(bench: &Bench, base: &Fit) -> Option<Moving> {
     let mut model = base.model.clone();
-    let steady: Vec<usize> =
-        (0..model.states.len()).filter(|k| model.states[*k].initial == Initial::Steady).collect();
+    let steady: Vec<usize> = steady(&model).collect();
     if steady.is_empty() || bench.is_trials() {
         return None;
     }
@@ -53,7 +52,7 @@ pub fn moving(bench: &Bench, base: &Fit) -> Option<Moving> {
     if after.likelihood - before.likelihood < price + SURELY {
         return None;
     }
-    let says = says(&model, &steady, &other);
+    let says = says(&bench.recordings, &steady, &other);
     Some(Moving { model, fit: other, says })
 }
 
@@ -64,18 +63,31 @@ pub fn begins_in_motion(
     separate_holdout: bool,
     seed: u64,
 ) -> Option<String> {
+    steady(&fit.model).next()?;
     let bench = Bench::new(&fit.model, recordings.to_vec(), separate_holdout, seed);
     moving(&bench, fit).map(|other| other.says)
 }
 
-fn says(model: &Model, steady: &[usize], fit: &Fit) -> String {
-    let begins = steady.iter().map(|k| {
-        let state = &model.states[*k];
-        let start = fit.initials.iter().find(|i| i.state == state.name).map_or(f64::NAN, |i| i.value);
-        format!("{} at {} {}", state.name, significant(state.unit.from_si(start), 4), state.unit)
+/// Numbers of the states that a model starts where it rests.
+fn steady(model: &Model) -> impl Iterator<Item = usize> {
+    (0..model.states.len()).filter(|k| model.states[*k].initial == Initial::Steady)
+}
+
+fn says(recordings: &[Recording], steady: &[usize], fit: &Fit) -> String {
+    let states = steady.iter().map(|k| &fit.model.states[*k]);
+    let begins = states.flat_map(|state| {
+        fit.initials.iter().filter(|i| i.state == state.name).map(move |i| {
+            let start = significant(state.unit.from_si(i.value), 4);
+            let of = recordings.get(i.recording).filter(|_| recordings.len() > 1);
+            let of = of.map_or_else(String::new, |r| format!(" in '{}'", r.name));
+            format!("{} at {start} {}{of}", state.name, state.unit)
+        })
     });
+    let begins: Vec<String> = begins.collect();
+    let whose =
+        if recordings.len() > 1 { "not every recording begins" } else { "the recording does not begin" };
     format!(
-        "the recording does not begin at rest, as `initial = \"steady\"` says: it begins with {}; write `initial = \"fit\"`",
-        begins.collect::<Vec<_>>().join(", ")
+        "{whose} at rest, as `initial = \"steady\"` says: it begins with {}; write `initial = \"fit\"`",
+        begins.join(", ")
     )
 }

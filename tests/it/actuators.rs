@@ -1,4 +1,5 @@
-//! An actuator that the model has as a lag and whose rate is limited; a well behind an orifice; a capsule whose pressure an output has under a logarithm.
+//! An actuator that the model has as a lag and whose rate is limited; a well behind an orifice; a capsule whose pressure an
+//! output has under a logarithm.
 
 use crate::diagnose::diagnosed;
 use gyrospec::diagnose::answer::Verdict;

@@ -69,6 +69,14 @@ fn a_recording_that_does_not_begin_at_rest_is_told_and_leads_to_no_name() {
     let recordings = [cart(20.0, 9.0)];
     let fitted = gyrospec::fit(&free, &recordings).run().unwrap();
     assert!(fitted.warnings().any(|w| w.contains("does not begin at rest")));
+    // of several each has its beginning
+    let mut several = [cart(20.0, 20.0 * f64::cos(1.0) / 8.0), cart(20.0, 9.0)];
+    several[1].name = "second".into();
+    // what is compared is not the same twice
+    several[1].channels.iter_mut().for_each(|c| c.values.iter_mut().for_each(|v| *v *= 0.5));
+    let fitted = gyrospec::fit(&free, &several).run().unwrap();
+    let told = fitted.warnings().find(|w| w.starts_with("not every recording begins at rest")).unwrap();
+    assert!(told.contains("in 'cart'") && told.contains("in 'second'"), "{told}");
 }
 
 #[test]

@@ -47,13 +47,8 @@ fn beyond(scene: &Scene, p: &Parameter) -> Option<Proposal> {
     let mut d = Draft::new(scene, "parameter-value", SiteKind::Parameter, &p.name);
     d.hold(&p.name, bound);
     // from the bound on, as far as a value held for known may be off
-    let (near, far) = (-0.95 * bound.abs(), 30.0 * bound.abs());
-    let limits = match (is_upper, bound > 0.0) {
-        (true, true) => (0.0, far),
-        (true, false) => (0.0, -near),
-        (false, true) => (near, 0.0),
-        (false, false) => (-far, 0.0),
-    };
+    let far = if is_upper == (bound > 0.0) { 30.0 } else { 0.95 } * bound.abs();
+    let limits = if is_upper { (0.0, far) } else { (-far, 0.0) };
     let off =
         d.amplitude(&format!("d{}", p.name), &p.unit, limits, "how far the value lies beyond its bound");
     d.replace(&p.name, &format!("({} + {off})", p.name), |_| true);
