@@ -19,16 +19,13 @@ use super::answer::{Answer, Verdict};
 use super::bench::Bench;
 use super::choose::{Choice, TIE, choose, worth_of};
 use super::free_law::surely_leaves;
-use super::measure::Measure;
+use super::measure::{Measure, SURELY};
 use super::search::{self, Found, Round, State, Taken, is_over};
 use super::view::View;
 use super::walk::Bounds;
 use super::{backward, beside, walk};
 use crate::estimate::fit::Progress;
 use crate::record::Recording;
-
-/// How much likelier another answer must be, its price paid: odds of e⁵ to 1.
-const SURELY: f64 = 5.0;
 
 /// Share of the fall of the held-out errors from which on one of several findings is no patch.
 const MOST: f64 = 2.0 / 3.0;

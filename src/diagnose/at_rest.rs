@@ -12,15 +12,13 @@
 //! G. Schwarz, Ann. Statist. 6 (1978) 461 (the price).
 
 use super::bench::Bench;
-use super::measure::{Measure, Scale};
+use super::measure::{Measure, SURELY, Scale};
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
 use crate::model::{Initial, Model};
 use crate::record::Recording;
 use crate::units::significant;
 
-/// How much likelier a beginning in motion must be, its price paid: odds of e⁵ to 1.
-const SURELY: f64 = 5.0;
 /// Steps of the fit.
 const STEPS: usize = 60;
 

@@ -22,6 +22,8 @@ use faer::linalg::solvers::Solve;
 use statrs::function::beta::checked_beta_reg;
 use std::ops::Range;
 
+/// How much likelier another reading of a recording must be, its price paid: odds of e⁵ to 1.
+pub const SURELY: f64 = 5.0;
 /// Parts that are left out in turn, each of several blocks.
 const BLOCKS: usize = 6;
 /// Blocks of consecutive samples in one part.

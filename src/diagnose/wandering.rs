@@ -14,6 +14,7 @@
 
 use super::bench::Bench;
 use super::catalogue::edit;
+use super::measure::SURELY;
 use super::response::{Drive, Driven};
 use super::view::View;
 use super::words::quantity;
@@ -26,8 +27,6 @@ use rayon::prelude::*;
 const MUCH: f64 = 2.0;
 /// Steps that it must last: noise of a shorter memory is but coloured.
 const LASTS: f64 = 5.0;
-/// Gain in log-likelihood from which on one is surely likelier.
-const SURELY: f64 = 5.0;
 /// Memories and sizes of the first grid, and times that it is halved.
 const GRID: (usize, usize, usize) = (9, 7, 4);
 /// Ratios of what wanders to white noise.

@@ -36,6 +36,9 @@ fn conversions() {
         ("mmol/L", 5.0, 5.0),
         ("mol/(L*s)", 2.0, 2000.0),
         ("umol/(m^2*s)", 3.0, 3e-6),
+        ("pA/mV", 3.0, 3e-9),
+        ("nS*mV", 2.0, 2e-12),
+        ("Gohm*pF", 5.0, 5e-3),
     ];
     for (unit, value, si) in cases {
         let got = u(unit).to_si(value);

@@ -8,6 +8,7 @@ mod apart;
 mod audit;
 mod bare_log;
 mod between;
+mod breathing;
 mod card;
 mod chained;
 mod circles;

@@ -54,7 +54,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 fn at(scene: &Scene, m: &Motion, into: Option<&Motion>) -> Option<Proposal> {
     let s = &m.state;
     let signal = scene.signal(s)?;
-    if signal.mean < 0.5 * signal.spread {
+    // what swings about zero has no level
+    if signal.mean.abs() < 0.5 * signal.spread {
         return None;
     }
     let mut d = Draft::at(scene, "overflow", m);

@@ -8,6 +8,7 @@
 //! ```text
 //!     p -> p (1 + a (u - mean u))        with an input, a channel or a state
 //!     p -> p (1 + a x^2)                 with a state, an input or a channel that goes through 0
+//!     p -> p (1 + a |x|)                 with such an input or channel, as a resistance with the flow through it
 //!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
 //!     p -> p exp(a (u - mean u))
 //!     p -> p (u/mean u)^n                with an input or a channel that stays above 0, as heat transfer with a flow
@@ -66,8 +67,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             // what is an input times its own square is its characteristic
             let own = multiplies(&terms, p, &s.name);
             let kind = of_its_kind(scene, p, s).is_some();
-            let forms = [Form::Exponential, Form::Quadratic].into_iter();
-            forms.filter(move |f| !(own && *f == Form::Quadratic || kind && *f == Form::Exponential))
+            let forms = [Form::Exponential, Form::Quadratic, Form::Modulus].into_iter();
+            forms.filter(move |f| !(own && f.grows_both_ways() || kind && *f == Form::Exponential))
         };
         all.extend(pairs.flat_map(|(p, s)| forms(p, s).filter_map(|f| on_state(scene, p, s, f))));
         let states: Vec<&Signal> = scene.moving(&[SignalKind::State]).filter(|s| !s.is_heading()).collect();
@@ -113,22 +114,29 @@ fn on_output(scene: &Scene, p: &str, o: &Output) -> Option<Proposal> {
     d.done(&format!("{} varies with {}, relatively by {{0}}", scene.words(p), scene.words(&o.name)))
 }
 
-/// How a parameter may vary with a state.
+/// How a parameter may vary with a signal.
 #[derive(Clone, Copy, PartialEq)]
 enum Form {
     Linear,
     Quadratic,
+    Modulus,
     Saturating,
     SaturatingSquare,
     Exponential,
 }
 
+/// Those with a state.
 const FORMS: [Form; 5] =
     [Form::Linear, Form::Quadratic, Form::Saturating, Form::SaturatingSquare, Form::Exponential];
 
 impl Form {
     fn saturates(self) -> bool {
         matches!(self, Self::Saturating | Self::SaturatingSquare)
+    }
+
+    /// Whether it grows alike on both sides of 0.
+    fn grows_both_ways(self) -> bool {
+        matches!(self, Self::Quadratic | Self::Modulus)
     }
 }
 
@@ -162,7 +170,7 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
     let (s, size) = (&signal.name, signal.size());
     let level = signal.mean.abs() > signal.spread;
     // about a level that is never 0 a square is a slope
-    if form == Form::Quadratic && level || form == Form::Exponential && !level {
+    if form.grows_both_ways() && level || form == Form::Exponential && !level {
         return None;
     }
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
@@ -171,10 +179,11 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
     let limits = if form.saturates() { POSITIVE } else { ANY };
     let a =
         d.amplitude("a", &Unit::one().over(&unit.power(power)), limits, "relative change of the parameter");
-    let part = if form == Form::Quadratic || form.saturates() { s.clone() } else { d.centred(signal) };
+    let part = if form.grows_both_ways() || form.saturates() { s.clone() } else { d.centred(signal) };
     let text = match form {
         Form::Linear => format!("({p}*(1 + {a}*{part}))"),
         Form::Quadratic => format!("({p}*(1 + {a}*{s}^2))"),
+        Form::Modulus => format!("({p}*(1 + {a}*abs({s})))"),
         Form::Saturating => format!("({p}/(1 + {a}*abs({s})))"),
         Form::SaturatingSquare => format!("({p}/(1 + {a}*{s}^2))"),
         Form::Exponential => format!("({p}*exp({a}*{part}))"),
@@ -190,6 +199,7 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
     let how = match form {
         Form::Linear => "varies with",
         Form::Quadratic => "varies with the square of",
+        Form::Modulus => "varies with the size of",
         Form::Saturating | Form::SaturatingSquare => "saturates with",
         Form::Exponential => "varies exponentially with",
     };
