@@ -294,8 +294,14 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .into_iter()
         .map(|k| (likeness(&name.to_lowercase(), &k.to_lowercase()), k))
         .filter(|(score, _)| *score >= 0.7)
-        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .max_by(|a, b| a.0.total_cmp(&b.0).then_with(|| capitals(name, a.1).cmp(&capitals(name, b.1))))
         .map(|(_, k)| k)
+}
+
+/// How many letters stand alike in both, capitals and all.
+#[cfg(any(feature = "symbolic", feature = "instruments"))]
+fn capitals(name: &str, known: &str) -> usize {
+    name.chars().zip(known.chars()).filter(|(a, b)| a == b).count()
 }
 
 /// 0 to 1, and 1 more where they are the same but for capitals, or differ by one slip of the keyboard, which is

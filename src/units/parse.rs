@@ -111,9 +111,10 @@ impl<'a> Reader<'a> {
             // its differences are no K, as those of degC are
             return e.with_hint("convert the numbers to degC: (x - 32)/1.8");
         }
-        match spelled_out(name).or_else(|| nearest(name, known.iter().map(String::as_str))) {
+        // of two that are as near, the last is taken: plain names before those with prefixes
+        match spelled_out(name).or_else(|| nearest(name, known.iter().rev().map(String::as_str))) {
             Some(near) => e.with_hint(format!("the nearest known unit is {near}")),
-            None => e.with_hint("known are m ft nmi l g s min h d A K degC mol N dyn Nm J Wh W Pa bar psi mmHg V ohm H F T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
+            None => e.with_hint("known are m ft nmi l g s min h d A K degC mol N dyn Nm J Wh W Pa bar psi mmHg V ohm S H F T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
         }
     }
 
