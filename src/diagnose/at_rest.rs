@@ -72,18 +72,18 @@ fn steady(model: &Model) -> impl Iterator<Item = usize> {
 }
 
 fn says(recordings: &[Recording], steady: &[usize], fit: &Fit) -> String {
+    let several = recordings.len() > 1;
     let states = steady.iter().map(|k| &fit.model.states[*k]);
     let begins = states.flat_map(|state| {
         fit.initials.iter().filter(|i| i.state == state.name).map(move |i| {
             let start = significant(state.unit.from_si(i.value), 4);
-            let of = recordings.get(i.recording).filter(|_| recordings.len() > 1);
+            let of = recordings.get(i.recording).filter(|_| several);
             let of = of.map_or_else(String::new, |r| format!(" in '{}'", r.name));
             format!("{} at {start} {}{of}", state.name, state.unit)
         })
     });
     let begins: Vec<String> = begins.collect();
-    let whose =
-        if recordings.len() > 1 { "not every recording begins" } else { "the recording does not begin" };
+    let whose = if several { "not every recording begins" } else { "the recording does not begin" };
     format!(
         "{whose} at rest, as `initial = \"steady\"` says: it begins with {}; write `initial = \"fit\"`",
         begins.join(", ")

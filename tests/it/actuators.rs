@@ -24,13 +24,15 @@ fn stepped(times: &[f64], begins: f64, fine: u32, rate: impl Fn(f64, f64) -> f64
     course
 }
 
-fn noisy(values: &[f64], noise: f64, seed: u64) -> Vec<f64> {
+/// Values and white noise of a size.
+pub fn noisy(values: &[f64], noise: f64, seed: u64) -> Vec<f64> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
     values.iter().map(|v| v + noise * normal()).collect()
 }
 
-fn recording(time: &[f64], channels: &[(&str, &str, Vec<f64>)]) -> Recording {
+/// Channels, name, unit and values, beside one time.
+pub fn recording(time: &[f64], channels: &[(&str, &str, Vec<f64>)]) -> Recording {
     let one = |(name, unit, values): &(&str, &str, Vec<f64>)| {
         let unit = Unit::parse(unit).unwrap();
         let si = values.iter().map(|v| unit.to_si(*v)).collect();

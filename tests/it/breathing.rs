@@ -1,31 +1,10 @@
 //! Laws of living things: a windpipe that resists with the flow through it, a membrane that opens from a voltage on.
 
+use crate::actuators::{noisy, recording};
 use crate::diagnose::diagnosed;
 use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
-use gyrospec::record::{Channel, Recording};
 use gyrospec::units::Unit;
-use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
-use rand_distr::{Distribution, StandardNormal};
-
-fn noise(size: f64, seed: u64) -> impl FnMut(f64) -> f64 {
-    let mut rng = ChaCha8Rng::seed_from_u64(seed);
-    move |value| {
-        let normal: f64 = StandardNormal.sample(&mut rng);
-        value + size * normal
-    }
-}
-
-fn told(model: &str, time: &[f64], channels: [(&str, &str, Vec<f64>); 2]) -> Answer {
-    let one = |(name, unit, values): (&str, &str, Vec<f64>)| {
-        let unit = Unit::parse(unit).unwrap();
-        let si = values.iter().map(|v| unit.to_si(*v)).collect();
-        Channel::new(name, unit, time.to_vec(), si)
-    };
-    let made = Recording::from_channels("made", channels.map(one).into_iter().collect()).unwrap();
-    diagnosed(&Model::parse(model).unwrap(), made).answer
-}
 
 /// A value with its unit, in SI.
 fn value(told: &Answer, name: &str) -> f64 {
@@ -45,15 +24,15 @@ fn a_windpipe_resists_with_the_size_of_the_flow() {
             + 0.05 / 0.33 * (0.33 * t).sin()
     };
     let flow: Vec<f64> = time.iter().map(|t| breath(*t)).collect();
-    let mut sensor = noise(0.004, 5);
     let resisted = |t: f64| 0.25 * breath(t) + 0.3 * breath(t) * breath(t).abs();
-    let pressure = time.iter().map(|t| sensor(resisted(*t) + 2.0 * filled(*t) + 0.5)).collect();
+    let pressure: Vec<f64> = time.iter().map(|t| resisted(*t) + 2.0 * filled(*t) + 0.5).collect();
     let model = "name = \"lung\"\n[inputs]\nq = { unit = \"L/s\" }\n[parameters]\n\
          R = { value = 0.4, unit = \"kPa*s/L\", fit = true }\nE = { value = 2.2, unit = \"kPa/L\", fit = true }\n\
          P0 = { value = 0.5, unit = \"kPa\", fit = true }\n\
          [states]\nV = { rate = \"q\", unit = \"L\", initial = 0.0 }\n\
          [outputs]\np = { equals = \"R*q + E*V + P0\", unit = \"kPa\" }\n";
-    let told = told(model, &time, [("q", "L/s", flow), ("p", "kPa", pressure)]);
+    let made = recording(&time, &[("q", "L/s", flow), ("p", "kPa", noisy(&pressure, 0.004, 5))]);
+    let told = diagnosed(&Model::parse(model).unwrap(), made).answer;
     let first = &told.findings[0];
     assert_eq!((told.verdict, told.findings.len()), (Verdict::Named, 1), "{}", told.says);
     assert_eq!(
@@ -83,15 +62,14 @@ fn a_membrane_opens_from_a_voltage_on() {
             voltage += 1e-5 * 1e3 / 100.0 * (6.0 * (-70.0 - voltage) + 1e3 * current(now) - open);
         }
     }
-    let mut sensor = noise(0.3, 7);
-    let recorded = course.iter().map(|v| sensor(*v)).collect();
     let fed = time.iter().map(|t| current(*t)).collect();
     let model = "name = \"membrane\"\n[inputs]\nI = { unit = \"nA\" }\n[parameters]\n\
          C = { value = 100, unit = \"pF\" }\ngL = { value = 9, unit = \"nS\", fit = true }\n\
          EL = { value = -68, unit = \"mV\", fit = true }\n\
          [states]\nv = { rate = \"(gL*(EL - v) + I)/C\", unit = \"mV\", initial = \"fit\" }\n\
          [outputs]\nvm = { equals = \"v\", unit = \"mV\" }\n";
-    let told = told(model, &time, [("I", "nA", fed), ("vm", "mV", recorded)]);
+    let made = recording(&time, &[("I", "nA", fed), ("vm", "mV", noisy(&course, 0.3, 7))]);
+    let told = diagnosed(&Model::parse(model).unwrap(), made).answer;
     let first = &told.findings[0];
     assert_eq!((told.verdict, told.findings.len()), (Verdict::Named, 1), "{}", told.says);
     assert_eq!((first.code.as_str(), first.site.name.as_str()), ("overflow", "v"), "{}", told.says);
