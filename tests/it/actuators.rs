@@ -1,5 +1,5 @@
-//! An actuator that the model has as a lag and whose rate is limited; a well behind an orifice; a capsule whose pressure an
-//! output has under a logarithm.
+//! An actuator that the model has as a lag and whose rate is limited, or that is slower one way; a well behind an orifice;
+//! a capsule whose pressure an output has under a logarithm.
 
 use crate::diagnose::diagnosed;
 use gyrospec::diagnose::answer::Verdict;
@@ -68,6 +68,39 @@ fn the_rate_of_an_actuator_of_the_model_is_limited() {
     let limit = &first.parameters[0];
     let rate = Unit::parse(&limit.unit).unwrap().to_si(limit.value).to_degrees();
     assert!((rate - 4.0).abs() < 0.02, "{rate}: {}", told.says);
+}
+
+/// A valve that fills a chamber faster than it vents it.
+#[test]
+fn an_actuator_is_slower_one_way_than_the_other() {
+    let time: Vec<f64> = (0..3000).map(|i| 0.02 * f64::from(i)).collect();
+    let asked = |t: f64| 300.0 + 110.0 * (0.9 * t).sin() + 70.0 * (3.7 * t).sin() + 40.0 * (0.31 * t).cos();
+    let order: Vec<f64> = time.iter().map(|t| asked(*t)).collect();
+    let pressure = stepped(&time, 300.0, 100, |t, p| {
+        let over = line(&time, &order, t) - p;
+        over / if over > 0.0 { 0.20 } else { 0.30 }
+    });
+    let model = Model::parse(
+        "name = \"chamber\"\n[inputs]\norder = { unit = \"kPa\" }\n[parameters]\n\
+         tau = { value = 0.2, unit = \"s\", fit = true, min = 0.001, max = 10 }\n\
+         [states]\np = { rate = \"(order - p)/tau\", unit = \"kPa\", initial = \"fit\" }\n\
+         [outputs]\ngauge = { equals = \"p\", unit = \"kPa\" }\n",
+    )
+    .unwrap();
+    let made = recording(&time, &[("order", "kPa", order), ("gauge", "kPa", noisy(&pressure, 1.0, 4))]);
+    let told = diagnosed(&model, made).answer;
+    let first = &told.findings[0];
+    assert_eq!((told.verdict, told.findings.len()), (Verdict::Named, 1), "{}", told.says);
+    assert_eq!(
+        (first.code.as_str(), first.site.name.as_str()),
+        ("parameter-dependence", "tau"),
+        "{}",
+        told.says
+    );
+    // tau (1 + a) upwards and tau (1 - a) downwards
+    let (tau, a) = (told.parameters[0].after, first.parameters[0].value);
+    let [up, down] = [tau * (1.0 + a), tau * (1.0 - a)];
+    assert!((up - 0.20).abs() < 0.004 && (down - 0.30).abs() < 0.004, "{up} {down}: {}", told.says);
 }
 
 /// Where the difference of two levels passes through 0 its root is so steep that steps for the rate itself are none.

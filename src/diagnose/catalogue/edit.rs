@@ -2,7 +2,7 @@
 
 use crate::estimate::{Range, Side};
 use crate::expression::{BinaryOp, Expr, Function};
-use crate::model::{Definition, Model, Parameter};
+use crate::model::{Definition, Model, Parameter, State};
 use crate::units::{Dimension, Unit};
 use std::collections::BTreeSet;
 
@@ -143,6 +143,14 @@ fn sum_in<'e>(model: &Model, e: &'e Expr) -> &'e Expr {
         Expr::Binary(BinaryOp::Div, a, _) if leads_to_sum(model, a) => sum_in(model, a),
         other => other,
     }
+}
+
+/// The difference that drives a state after what acts on it, where the state is no speed: u - x of x' = (u - x)/T.
+pub fn follows<'m>(model: &'m Model, x: &'m State) -> Option<&'m Expr> {
+    let sum = sum_of(model, &x.rate);
+    let is_itself = |t: &Expr| matches!(t, Expr::Name(n) if *n == x.name);
+    let is_speed = model.states.iter().any(|s| is_multiple_of(&s.rate, &x.name));
+    (!is_speed && terms_of(model, sum).iter().any(is_itself)).then_some(sum)
 }
 
 /// The terms of a sum without their signs; every definition that is a sum is opened once.

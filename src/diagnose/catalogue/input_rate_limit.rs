@@ -21,7 +21,6 @@
 //! A rudder that turns at 2.3 deg/s whatever the order.
 
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SiteKind, edit};
-use crate::expression::Expr;
 use crate::model::State;
 use crate::units::Unit;
 
@@ -44,13 +43,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 
 /// A state that follows what acts on it, and no faster: an actuator of the model.
 fn follower(scene: &Scene, x: &State) -> Option<Proposal> {
-    let model = scene.model;
-    let sum = edit::sum_of(model, &x.rate);
-    let itself = |t: &Expr| matches!(t, Expr::Name(n) if *n == x.name);
-    let is_speed = model.states.iter().any(|s| edit::is_multiple_of(&s.rate, &x.name));
-    if is_speed || !edit::terms_of(model, sum).iter().any(itself) {
-        return None;
-    }
+    edit::follows(scene.model, x)?;
     let signal = scene.signal(&x.name).filter(|s| s.varies())?;
     let mut d = Draft::new(scene, "input-rate-limit", SiteKind::State, &x.name);
     let (rate, usual) = limit(&mut d, signal)?;

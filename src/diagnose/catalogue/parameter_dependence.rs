@@ -15,6 +15,7 @@
 //!     p -> p + c (u - p)                 with a channel in the place of a known p of its kind, c = 1
 //!     and the same with an output that is no state, as its expression stands
 //!     c -> c (1 + a sign(v))             with the speed, or the difference of two, that a damper c multiplies
+//!     T -> T (1 + a sign(u - x))         of a state that follows, x' = (u - x)/T, as a valve that fills faster than it vents
 //!     p x -> p x (1 + a x^2), p x/(1 + a |x|), p x/(1 + a x^2)    with what p multiplies, as a tyre with its slip
 //! ```
 //!
@@ -37,7 +38,7 @@ use super::{
     Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, draft::POSITIVE, edit,
 };
 use crate::expression::Expr;
-use crate::model::{Output, Parameter};
+use crate::model::{Output, Parameter, State};
 use crate::units::Unit;
 
 /// A parameter that varies with a signal.
@@ -87,6 +88,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         let elements: Vec<Between> = kinds.flat_map(|of| between::all(scene, of)).collect();
         all.extend(names.iter().flat_map(|p| on_arguments(scene, p, (&terms, &elements))));
         all.extend(dampers(scene).iter().filter_map(|(p, speed)| each_way(scene, p, speed)));
+        all.extend(scene.model.states.iter().filter_map(|x| up_and_down(scene, x)));
     }
     all
 }
@@ -336,4 +338,28 @@ fn each_way(scene: &Scene, p: &str, speed: &Expr) -> Option<Proposal> {
     d.start(&[0.3]);
     let words = if let Expr::Name(n) = speed { scene.words(n) } else { speed.to_string() };
     d.done(&format!("{} is harder one way than the other: {{0}} more of it where {words} is positive, as much less where it is negative", scene.words(p)))
+}
+
+/// A state that follows faster upwards than downwards, or slower: its time or its gain is not the same both ways.
+fn up_and_down(scene: &Scene, x: &State) -> Option<Proposal> {
+    let over = edit::follows(scene.model, x)?;
+    scene.signal(&x.name).filter(|s| s.varies() && !s.is_heading())?;
+    let acting = scene.acting_parameters();
+    let p = acting.iter().find(|p| x.rate.mentions(p) && !over.mentions(p))?;
+    let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
+    let a = d.amplitude(
+        "a",
+        &Unit::one(),
+        (-1.0, 1.0),
+        "half the difference of both ways, as a share of the mean",
+    );
+    d.uses(&x.name);
+    let is_own = |place: edit::Place| matches!(place, edit::Place::Rate(s) if s == x.name);
+    d.replace(p, &format!("({p}*(1 + {a}*sign({over})))"), is_own);
+    d.start(&[0.3]);
+    let says = format!(
+        "{} is not the same both ways: {{0}} of it is added where {over} is positive, and taken off where it is negative",
+        scene.words(p)
+    );
+    d.done(&says)
 }
