@@ -77,6 +77,17 @@ impl Op {
     }
 }
 
+/// What of a step is one function.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// The two halves of a step of the classical method of order 4.
+    Classical,
+    /// A step of Heun's method.
+    Heun,
+    /// No step: the caller puts it together from rates and slopes.
+    None,
+}
+
 /// The rates of a model as register code.
 #[derive(Debug, Clone)]
 pub struct StepCode<'a> {
@@ -86,14 +97,22 @@ pub struct StepCode<'a> {
     pub code: &'a [Op],
     /// The instructions that give outputs afterwards.
     pub output: &'a [Op],
+    /// The instructions that give the motion of guards afterwards.
+    pub motion: &'a [Op],
+    /// The instructions that give the slopes of the rates afterwards; compiled without a method alone.
+    pub slopes: &'a [Op],
     /// The registers that hold the states.
     pub states: &'a [Register],
     /// The registers that hold the rates afterwards, one a state.
     pub rates: &'a [Register],
+    /// The registers of signs that may be between −1 and 1, with tangents, where no whole step is taken.
+    pub signs: &'a [Register],
     /// For every register, whether it may have tangents when the instructions of the time begin. (States always may.)
     pub active: &'a [bool],
-    /// Whether what the code computes is left in the registers at the end of a step, register by register.
+    /// Whether what the code of the states computes is left in the registers, register by register.
     pub kept: &'a [bool],
+    /// Which whole steps are compiled.
+    pub method: Method,
 }
 
 /// Instructions times words a number that are worth compiling at most.
@@ -111,12 +130,14 @@ impl StepCode<'_> {
             && self.states.len() == self.rates.len()
             && all(self.states.iter())
             && all(self.rates.iter())
+            && all(self.signs.iter())
             && self.all().all(|op| exists(&op.to) && op.operands().all(|r| exists(&r)))
             && self.all().count().saturating_mul(words) <= LARGEST
     }
 
     fn all(&self) -> impl Iterator<Item = &Op> {
-        self.time.iter().chain(self.code).chain(self.output)
+        let parts = [self.time, self.code, self.output, self.motion, self.slopes];
+        parts.into_iter().flatten()
     }
 }
 

@@ -4,7 +4,8 @@
 //! # Method
 //! The code of the rates is straight: no jumps, one instruction a register. A whole step is one function or two, in
 //! which the rates stand as often as the method asks for them, so that what passes between stages stays in the
-//! processor's registers. Numbers carry tangents ([`Dual`]); an instruction on a register without tangents costs none.
+//! processor's registers. Where a caller has to look between (switches that slide, delays, implicit methods), rates,
+//! motions and slopes are functions of their own. Numbers carry tangents ([`Dual`]); an instruction on a register without tangents costs none.
 //!
 //! # References
 //! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., Springer 1993, section II.1.
@@ -24,6 +25,6 @@ mod number;
 #[cfg_attr(not(feature = "jit"), path = "none.rs")]
 mod steps;
 
-pub use code::{Action, Op, Register, StepCode, spread};
+pub use code::{Action, Method, Op, Register, StepCode, spread};
 pub use number::{Dual, Number};
 pub use steps::Steps;

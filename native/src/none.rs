@@ -27,6 +27,26 @@ impl Steps {
     }
 
     /// Never called.
+    pub fn state<T: Number>(&self, _: &mut [T]) {
+        match self.0 {}
+    }
+
+    /// Never called.
+    pub fn motion<T: Number>(&self, _: &mut [T]) {
+        match self.0 {}
+    }
+
+    /// Never called.
+    pub fn slopes<T: Number>(&self, _: &mut [T]) {
+        match self.0 {}
+    }
+
+    /// Never called.
+    pub fn has_slopes(&self) -> bool {
+        match self.0 {}
+    }
+
+    /// Never called.
     pub fn first_half<T: Number>(&self, _: &[T], _: &[T], _: &[T], _: f64, _: &mut [T], _: &mut [T]) {
         match self.0 {}
     }

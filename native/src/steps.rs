@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::lower::{Held, Lowering, Signatures};
-use crate::{Number, StepCode, spread};
+use crate::{Method, Number, StepCode, spread};
 use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, types};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
@@ -24,7 +24,7 @@ const WRITTEN: usize = 3;
 /// The decay ẋ = −λx with λ in register 0, x in register 1, ẋ in register 2; one step of Heun's method from x = 1:
 ///
 /// ```
-/// use gyrospec_native::{Action, Op, StepCode, Steps};
+/// use gyrospec_native::{Action, Method, Op, StepCode, Steps};
 /// let code = [
 ///     Op { action: Action::Mul, to: 2, a: 0, b: 1, c: 0 },
 ///     Op { action: Action::Negative, to: 3, a: 2, b: 0, c: 0 },
@@ -33,10 +33,14 @@ const WRITTEN: usize = 3;
 ///     time: &[],
 ///     code: &code,
 ///     output: &[],
+///     motion: &[],
+///     slopes: &[],
 ///     states: &[1],
 ///     rates: &[3],
+///     signs: &[],
 ///     active: &[false; 4],
 ///     kept: &[true; 4],
+///     method: Method::Heun,
 /// };
 /// if let Some(steps) = Steps::compile(&step, 0) {
 ///     let mut registers = [2.0, 0.0, 0.0, 0.0];
@@ -48,7 +52,7 @@ const WRITTEN: usize = 3;
 /// ```
 pub struct Steps {
     module: Option<JITModule>,
-    entries: [Entry; Which::ALL.len()],
+    entries: [Option<Entry>; Which::COUNT],
     registers: usize,
     states: usize,
     tangents: usize,
@@ -86,13 +90,26 @@ impl Drop for Steps {
 enum Which {
     Time,
     Output,
+    State,
+    Motion,
+    Slopes,
     First,
     Second,
     Heun,
 }
 
 impl Which {
-    const ALL: [Self; 5] = [Self::Time, Self::Output, Self::First, Self::Second, Self::Heun];
+    const COUNT: usize = 8;
+
+    /// What is compiled for a method.
+    fn of(method: Method) -> Vec<Self> {
+        let steps: &[Self] = match method {
+            Method::Classical => &[Self::First, Self::Second],
+            Method::Heun => &[Self::Heun],
+            Method::None => &[Self::Slopes],
+        };
+        [&[Self::Time, Self::Output, Self::State, Self::Motion], steps].concat()
+    }
 }
 
 impl Steps {
@@ -111,17 +128,18 @@ impl Steps {
         flags.set("is_pic", "false").ok()?;
         let isa = cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()?;
         let mut module = JITModule::new(JITBuilder::with_isa(isa, default_libcall_names()));
-        let built = Which::ALL.map(|w| define(&mut module, step, tangents, w));
-        let is_final = built.iter().all(Option::is_some) && module.finalize_definitions().is_ok();
+        let one = |w: Which| Some((w, define(&mut module, step, tangents, w)?));
+        let built: Option<Vec<(Which, FuncId)>> = Which::of(step.method).into_iter().map(one).collect();
+        let is_final = built.is_some() && module.finalize_definitions().is_ok();
         let mut steps = Self {
             module: Some(module),
-            entries: [nothing; Which::ALL.len()],
+            entries: [None; Which::COUNT],
             registers: step.active.len(),
             states: step.states.len(),
             tangents,
         };
-        for (k, id) in built.into_iter().enumerate().filter(|_| is_final) {
-            steps.entries[k] = steps.entry(id?)?;
+        for (which, id) in built.into_iter().flatten().filter(|_| is_final) {
+            steps.entries[which as usize] = Some(steps.entry(id)?);
         }
         is_final.then_some(steps)
     }
@@ -146,7 +164,7 @@ impl Steps {
         let mut to =
             |k: usize| written.get_mut(k).map_or(std::ptr::null_mut(), |x| x.as_mut_ptr().cast::<f64>());
         let (d, e, f) = (to(0), to(1), to(2));
-        let entry = self.entries[which as usize];
+        let Some(entry) = self.entries[which as usize] else { panic!("compiled for another method") };
         clear_upper_halves();
         // SAFETY: `r` comes from a slice of `registers` numbers (asserted by the callers), the arrays hold one number a
         // state, and a number is 1 + `tangents` doubles (`Number`). The code touches registers below `registers` and
@@ -176,11 +194,43 @@ impl Steps {
         self.call(Which::Output, r.as_mut_ptr(), &[], 0.0, &mut []);
     }
 
+    /// Runs the instructions of the states.
+    ///
+    /// # Panics
+    /// As [`Steps::first_half`].
+    pub fn state<T: Number>(&self, r: &mut [T]) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(Which::State, r.as_mut_ptr(), &[], 0.0, &mut []);
+    }
+
+    /// Runs the instructions of the motion of guards.
+    ///
+    /// # Panics
+    /// As [`Steps::first_half`].
+    pub fn motion<T: Number>(&self, r: &mut [T]) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(Which::Motion, r.as_mut_ptr(), &[], 0.0, &mut []);
+    }
+
+    /// Whether the slopes of the rates were compiled.
+    pub fn has_slopes(&self) -> bool {
+        self.entries[Which::Slopes as usize].is_some()
+    }
+
+    /// Runs the instructions of the slopes of the rates.
+    ///
+    /// # Panics
+    /// As [`Steps::first_half`].
+    pub fn slopes<T: Number>(&self, r: &mut [T]) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(Which::Slopes, r.as_mut_ptr(), &[], 0.0, &mut []);
+    }
+
     /// The stages of the classical method up to the last: from x with rates k₁ at the begin of a step h, the inputs in
     /// the registers as they are in its middle, to the last stage s = x + h·k₃ and to k₁ + 2(k₂ + k₃).
     ///
     /// # Panics
-    /// Where the lengths or the kind of numbers are not those that it was compiled for.
+    /// Where the lengths, the kind of numbers or the method are not those that it was compiled for.
     pub fn first_half<T: Number>(&self, r: &[T], x: &[T], k: &[T], h: f64, stage: &mut [T], sum: &mut [T]) {
         assert!(r.len() == self.registers, "as many registers as compiled for");
         self.call(Which::First, r.as_ptr().cast_mut(), &[x, k], h, &mut [stage, sum]);
@@ -232,19 +282,6 @@ fn clear_upper_halves() {
     }
 }
 
-/// Stands where no function is yet.
-extern "C" fn nothing(
-    _: *mut f64,
-    _: *const f64,
-    _: *const f64,
-    _: *const f64,
-    _: f64,
-    _: *mut f64,
-    _: *mut f64,
-    _: *mut f64,
-) {
-}
-
 fn signature(module: &JITModule, parameters: &[Type], result: Option<Type>) -> Signature {
     let mut signature = module.make_signature();
     signature.params.extend(parameters.iter().map(|t| AbiParam::new(*t)));
@@ -292,6 +329,9 @@ fn define(module: &mut JITModule, step: &StepCode<'_>, tangents: usize, which: W
     match which {
         Which::Time => body.segment(step.time, Lowering::keep_known),
         Which::Output => body.segment(step.output, Lowering::keep),
+        Which::State => body.state(),
+        Which::Motion => body.segment(step.motion, Lowering::keep),
+        Which::Slopes => body.segment(step.slopes, Lowering::keep),
         Which::First => body.first(&arguments),
         Which::Second => body.second(&arguments),
         Which::Heun => body.heun(&arguments),
@@ -306,12 +346,17 @@ fn define(module: &mut JITModule, step: &StepCode<'_>, tangents: usize, which: W
 /// The registers that may have tangents when a function begins.
 fn before(step: &StepCode<'_>, which: Which) -> Vec<bool> {
     let mut active = step.active.to_vec();
-    if which != Which::Time {
-        spread(step.time, &mut active);
-        step.states.iter().for_each(|r| active[usize::from(*r)] = true);
+    if which == Which::Time {
+        return active;
     }
-    if which == Which::Output {
-        // what the states make may have had tangents under another sign
+    spread(step.time, &mut active);
+    step.states.iter().for_each(|r| active[usize::from(*r)] = true);
+    if matches!(which, Which::First | Which::Second | Which::Heun) {
+        return active;
+    }
+    step.signs.iter().for_each(|r| active[usize::from(*r)] = true);
+    if which != Which::State {
+        // what the states make may have tangents under another sign
         step.code.iter().for_each(|op| active[usize::from(op.to)] = true);
     }
     active

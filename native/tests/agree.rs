@@ -1,7 +1,7 @@
 //! Machine code against an interpreter of the same instructions, on random code, bit for bit.
 #![cfg(feature = "jit")]
 
-use gyrospec_native::{Action, Dual, Number, Op, StepCode, Steps};
+use gyrospec_native::{Action, Dual, Method, Number, Op, StepCode, Steps};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// What the interpreter needs of a number.
@@ -136,6 +136,23 @@ impl Draw {
     }
 }
 
+/// A step of a method without code and registers.
+fn empty(method: Method) -> StepCode<'static> {
+    StepCode {
+        time: &[],
+        code: &[],
+        output: &[],
+        motion: &[],
+        slopes: &[],
+        states: &[],
+        rates: &[],
+        signs: &[],
+        active: &[],
+        kept: &[],
+        method,
+    }
+}
+
 const GIVEN: u16 = 8;
 const STATES: u16 = 3;
 
@@ -198,46 +215,68 @@ struct Stepped<T> {
     last: Vec<T>,
 }
 
-/// Code of a time and of outputs, around code of states that stands between.
+/// A register that holds a sign, with tangents where it slides.
+const SIGN: u16 = 6;
+
+/// Ten instructions of random code that read what stands before number `first`, and their own results.
+fn part(code: &[Op], first: u16, from: usize) -> Vec<Op> {
+    let (begin, end) = (GIVEN + first, GIVEN + from as u16);
+    // in the place of what other parts made, what was given or made before
+    let read = |r: u16| if r >= begin && r < end { r - begin } else { r };
+    let one = |op: &Op| {
+        let is_whole = matches!(op.action, Action::Whole(..));
+        let is_foreign_root = matches!(op.action, Action::Sqrt) && read(op.a) != op.a;
+        let action = if is_foreign_root { Action::Square } else { op.action };
+        Op { action, a: read(op.a), b: if is_whole { op.b } else { read(op.b) }, c: read(op.c), ..*op }
+    };
+    code[from..from + 10].iter().map(one).collect()
+}
+
+/// Code of a time, of states, and of outputs, motions and slopes, which do not read each other.
 fn tried_segments<T: Plain>(seed: u64) -> bool {
     let mut draw = Draw(seed);
-    let code = random_code(&mut draw, 30);
+    let code = random_code(&mut draw, 50);
     let registers = usize::from(GIVEN) + code.len();
     let states: Vec<u16> = (0..STATES).collect();
-    // what a time asks for reads no state
+    // what a time asks for reads no state and no sign
     let shifted = |op: &Op| {
-        let given = |r: u16| if r < STATES { r + STATES } else { r };
+        let given = |r: u16| if r < STATES { r + STATES } else { r + u16::from(r == SIGN) };
         let b = if matches!(op.action, Action::Whole(..)) { op.b } else { given(op.b) };
         Op { a: given(op.a), b, c: given(op.c), ..*op }
     };
     let time: Vec<Op> = code[..10].iter().map(shifted).collect();
-    let (middle, output) = (&code[10..20], &code[20..]);
+    let middle = &code[10..20];
+    let [output, motion, slopes] = [20, 30, 40].map(|from| part(&code, 20, from));
     let rates: Vec<u16> = (0..STATES).map(|k| GIVEN + 10 + k).collect();
     let active: Vec<bool> = (0..registers).map(|k| (3..6).contains(&k)).collect();
     let kept = vec![true; registers];
     let step = StepCode {
         time: &time,
         code: middle,
-        output,
+        output: &output,
+        motion: &motion,
+        slopes: &slopes,
         states: &states,
         rates: &rates,
+        signs: &[SIGN],
         active: &active,
         kept: &kept,
+        method: Method::None,
     };
     let Some(steps) = Steps::compile(&step, T::TANGENTS) else { return false };
+    assert!(steps.has_slopes());
     let mut number = |with: bool| drawn::<T>(&mut draw, with);
     let zero = T::of(0.0, &mut || 0.0);
     let mut r: Vec<T> =
-        (0..registers).map(|k| if k < usize::from(GIVEN) { number(k < 6) } else { zero }).collect();
+        (0..registers).map(|k| if k < usize::from(GIVEN) { number(k < 7) } else { zero }).collect();
     let mut own = r.clone();
-    interpret(&time, &mut r);
-    steps.time(&mut own);
-    assert!(agree(&parts(&own), &parts(&r)), "{seed}: the time");
-    interpret(middle, &mut r);
-    interpret(middle, &mut own);
-    interpret(output, &mut r);
-    steps.output(&mut own);
-    assert!(agree(&parts(&own), &parts(&r)), "{seed}: the outputs");
+    let codes = [&time, middle, &output, &motion, &slopes];
+    let compiled = [Steps::time, Steps::state, Steps::output, Steps::motion, Steps::slopes];
+    for (k, (code, run)) in codes.into_iter().zip(compiled).enumerate() {
+        interpret(code, &mut r);
+        run(&steps, &mut own);
+        assert!(agree(&parts(&own), &parts(&r)), "{seed}: part {k} of a step");
+    }
     true
 }
 
@@ -273,16 +312,12 @@ fn stepped<T: Plain>(seed: u64, mut draw: Draw, code: &[Op]) -> bool {
     // registers 0, 1, 2 are states; 3 to 5 may have tangents, 6 and 7 have none
     let active: Vec<bool> = (0..registers).map(|k| k < 6).collect();
     let kept = vec![true; registers];
-    let step = StepCode {
-        time: &[],
-        code,
-        output: &[],
-        states: &states,
-        rates: &rates,
-        active: &active,
-        kept: &kept,
+    let with = |method| {
+        let step =
+            StepCode { code, states: &states, rates: &rates, active: &active, kept: &kept, ..empty(method) };
+        Steps::compile(&step, T::TANGENTS)
     };
-    let Some(steps) = Steps::compile(&step, T::TANGENTS) else { return false };
+    let (Some(heun), Some(classical)) = (with(Method::Heun), with(Method::Classical)) else { return false };
     let mut number = |with: bool| drawn::<T>(&mut draw, with);
     let given: Vec<T> = active.iter().map(|with| number(*with)).collect();
     let x: Vec<T> = (0..STATES).map(|_| number(true)).collect();
@@ -305,7 +340,7 @@ fn stepped<T: Plain>(seed: u64, mut draw: Draw, code: &[Op]) -> bool {
     let x1 = along(&x, &both, 0.5 * h);
     let rates1 = f(&mut r, &x1);
     let mut own = given.clone();
-    steps.heun(&mut own, (&x, &k1), h, (&mut found.x1, &mut found.rates, &mut found.last));
+    heun.heun(&mut own, (&x, &k1), h, (&mut found.x1, &mut found.rates, &mut found.last));
     assert!(agree(&parts(&found.x1), &parts(&x1)), "{seed}: x₁ of Heun");
     assert!(agree(&parts(&found.rates), &parts(&rates1)), "{seed}: rates after Heun");
     assert!(agree(&parts(&own), &parts(&r)), "{seed}: registers after Heun");
@@ -322,10 +357,10 @@ fn stepped<T: Plain>(seed: u64, mut draw: Draw, code: &[Op]) -> bool {
     let x1 = along(&x, &all, h / 6.0);
     let rates1 = f(&mut r, &x1);
     let (mut own_stage, mut sum, mut own) = (room(), room(), given.clone());
-    steps.first_half(&own, &x, &k1, h, &mut own_stage, &mut sum);
+    classical.first_half(&own, &x, &k1, h, &mut own_stage, &mut sum);
     assert!(agree(&parts(&own), &parts(&given)), "{seed}: the first half leaves the registers");
     assert!(agree(&parts(&own_stage), &parts(&stage)), "{seed}: the last stage");
-    steps.second_half(
+    classical.second_half(
         &mut own,
         (&x, &own_stage, &sum),
         h,
@@ -357,7 +392,7 @@ fn machine_code_agrees_with_the_interpreter_on_random_code() {
 }
 
 #[test]
-fn the_code_of_times_and_outputs_agrees_too() {
+fn the_code_of_each_part_of_a_step_agrees_too() {
     let all = |seed| {
         let by_kind =
             [tried_segments::<f64>(seed), tried_segments::<Dual<2>>(seed), tried_segments::<Dual<8>>(seed)];
@@ -372,11 +407,8 @@ fn code_that_names_registers_that_are_not_there_is_refused() {
     let op = |to, a| Op { action: Action::Negative, to, a, b: 0, c: 0 };
     let step = |code: &[Op], states: &[u16], rates: &[u16], registers: usize, tangents: usize| {
         let (active, kept) = (vec![true; registers], vec![true; registers]);
-        Steps::compile(
-            &StepCode { time: &[], code, output: &[], states, rates, active: &active, kept: &kept },
-            tangents,
-        )
-        .is_none()
+        let step = StepCode { code, states, rates, active: &active, kept: &kept, ..empty(Method::Classical) };
+        Steps::compile(&step, tangents).is_none()
     };
     assert!(step(&[op(2, 0)], &[0], &[1], 2, 0), "a result beyond the registers");
     assert!(step(&[op(1, 2)], &[0], &[1], 2, 0), "an operand beyond the registers");
@@ -391,13 +423,12 @@ fn code_that_names_registers_that_are_not_there_is_refused() {
 fn arrays_of_a_wrong_length_are_refused() {
     let code = [Op { action: Action::Negative, to: 1, a: 0, b: 0, c: 0 }];
     let step = StepCode {
-        time: &[],
         code: &code,
-        output: &[],
         states: &[0],
         rates: &[1],
         active: &[true; 2],
         kept: &[true; 2],
+        ..empty(Method::Classical)
     };
     let Some(steps) = Steps::compile(&step, 0) else {
         panic!("as many as states: this machine takes no machine code")
@@ -406,18 +437,19 @@ fn arrays_of_a_wrong_length_are_refused() {
 }
 
 #[test]
+#[should_panic(expected = "compiled for another method")]
+fn a_step_of_another_method_is_refused() {
+    let Some(steps) = Steps::compile(&empty(Method::Heun), 0) else {
+        panic!("compiled for another method: this machine takes no machine code")
+    };
+    steps.first_half::<f64>(&[], &[], &[], 0.1, &mut [], &mut []);
+}
+
+#[test]
 fn signs_steps_and_roots_of_zeros_and_of_no_number() {
     let op = |action, to| Op { action, to, a: 0, b: 0, c: 0 };
     let time = [op(Action::Sign, 1), op(Action::SignOrOne, 2), op(Action::Step, 3), op(Action::Sqrt, 4)];
-    let step = StepCode {
-        time: &time,
-        code: &[],
-        output: &[],
-        states: &[],
-        rates: &[],
-        active: &[true; 5],
-        kept: &[true; 5],
-    };
+    let step = StepCode { time: &time, active: &[true; 5], kept: &[true; 5], ..empty(Method::Heun) };
     let Some(steps) = Steps::compile(&step, 2) else { return };
     for (x, wanted) in [
         (4.0, [1.0, 1.0, 1.0, 2.0, 0.25]),

@@ -7,11 +7,13 @@ use crate::model::Scalar;
 pub(super) struct History<T> {
     times: Vec<f64>,
     values: Vec<(T, T)>,
+    /// How many entries lay at or before the time that was asked for last.
+    near: usize,
 }
 
 impl<T> Default for History<T> {
     fn default() -> Self {
-        Self { times: Vec::new(), values: Vec::new() }
+        Self { times: Vec::new(), values: Vec::new(), near: 0 }
     }
 }
 
@@ -28,9 +30,9 @@ impl<T: Scalar> History<T> {
     }
 
     /// Value and slope at a time: the first value before the start, a cubic between entries.
-    pub fn at(&self, t: T) -> (T, T) {
+    pub fn at(&mut self, t: T) -> (T, T) {
         let zero = T::constant(0.0);
-        let i = self.times.partition_point(|x| *x <= t.value());
+        let i = self.passed(t.value());
         if i == 0 {
             return self.values.first().map_or((zero, zero), |v| (v.0, zero));
         }
@@ -48,5 +50,19 @@ impl<T: Scalar> History<T> {
         let value = v0 + theta * (s0.scale(h) + theta * (c2 + theta * c3));
         let slope = s0 + (theta * (c2.scale(2.0) + theta * c3.scale(3.0))).scale(1.0 / h);
         (value, slope)
+    }
+
+    /// How many entries lie at or before a time, looked for from the last answer on: a run asks almost in order.
+    fn passed(&mut self, t: f64) -> usize {
+        let is_passed = |x: &f64| *x <= t;
+        let mut i = self.near.min(self.times.len());
+        while self.times.get(i).is_some_and(is_passed) {
+            i += 1;
+        }
+        while i > 0 && !is_passed(&self.times[i - 1]) {
+            i -= 1;
+        }
+        self.near = i;
+        i
     }
 }

@@ -24,7 +24,7 @@ pub(super) struct Machine<'a, T> {
     loaded: f64,
     /// What the inputs alone make, where it is known beforehand.
     pub table: Option<&'a Table>,
-    /// The explicit steps as machine code.
+    /// What was made machine code.
     pub native: Option<&'a Steps>,
     scratch: Vec<T>,
 }
@@ -148,8 +148,16 @@ impl<'a, T: Scalar> Machine<'a, T> {
     /// The outputs; states and time must be loaded.
     pub fn outputs(&mut self) {
         match self.native {
-            Some(native) if self.is_smooth() => native.output(&mut self.r),
+            Some(native) if self.switching == Switching::Hold => native.output(&mut self.r),
             _ => execute(self.program, &self.program.output_code, &mut self.r, self.switching),
+        }
+    }
+
+    /// What the states make; states and time must be loaded.
+    fn run_states(&mut self) {
+        match self.native {
+            Some(native) if self.switching == Switching::Hold => native.state(&mut self.r),
+            _ => execute(self.program, &self.program.per_state, &mut self.r, self.switching),
         }
     }
 
@@ -189,7 +197,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
             self.load_pasts(t);
         }
         if self.sliding.is_empty() {
-            execute(self.program, &self.program.per_state, &mut self.r, self.switching);
+            self.run_states();
         } else {
             self.slide();
         }
@@ -208,7 +216,8 @@ impl<'a, T: Scalar> Machine<'a, T> {
         let mut slot = 0;
         for m in &self.program.remembered {
             if let Remembered::Past { delay, value, slope, .. } = *m {
-                let (v, s) = self.pasts[slot].at(T::constant(t) - self.r[at(delay)]);
+                let when = T::constant(t) - self.r[at(delay)];
+                let (v, s) = self.pasts[slot].at(when);
                 self.r[at(value)] = v;
                 self.r[at(slope)] = s;
                 slot += 1;
@@ -218,15 +227,18 @@ impl<'a, T: Scalar> Machine<'a, T> {
 
     /// The motion of the guards; states and time must be loaded.
     pub fn motions(&mut self) {
-        execute(self.program, &self.program.motion_code, &mut self.r, self.switching);
+        match self.native {
+            Some(native) if self.switching == Switching::Hold => native.motion(&mut self.r),
+            _ => execute(self.program, &self.program.motion_code, &mut self.r, self.switching),
+        }
     }
 
     fn try_signs(&mut self, signs: impl Fn(usize) -> f64) {
         for (j, k) in self.sliding.iter().enumerate() {
             self.r[at(self.program.watches[*k].sign)] = T::constant(signs(j));
         }
-        execute(self.program, &self.program.per_state, &mut self.r, self.switching);
-        execute(self.program, &self.program.motion_code, &mut self.r, self.switching);
+        self.run_states();
+        self.motions();
     }
 
     /// Finds the signs u of the sliding switches for which their guards stand still.
@@ -252,7 +264,7 @@ impl<'a, T: Scalar> Machine<'a, T> {
             self.r[at(self.program.watches[*k].sign)] = table[i * (n + 1) + n];
         }
         self.scratch = table;
-        execute(self.program, &self.program.per_state, &mut self.r, self.switching);
+        self.run_states();
     }
 
     fn guard_motion(&self, sliding: usize) -> T {
@@ -282,7 +294,12 @@ impl<'a, T: Scalar> Machine<'a, T> {
 
     /// The Jacobian ∂f/∂x row by row and ∂f/∂t at the loaded time and state.
     pub fn slopes(&mut self, jacobian: &mut [T], explicit_time: &mut [T]) {
-        execute(self.program, &self.program.jacobian_code, &mut self.r, self.switching);
+        match self.native {
+            Some(native) if self.switching == Switching::Hold && native.has_slopes() => {
+                native.slopes(&mut self.r);
+            }
+            _ => execute(self.program, &self.program.jacobian_code, &mut self.r, self.switching),
+        }
         for (o, register) in jacobian.iter_mut().zip(&self.program.jacobian) {
             *o = self.r[at(*register)];
         }

@@ -10,10 +10,11 @@
 //! Machine code and interpreter give the same values (`gyrospec_native`), so that neither the machine nor the amount of
 //! work shows in a result.
 
+use super::steps::Solver;
 use crate::expression::Function;
 use crate::model::Scalar;
 use crate::model::program::{Action, Op, Program, Register, Remembered, slope, whole_power_parts};
-use gyrospec_native::{StepCode, Steps, spread};
+use gyrospec_native::{Method, StepCode, Steps, spread};
 use std::cell::OnceCell;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -40,6 +41,7 @@ impl Default for Natives {
 #[derive(Debug)]
 struct Kind {
     tangents: usize,
+    method: Method,
     /// The registers that may have tangents.
     active: Vec<bool>,
     /// Steps that were interpreted.
@@ -49,17 +51,25 @@ struct Kind {
 }
 
 impl Natives {
-    /// The machine code for a run of so many steps with these registers; none where the run is better interpreted.
-    pub fn of<T: Scalar>(&self, program: &Program, parameters: &[T], steps: usize) -> Option<Arc<Steps>> {
-        if !Steps::MADE || program.remembered.iter().any(|m| matches!(m, Remembered::Past { .. })) {
+    /// The machine code for a run of so many steps of a method with these registers; none where the run is better
+    /// interpreted.
+    pub fn of<T: Scalar>(
+        &self,
+        program: &Program,
+        parameters: &[T],
+        (solver, steps): (Solver, usize),
+    ) -> Option<Arc<Steps>> {
+        if !Steps::MADE {
             return None;
         }
         let active = active(program, parameters)?;
+        let method = method(program, solver);
         let mut kinds = self.kinds.lock().unwrap_or_else(PoisonError::into_inner);
-        let same = |k: &Kind| k.tangents == T::TANGENTS && k.active == active;
+        let same = |k: &Kind| k.tangents == T::TANGENTS && k.method == method && k.active == active;
         let at = kinds.iter().position(same).unwrap_or_else(|| {
             kinds.truncate(MOST - 1);
-            kinds.insert(0, Kind { tangents: T::TANGENTS, active, steps: 0, compiled: OnceCell::new() });
+            let (tangents, compiled) = (T::TANGENTS, OnceCell::new());
+            kinds.insert(0, Kind { tangents, method, active, steps: 0, compiled });
             0
         });
         let kind = &mut kinds[at];
@@ -67,8 +77,9 @@ impl Natives {
         if kind.compiled.get().is_none() && kind.steps < self.worth {
             return None;
         }
-        let tangents = kind.tangents;
-        kind.compiled.get_or_init(|| compiled(program, &kind.active, tangents).map(Arc::new)).clone()
+        kind.compiled
+            .get_or_init(|| compiled(program, &kind.active, (method, kind.tangents)).map(Arc::new))
+            .clone()
     }
 }
 
@@ -92,23 +103,44 @@ fn active<T: Scalar>(program: &Program, parameters: &[T]) -> Option<Vec<bool>> {
         active[at(column.value)] = column.delay.is_some_and(|d| active[at(d)]);
     }
     for m in &program.remembered {
-        if let Remembered::Held { held, .. } = *m {
-            active[at(held)] = true;
+        match *m {
+            Remembered::Hidden { .. } => {}
+            Remembered::Held { held, .. } => active[at(held)] = true,
+            Remembered::Past { value, slope, .. } => {
+                active[at(value)] = true;
+                active[at(slope)] = true;
+            }
         }
     }
     spread(&translated(&program.per_data)?, &mut active);
     Some(active)
 }
 
-fn compiled(program: &Program, active: &[bool], tangents: usize) -> Option<Steps> {
+/// What of a step is one function: none where the past of a signal is asked for within it.
+fn method(program: &Program, solver: Solver) -> Method {
+    let is_past = |m: &Remembered| matches!(m, Remembered::Past { .. });
+    match solver {
+        Solver::Explicit if !program.remembered.iter().any(is_past) => Method::Classical,
+        Solver::Heun if !program.remembered.iter().any(is_past) => Method::Heun,
+        _ => Method::None,
+    }
+}
+
+fn compiled(program: &Program, active: &[bool], (method, tangents): (Method, usize)) -> Option<Steps> {
+    let slopes: &[Op] = if method == Method::None { &program.jacobian_code } else { &[] };
+    let signs: Vec<Register> = program.watches.iter().map(|w| w.sign).collect();
     let step = StepCode {
         time: &translated(&program.per_time)?,
         code: &translated(&program.per_state)?,
         output: &translated(&program.output_code)?,
+        motion: &translated(&program.motion_code)?,
+        slopes: &translated(slopes)?,
         states: &program.states,
         rates: &program.rates,
+        signs: &signs,
         active,
-        kept: &program.read_by(&[&program.output_code, &program.motion_code]),
+        kept: &program.read_by(&[&program.output_code, &program.motion_code, slopes]),
+        method,
     };
     Steps::compile(&step, tangents)
 }
@@ -228,6 +260,39 @@ mod tests {
         place = { equals = "q", unit = "m" }
     "#;
 
+    /// A fast lag before a slow one with friction, which only the stiff method runs.
+    const STIFF: &str = r#"
+        name = "stiff"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        T = { value = 1e-5, unit = "s" }
+        r = { value = 1.5, unit = "N*s/m" }
+        F = { value = 2, unit = "N" }
+        m = { value = 2, unit = "kg" }
+        [states]
+        pull = { rate = "(force*(1 + 0.1*tanh(force/F)) - pull)/T", unit = "N", initial = 0 }
+        v = { rate = "(pull - r*v - F*sign(v))/m", unit = "m/s", initial = 0 }
+        [outputs]
+        speed = { equals = "v", unit = "m/s" }
+    "#;
+
+    /// A loop that is closed late.
+    const LATE: &str = r#"
+        name = "late"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        F = { value = 0.2, unit = "N" }
+        Td = { value = 0.31, unit = "s" }
+        r = { value = 1.5, unit = "N*s/m" }
+        m = { value = 2, unit = "kg" }
+        [states]
+        v = { rate = "(force - r*delay(v, Td) - F*sign(v))/m", unit = "m/s", initial = 0.1 }
+        [outputs]
+        speed = { equals = "v", unit = "m/s" }
+    "#;
+
     fn made(model: &Model, inputs: &[(&str, &str)], output: (&str, &str)) -> Simulator {
         let time: Vec<f64> = (0..6001).map(|i| 0.02 * f64::from(i)).collect();
         let channel = |(name, unit): (&str, &str), f: &dyn Fn(f64) -> f64| {
@@ -248,7 +313,10 @@ mod tests {
         let cases = [
             made(&sphere, &[("roll_acc", "rad/s^2"), ("heading", "deg")], ("alpha", "deg")),
             made(&sticking, &[("force", "N")], ("place", "m")),
+            made(&Model::parse(STIFF).unwrap(), &[("force", "N")], ("speed", "m/s")),
+            made(&Model::parse(LATE).unwrap(), &[("force", "N")], ("speed", "m/s")),
         ];
+        assert_eq!(cases[2].plan.method, Solver::Stiff);
         for compiled in cases {
             let mut interpreted = compiled.clone();
             interpreted.natives = Arc::new(Natives { worth: usize::MAX, kinds: Mutex::default() });

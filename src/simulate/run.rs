@@ -115,9 +115,8 @@ impl Roughness {
 pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T]) -> Result<Ran<T>> {
     let mut m = Machine::new(course.program, course.mesh, parameters);
     let table = tabulated(course.program, course.mesh, (course.substeps, course.method));
-    let steps = course.substeps.saturating_mul(course.mesh.intervals());
-    let explicit = course.method != Solver::Stiff;
-    let native = explicit.then(|| course.natives.of(course.program, parameters, steps)).flatten();
+    let work = course.substeps.saturating_mul(course.mesh.intervals());
+    let native = course.natives.of(course.program, parameters, (course.method, work));
     (m.table, m.native) = (table.as_deref(), native.as_deref());
     let first = course.mesh.time[0];
     let x = start(&mut m, first, given, course.steady)?;

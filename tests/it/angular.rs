@@ -249,12 +249,13 @@ fn what_a_diagnosis_adds_is_not_asked_about() {
     let place = |name: &str| folder.path().join(name);
     let noise = noise(1500, 5);
     let (mut w, mut rows) = (0.0_f64, String::from("t [s],u [rad/s^2],speed [rpm]\n"));
+    let acts = |t: f64| 3.0 * (0.7 * t).sin() + 2.0 * (0.23 * t).sin();
     for (i, n) in noise.iter().enumerate() {
         let t = 0.05 * i as f64;
-        let u = 3.0 * (0.7 * t).sin() + 2.0 * (0.23 * t).sin();
         // rad/s in rpm: 30/π
-        rows += &format!("{t:.2},{u:.5},{:.4}\n", (w + 0.02 * n) * 30.0 / std::f64::consts::PI);
-        for _ in 0..20 {
+        rows += &format!("{t:.2},{:.5},{:.4}\n", acts(t), (w + 0.02 * n) * 30.0 / std::f64::consts::PI);
+        for k in 0..20 {
+            let u = acts(t + 0.0025 * (f64::from(k) + 0.5));
             w += 0.0025 * (2.0 * u - 0.5 * w - 0.8 * (40.0 * w).tanh());
         }
     }

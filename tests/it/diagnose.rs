@@ -3,13 +3,14 @@
 mod calibrated;
 mod no_noise;
 
-use gyrospec::diagnose::answer::Verdict;
+use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::diagnose::laboratory::{Scenario, Stepper};
 use gyrospec::diagnose::{Diagnosis, Request, diagnose};
 use gyrospec::estimate::fit::Silent;
 use gyrospec::expression::Expr;
 use gyrospec::model::{Initial, Model};
 use gyrospec::record::Recording;
+use std::sync::LazyLock;
 
 /// Noise of lag-one correlation 0.9 and unit deviation, from a small congruential generator.
 pub fn noise(n: usize, mut seed: u64) -> Vec<f64> {
@@ -55,6 +56,15 @@ pub fn moved(scenario: Scenario, force: Option<&str>) -> (Model, Recording) {
     (model, recording)
 }
 
+/// What is said of a force that the catalogue lacks; found once for all tests that read it.
+pub fn of_no_name() -> &'static Answer {
+    static ANSWER: LazyLock<Answer> = LazyLock::new(|| {
+        let (model, recording) = recording(Some("3*sin(50*q)*(v/0.3)^2"));
+        diagnosed(&model, recording).answer
+    });
+    &ANSWER
+}
+
 pub fn diagnosed(model: &Model, recording: Recording) -> Diagnosis {
     let recordings = [recording];
     let request = Request {
@@ -92,10 +102,9 @@ fn a_complete_model_lacks_nothing_under_coloured_noise() {
 /// Waves in position follow such a law in part: they must not pass for it.
 #[test]
 fn a_law_of_two_signals_outside_the_catalogue_is_unknown() {
-    let (model, recording) = recording(Some("3*sin(50*q)*(v/0.3)^2"));
-    let d = diagnosed(&model, recording);
-    assert_eq!(d.answer.verdict, Verdict::Unknown, "{}", d.answer.says);
-    let left = d.answer.unexplained.unwrap();
+    let answer = of_no_name();
+    assert_eq!(answer.verdict, Verdict::Unknown, "{}", answer.says);
+    let left = answer.unexplained.as_ref().unwrap();
     assert_eq!(left.signal, "q, v");
     assert!(left.p_value < 1e-6, "{left:?}");
 }

@@ -1,6 +1,6 @@
 //! Where the mismatch sits.
 
-use crate::diagnose::{diagnosed, recording};
+use crate::diagnose::{diagnosed, of_no_name, recording};
 use gyrospec::diagnose::answer::Verdict;
 use gyrospec::model::Model;
 use gyrospec::record::Channel;
@@ -26,8 +26,7 @@ fn times_of_several_outputs_are_one_list() {
 /// A law that no name fits acts on the state that it was put into.
 #[test]
 fn an_unknown_law_sits_where_it_acts() {
-    let (model, made) = recording(Some("3*sin(50*q)*(v/0.3)^2"));
-    let answer = diagnosed(&model, made).answer;
+    let answer = of_no_name();
     assert_eq!(answer.verdict, Verdict::Unknown, "{}", answer.says);
     let sites: Vec<(&str, &str)> =
         answer.located.sites.iter().map(|s| (s.kind.as_str(), s.name.as_str())).collect();

@@ -93,20 +93,16 @@ pub(crate) struct Program {
 }
 
 impl Program {
-    /// Which registers these pieces of code read, or an explicit method asks for by themselves.
+    /// Which registers these pieces of code read, or a run asks for by themselves.
     pub fn read_by(&self, code: &[&[Op]]) -> Vec<bool> {
         let mut is_read = vec![false; self.registers];
         let operands = code.iter().copied().flatten().flat_map(|op| [op.a, op.b, op.c]);
-        let named = [&self.states, &self.rates, &self.outputs, &self.definitions];
+        let slopes = [&self.jacobian, &self.explicit_time];
+        let named = [&self.states, &self.rates, &self.outputs, &self.definitions].into_iter().chain(slopes);
         let watched = self.watches.iter().flat_map(|w| [w.guard, w.sign, w.motion]);
         let remembered = self.remembered.iter().flat_map(Remembered::registers);
         let called = self.calls.iter().flat_map(|c| c.arguments.iter().copied());
-        for r in operands
-            .chain(called)
-            .chain(named.into_iter().flatten().copied())
-            .chain(watched)
-            .chain(remembered)
-        {
+        for r in operands.chain(called).chain(named.flatten().copied()).chain(watched).chain(remembered) {
             // an operand may be a whole power, or the number of a call, instead
             if let Some(is_read) = is_read.get_mut(usize::from(r)) {
                 *is_read = true;
