@@ -7,6 +7,8 @@
 //! # Method
 //! z = ln x where 0 < min, else z = x; bounds become a box in z.
 
+use crate::model::Parameter;
+
 /// What a fit may do with one unknown.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
@@ -19,6 +21,11 @@ pub struct Range {
 impl Range {
     /// No bounds.
     pub const FREE: Self = Self { min: f64::NEG_INFINITY, max: f64::INFINITY };
+
+    /// The bounds of a parameter.
+    pub fn of(p: &Parameter) -> Self {
+        Self { min: p.min.unwrap_or(Self::FREE.min), max: p.max.unwrap_or(Self::FREE.max) }
+    }
 
     /// Whether the unknown walks as its logarithm.
     pub fn is_logarithmic(self) -> bool {

@@ -8,6 +8,7 @@
 mod absent;
 mod again;
 mod budget;
+mod did;
 mod events;
 mod faults;
 mod gaps;

@@ -2,6 +2,7 @@
 
 use super::absent;
 use super::budget::{Allowance, Budget};
+use super::did::Did;
 use super::gaps;
 use super::machine::registers;
 use super::mesh::{Mesh, Samples, Shifted};
@@ -62,6 +63,8 @@ pub struct Simulator {
     pub(super) plan: Plan,
     /// What to take where the plan of order 2 does not do.
     pub(super) careful: Option<Plan>,
+    /// What did at the last point.
+    pub(super) did: Did,
     pub(super) tolerance: f64,
     pub(super) budget: Budget,
     /// What a user should know of the recording's channels.
@@ -101,6 +104,7 @@ impl Simulator {
             mesh: None,
             plan: Plan { method: Solver::Explicit, substeps: 1, error: 0.0, roughness: 0.0, blew_up: false },
             careful: None,
+            did: Did::default(),
             tolerance: options.tolerance,
             budget: options.budget.clone(),
             cautions: signals::cautions(model, recording),

@@ -1,10 +1,12 @@
-//! Models without memory: every sample, or every trial, by itself.
+//! Models without memory: every sample, or every trial, by itself. What none of the tangents reaches is done in plain
+//! numbers: a model may ask for hundreds of sensitivities, a few at a time, of which each reaches little.
 
 use super::machine::registers;
 use super::mesh::Samples;
 use super::probe::Clock;
 use crate::model::Scalar;
-use crate::model::program::{Program, Switching, execute};
+use crate::model::program::{Action, Op, Program, Register, Switching, execute};
+use std::collections::BTreeSet;
 
 /// The wanted registers at every time of every clock: time by time, register by register.
 pub(super) fn run<T: Scalar>(
@@ -14,20 +16,77 @@ pub(super) fn run<T: Scalar>(
     parameters: &[T],
 ) -> Vec<Vec<T>> {
     let mut r = registers(program, parameters);
+    let mut parts = Parts::new(program, &r, clocks);
     let mut out = Vec::with_capacity(clocks.len());
     for clock in clocks {
         let mut values = Vec::with_capacity(clock.time.len() * clock.registers.len());
         let mut near = vec![0; program.columns.len()];
         for t in clock.time.iter() {
             load(program, samples, &mut r, *t, &mut near);
-            execute(program, &program.per_data, &mut r, Switching::Follow);
-            execute(program, &program.per_time, &mut r, Switching::Follow);
-            execute(program, &program.output_code, &mut r, Switching::Follow);
+            parts.run(program, &mut r);
             values.extend(clock.registers.iter().map(|k| r[usize::from(*k)]));
         }
         out.push(values);
     }
     out
+}
+
+/// The code of a sample in two parts.
+struct Parts {
+    /// What depends on no register with tangents, in plain numbers.
+    plain: Vec<Op>,
+    /// The rest, which is done afterwards.
+    moved: Vec<Op>,
+    /// What the plain part reads of the sample, and what is read of the plain part.
+    given: Vec<Register>,
+    taken: Vec<Register>,
+    numbers: Vec<f64>,
+}
+
+impl Parts {
+    /// Parts the code by which registers have tangents before it; those of a sample may have some of its delay.
+    fn new<T: Scalar>(program: &Program, r: &[T], clocks: &[Clock]) -> Self {
+        let has = |x: &T| (0..T::TANGENTS).any(|d| x.tangent(d) != 0.0);
+        let mut moves: Vec<bool> = r.iter().map(has).collect();
+        for column in program.columns.iter().filter(|c| c.delay.is_some()) {
+            moves[usize::from(column.value)] = true;
+        }
+        let code = [&program.per_data, &program.per_time, &program.output_code];
+        let is_moved = |op: &&Op| {
+            // a number in the place of a register may stand for one: then the operation is done with tangents
+            let reads_moved =
+                [op.a, op.b, op.c].iter().any(|r| moves.get(usize::from(*r)).is_some_and(|m| *m));
+            let is =
+                reads_moved || matches!(op.action, Action::Foreign | Action::ForeignSlope | Action::Relay);
+            moves[usize::from(op.to)] = is;
+            is
+        };
+        let (moved, plain): (Vec<&Op>, Vec<&Op>) = code.into_iter().flatten().partition(is_moved);
+        let wanted = clocks.iter().flat_map(|c| c.registers.iter().copied());
+        let called = program.calls.iter().flat_map(|c| c.arguments.iter().copied());
+        let read = moved.iter().flat_map(|op| [op.a, op.b, op.c]).chain(wanted).chain(called);
+        let read: BTreeSet<Register> = read.collect();
+        let columns = program.columns.iter().flat_map(|c| [c.value, c.slope]);
+        Self {
+            taken: plain.iter().map(|op| op.to).filter(|to| read.contains(to)).collect(),
+            given: columns.chain([program.time]).collect(),
+            plain: plain.into_iter().copied().collect(),
+            moved: moved.into_iter().copied().collect(),
+            numbers: r.iter().map(|x| x.value()).collect(),
+        }
+    }
+
+    /// Runs the code of the sample that is loaded.
+    fn run<T: Scalar>(&mut self, program: &Program, r: &mut [T]) {
+        for k in &self.given {
+            self.numbers[usize::from(*k)] = r[usize::from(*k)].value();
+        }
+        execute(program, &self.plain, &mut self.numbers, Switching::Follow);
+        for k in &self.taken {
+            r[usize::from(*k)] = T::constant(self.numbers[usize::from(*k)]);
+        }
+        execute(program, &self.moved, r, Switching::Follow);
+    }
 }
 
 fn load<T: Scalar>(program: &Program, samples: &[Samples], r: &mut [T], t: f64, near: &mut [usize]) {

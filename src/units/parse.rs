@@ -112,10 +112,13 @@ impl<'a> Reader<'a> {
             return e.with_hint("convert the numbers to degC: (x - 32)/1.8");
         }
         // of two that are as near, the last is taken: plain names before those with prefixes
-        match spelled_out(name).or_else(|| nearest(name, known.iter().rev().map(String::as_str))) {
-            Some(near) => e.with_hint(format!("the nearest known unit is {near}")),
-            None => e.with_hint("known are m ft nmi l g s min h d A K degC mol N dyn Nm J Wh W Pa bar psi mmHg V ohm S H F T Hz rad deg arcmin arcsec rev rpm kn % 1, with prefixes"),
+        if let Some(near) =
+            spelled_out(name).or_else(|| nearest(name, known.iter().rev().map(String::as_str)))
+        {
+            return e.with_hint(format!("the nearest known unit is {near}"));
         }
+        let plain: Vec<&str> = names::families().map(|f| f.0).collect();
+        e.with_hint(format!("known are {}, with prefixes", plain.join(" ")))
     }
 
     /// A whole or half power: `2`, `-1`, `0.5`, `1.5`, `(1/2)`.

@@ -219,8 +219,7 @@ fn coefficients<'m>(model: &'m Model, rate: &Expr, signal: &str) -> impl Iterato
 
 /// At which of its bounds a parameter lies.
 pub fn pressed_against(p: &Parameter) -> Option<Side> {
-    let (min, max) = (p.min.unwrap_or(f64::NEG_INFINITY), p.max.unwrap_or(f64::INFINITY));
-    Range { min, max }.at_bound(p.value)
+    Range::of(p).at_bound(p.value)
 }
 
 /// Whether an expression is a product or quotient with a name as one of its factors.

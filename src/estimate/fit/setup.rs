@@ -108,10 +108,7 @@ pub fn free_parameters(model: &Model, records: &[Record]) -> Vec<usize> {
 /// The ranges of all unknowns: those of the free parameters, then those of the initial states.
 pub fn ranges(model: &Model, free: &[usize], records: &[Record]) -> Vec<Range> {
     free.iter()
-        .map(|k| {
-            let p = &model.parameters[*k];
-            Range { min: p.min.unwrap_or(f64::NEG_INFINITY), max: p.max.unwrap_or(f64::INFINITY) }
-        })
+        .map(|k| Range::of(&model.parameters[*k]))
         .chain(records.iter().flat_map(|r| r.reach.iter().copied()))
         .collect()
 }

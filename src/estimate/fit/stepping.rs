@@ -32,11 +32,7 @@ pub fn settle<'m>(
     let whole = Whole { model, numbers: &numbers, recordings: recordings.collect::<Result<_>>()? };
     let of = |k: &usize| &model.parameters[*k];
     let start: Vec<f64> = numbers.iter().map(|k| of(k).value).collect();
-    let range = |k: &usize| Range {
-        min: of(k).min.unwrap_or(f64::NEG_INFINITY),
-        max: of(k).max.unwrap_or(f64::INFINITY),
-    };
-    let ranges: Vec<Range> = numbers.iter().map(range).collect();
+    let ranges: Vec<Range> = numbers.iter().map(|k| Range::of(of(k))).collect();
     let least = minimise(&whole, &start, &ranges, Stopping::default())?;
     Ok(Cow::Owned(whole.at(&least.x)))
 }
