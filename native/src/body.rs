@@ -76,25 +76,10 @@ impl<'a, 'f> Body<'a, 'f> {
             let value = Num { value: k.value, tangents: None };
             self.lowering.store(written[2], i, &value);
         }
-        for r in self.step.states.iter().filter(|r| self.step.kept[usize::from(**r)]) {
+        let computed: Vec<Register> = self.step.code.iter().map(|op: &Op| op.to).collect();
+        for r in self.step.states.iter().chain(&computed).filter(|r| self.step.kept[usize::from(**r)]) {
             self.lowering.keep(*r);
         }
-        self.keep_computed();
-    }
-
-    /// Leaves what the code of the states computed, as far as it is to be kept.
-    fn keep_computed(&mut self) {
-        for r in self.step.code.iter().map(|op| op.to).filter(|r| self.step.kept[usize::from(*r)]) {
-            self.lowering.keep(r);
-        }
-    }
-
-    /// The code of the states by itself.
-    pub fn state(&mut self) {
-        for op in self.step.code {
-            self.lowering.op(op);
-        }
-        self.keep_computed();
     }
 
     /// The stages of the classical method up to the last.

@@ -176,13 +176,18 @@ impl Steps {
         }
     }
 
+    /// Runs a part of a step on the registers alone.
+    fn part<T: Number>(&self, which: Which, r: &mut [T]) {
+        assert!(r.len() == self.registers, "as many registers as compiled for");
+        self.call(which, r.as_mut_ptr(), &[], 0.0, &mut []);
+    }
+
     /// Runs the instructions of a new time.
     ///
     /// # Panics
     /// As [`Steps::first_half`].
     pub fn time<T: Number>(&self, r: &mut [T]) {
-        assert!(r.len() == self.registers, "as many registers as compiled for");
-        self.call(Which::Time, r.as_mut_ptr(), &[], 0.0, &mut []);
+        self.part(Which::Time, r);
     }
 
     /// Runs the instructions of the outputs.
@@ -190,8 +195,7 @@ impl Steps {
     /// # Panics
     /// As [`Steps::first_half`].
     pub fn output<T: Number>(&self, r: &mut [T]) {
-        assert!(r.len() == self.registers, "as many registers as compiled for");
-        self.call(Which::Output, r.as_mut_ptr(), &[], 0.0, &mut []);
+        self.part(Which::Output, r);
     }
 
     /// Runs the instructions of the states.
@@ -199,8 +203,7 @@ impl Steps {
     /// # Panics
     /// As [`Steps::first_half`].
     pub fn state<T: Number>(&self, r: &mut [T]) {
-        assert!(r.len() == self.registers, "as many registers as compiled for");
-        self.call(Which::State, r.as_mut_ptr(), &[], 0.0, &mut []);
+        self.part(Which::State, r);
     }
 
     /// Runs the instructions of the motion of guards.
@@ -208,8 +211,7 @@ impl Steps {
     /// # Panics
     /// As [`Steps::first_half`].
     pub fn motion<T: Number>(&self, r: &mut [T]) {
-        assert!(r.len() == self.registers, "as many registers as compiled for");
-        self.call(Which::Motion, r.as_mut_ptr(), &[], 0.0, &mut []);
+        self.part(Which::Motion, r);
     }
 
     /// Whether the slopes of the rates were compiled.
@@ -222,8 +224,7 @@ impl Steps {
     /// # Panics
     /// As [`Steps::first_half`].
     pub fn slopes<T: Number>(&self, r: &mut [T]) {
-        assert!(r.len() == self.registers, "as many registers as compiled for");
-        self.call(Which::Slopes, r.as_mut_ptr(), &[], 0.0, &mut []);
+        self.part(Which::Slopes, r);
     }
 
     /// The stages of the classical method up to the last: from x with rates k₁ at the begin of a step h, the inputs in
@@ -329,7 +330,11 @@ fn define(module: &mut JITModule, step: &StepCode<'_>, tangents: usize, which: W
     match which {
         Which::Time => body.segment(step.time, Lowering::keep_known),
         Which::Output => body.segment(step.output, Lowering::keep),
-        Which::State => body.state(),
+        Which::State => body.segment(step.code, |l, r| {
+            if step.kept[usize::from(r)] {
+                l.keep(r);
+            }
+        }),
         Which::Motion => body.segment(step.motion, Lowering::keep),
         Which::Slopes => body.segment(step.slopes, Lowering::keep),
         Which::First => body.first(&arguments),

@@ -137,27 +137,32 @@ impl<'a, T: Scalar> Machine<'a, T> {
         self.load_made();
     }
 
+    /// The machine code, which knows no switches that follow.
+    fn held_native(&self) -> Option<&'a Steps> {
+        self.native.filter(|_| self.switching == Switching::Hold)
+    }
+
     /// What a new time asks for beyond what was measured.
     fn load_made(&mut self) {
-        match self.native {
-            Some(native) if self.switching == Switching::Hold => native.time(&mut self.r),
-            _ => execute(self.program, &self.program.per_time, &mut self.r, self.switching),
+        match self.held_native() {
+            Some(native) => native.time(&mut self.r),
+            None => execute(self.program, &self.program.per_time, &mut self.r, self.switching),
         }
     }
 
     /// The outputs; states and time must be loaded.
     pub fn outputs(&mut self) {
-        match self.native {
-            Some(native) if self.switching == Switching::Hold => native.output(&mut self.r),
-            _ => execute(self.program, &self.program.output_code, &mut self.r, self.switching),
+        match self.held_native() {
+            Some(native) => native.output(&mut self.r),
+            None => execute(self.program, &self.program.output_code, &mut self.r, self.switching),
         }
     }
 
     /// What the states make; states and time must be loaded.
     fn run_states(&mut self) {
-        match self.native {
-            Some(native) if self.switching == Switching::Hold => native.state(&mut self.r),
-            _ => execute(self.program, &self.program.per_state, &mut self.r, self.switching),
+        match self.held_native() {
+            Some(native) => native.state(&mut self.r),
+            None => execute(self.program, &self.program.per_state, &mut self.r, self.switching),
         }
     }
 
@@ -227,9 +232,9 @@ impl<'a, T: Scalar> Machine<'a, T> {
 
     /// The motion of the guards; states and time must be loaded.
     pub fn motions(&mut self) {
-        match self.native {
-            Some(native) if self.switching == Switching::Hold => native.motion(&mut self.r),
-            _ => execute(self.program, &self.program.motion_code, &mut self.r, self.switching),
+        match self.held_native() {
+            Some(native) => native.motion(&mut self.r),
+            None => execute(self.program, &self.program.motion_code, &mut self.r, self.switching),
         }
     }
 
@@ -294,10 +299,8 @@ impl<'a, T: Scalar> Machine<'a, T> {
 
     /// The Jacobian ∂f/∂x row by row and ∂f/∂t at the loaded time and state.
     pub fn slopes(&mut self, jacobian: &mut [T], explicit_time: &mut [T]) {
-        match self.native {
-            Some(native) if self.switching == Switching::Hold && native.has_slopes() => {
-                native.slopes(&mut self.r);
-            }
+        match self.held_native() {
+            Some(native) if native.has_slopes() => native.slopes(&mut self.r),
             _ => execute(self.program, &self.program.jacobian_code, &mut self.r, self.switching),
         }
         for (o, register) in jacobian.iter_mut().zip(&self.program.jacobian) {

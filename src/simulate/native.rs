@@ -118,11 +118,13 @@ fn active<T: Scalar>(program: &Program, parameters: &[T]) -> Option<Vec<bool>> {
 
 /// What of a step is one function: none where the past of a signal is asked for within it.
 fn method(program: &Program, solver: Solver) -> Method {
-    let is_past = |m: &Remembered| matches!(m, Remembered::Past { .. });
+    if program.remembered.iter().any(|m| matches!(m, Remembered::Past { .. })) {
+        return Method::None;
+    }
     match solver {
-        Solver::Explicit if !program.remembered.iter().any(is_past) => Method::Classical,
-        Solver::Heun if !program.remembered.iter().any(is_past) => Method::Heun,
-        _ => Method::None,
+        Solver::Explicit => Method::Classical,
+        Solver::Heun => Method::Heun,
+        Solver::Stiff => Method::None,
     }
 }
 

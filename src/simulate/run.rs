@@ -115,8 +115,8 @@ impl Roughness {
 pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T]) -> Result<Ran<T>> {
     let mut m = Machine::new(course.program, course.mesh, parameters);
     let table = tabulated(course.program, course.mesh, (course.substeps, course.method));
-    let work = course.substeps.saturating_mul(course.mesh.intervals());
-    let native = course.natives.of(course.program, parameters, (course.method, work));
+    let steps = course.substeps.saturating_mul(course.mesh.intervals());
+    let native = course.natives.of(course.program, parameters, (course.method, steps));
     (m.table, m.native) = (table.as_deref(), native.as_deref());
     let first = course.mesh.time[0];
     let x = start(&mut m, first, given, course.steady)?;

@@ -6,7 +6,6 @@ use super::mesh::Samples;
 use super::probe::Clock;
 use crate::model::Scalar;
 use crate::model::program::{Action, Op, Program, Register, Switching, execute};
-use std::collections::BTreeSet;
 
 /// The wanted registers at every time of every clock: time by time, register by register.
 pub(super) fn run<T: Scalar>(
@@ -16,7 +15,7 @@ pub(super) fn run<T: Scalar>(
     parameters: &[T],
 ) -> Vec<Vec<T>> {
     let mut r = registers(program, parameters);
-    let mut parts = Parts::new(program, &r, clocks);
+    let mut parts = Parts::new(program, &r);
     let mut out = Vec::with_capacity(clocks.len());
     for clock in clocks {
         let mut values = Vec::with_capacity(clock.time.len() * clock.registers.len());
@@ -45,33 +44,31 @@ struct Parts {
 
 impl Parts {
     /// Parts the code by which registers have tangents before it; those of a sample may have some of its delay.
-    fn new<T: Scalar>(program: &Program, r: &[T], clocks: &[Clock]) -> Self {
+    fn new<T: Scalar>(program: &Program, r: &[T]) -> Self {
         let has = |x: &T| (0..T::TANGENTS).any(|d| x.tangent(d) != 0.0);
         let mut moves: Vec<bool> = r.iter().map(has).collect();
         for column in program.columns.iter().filter(|c| c.delay.is_some()) {
             moves[usize::from(column.value)] = true;
         }
         let code = [&program.per_data, &program.per_time, &program.output_code];
-        let is_moved = |op: &&Op| {
+        let is_moved = |op: &Op| {
             // a number in the place of a register may stand for one: then the operation is done with tangents
             let reads_moved =
                 [op.a, op.b, op.c].iter().any(|r| moves.get(usize::from(*r)).is_some_and(|m| *m));
-            let is =
-                reads_moved || matches!(op.action, Action::Foreign | Action::ForeignSlope | Action::Relay);
+            let is_other = matches!(op.action, Action::Foreign | Action::ForeignSlope | Action::Relay);
+            // a run without tangents needs no second set of numbers
+            let is = T::TANGENTS == 0 || reads_moved || is_other;
             moves[usize::from(op.to)] = is;
             is
         };
-        let (moved, plain): (Vec<&Op>, Vec<&Op>) = code.into_iter().flatten().partition(is_moved);
-        let wanted = clocks.iter().flat_map(|c| c.registers.iter().copied());
-        let called = program.calls.iter().flat_map(|c| c.arguments.iter().copied());
-        let read = moved.iter().flat_map(|op| [op.a, op.b, op.c]).chain(wanted).chain(called);
-        let read: BTreeSet<Register> = read.collect();
+        let (moved, plain): (Vec<Op>, Vec<Op>) = code.into_iter().flatten().copied().partition(is_moved);
+        let is_read = program.read_by(&[&moved]);
         let columns = program.columns.iter().flat_map(|c| [c.value, c.slope]);
         Self {
-            taken: plain.iter().map(|op| op.to).filter(|to| read.contains(to)).collect(),
+            taken: plain.iter().map(|op| op.to).filter(|to| is_read[usize::from(*to)]).collect(),
             given: columns.chain([program.time]).collect(),
-            plain: plain.into_iter().copied().collect(),
-            moved: moved.into_iter().copied().collect(),
+            plain,
+            moved,
             numbers: r.iter().map(|x| x.value()).collect(),
         }
     }

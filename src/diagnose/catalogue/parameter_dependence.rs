@@ -319,15 +319,15 @@ fn dampers(scene: &Scene) -> Vec<(String, Expr)> {
     alone.chain(between.map(|b| (b.parameter, b.difference))).collect()
 }
 
+/// How much larger than its mean a parameter is one way, and smaller the other.
+fn difference(d: &mut Draft) -> String {
+    d.amplitude("a", &Unit::one(), (-1.0, 1.0), "half the difference of both ways, as a share of the mean")
+}
+
 /// A damper that is harder one way than the other.
 fn each_way(scene: &Scene, p: &str, speed: &Expr) -> Option<Proposal> {
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
-    let a = d.amplitude(
-        "a",
-        &Unit::one(),
-        (-1.0, 1.0),
-        "half the difference of both ways, as a share of the mean",
-    );
+    let a = difference(&mut d);
     speed.names().iter().for_each(|n| d.uses(n));
     let law = format!("({p}*(1 + {a}*sign({speed})))");
     let (own, new) = (Expr::name(p), Expr::parse(&law).ok()?);
@@ -347,12 +347,7 @@ fn up_and_down(scene: &Scene, x: &State) -> Option<Proposal> {
     let acting = scene.acting_parameters();
     let p = acting.iter().find(|p| x.rate.mentions(p) && !over.mentions(p))?;
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
-    let a = d.amplitude(
-        "a",
-        &Unit::one(),
-        (-1.0, 1.0),
-        "half the difference of both ways, as a share of the mean",
-    );
+    let a = difference(&mut d);
     d.uses(&x.name);
     let is_own = |place: edit::Place| matches!(place, edit::Place::Rate(s) if s == x.name);
     d.replace(p, &format!("({p}*(1 + {a}*sign({over})))"), is_own);
