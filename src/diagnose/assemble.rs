@@ -116,6 +116,8 @@ impl Assembly<'_> {
             }
             _ => next(),
         };
+        let is_nameless = findings.is_empty() && self.is_left && self.few.is_none();
+        let wanders = is_nameless.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
         let paragraph = Paragraph {
             model: self.request.model,
             found: &self.found,
@@ -128,6 +130,7 @@ impl Assembly<'_> {
             odd: odd.as_deref(),
             is_cut: self.ended_early.is_some(),
             law: rest.laws.first().filter(|_| left),
+            wanders: wanders.is_some(),
         };
         let says = paragraph.text();
         let mismatch = Mismatch {
@@ -141,8 +144,6 @@ impl Assembly<'_> {
             recordings: self.given(),
         };
         let located = mismatch.located(physics, verdict);
-        let is_nameless = findings.is_empty() && self.is_left && self.few.is_none();
-        let wanders = is_nameless.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
         if verdict == Verdict::DataFault {
             findings = self.faults.iter().map(|f| f.finding.clone()).chain(findings).collect();
         }

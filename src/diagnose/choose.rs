@@ -95,7 +95,7 @@ const FEW: usize = 4;
 
 /// Whether it is a wave whose frequency was read from the residual: it starts from there alone.
 fn is_line(p: &Proposal) -> bool {
-    is_wave(p) && p.starts.len() <= FEW
+    is_wave(p) && p.starts.len() <= FEW && p.amplitudes.len() < p.added.len()
 }
 
 /// Out of how many a proposal was chosen before it was tried: the frequency of a wave that was read from the residual
@@ -135,7 +135,9 @@ fn commute(p: &Proposal, q: &Proposal) -> bool {
     // what stands in a loop acts before and behind itself
     let is_inside = [p, q].iter().any(|p| p.site.kind == SiteKind::Definition);
     let is_one_way = !is_inside && p.model.inputs.len() == 1 && p.model.outputs.len() == 1;
-    p.code != q.code && (both(&STEADY) || is_one_way && both(&LATE))
+    // a wave of one frequency on a linear model is one at its sensor, but for what the recording begins with
+    let are_waves = is_timed_wave(p) && is_timed_wave(q) && p.site.kind != q.site.kind;
+    are_waves || p.code != q.code && (both(&STEADY) || is_one_way && both(&LATE))
 }
 
 /// Whether an extension puts a recorded channel that the model did not read in the place of a wave in time, and lowers the
@@ -223,7 +225,10 @@ pub fn choose(round: &Round, now: &Measure) -> Option<Choice> {
     let of = |i: usize| (&round.fitted[i].proposal, &round.fitted[i].measure);
     let alike = |i: usize, to: usize| alike(of(i), of(to), now);
     // Of parts that commute, the thing stands before its sensor.
-    let place = |i: usize| catalogue::ALL.iter().position(|m| m.code == round.fitted[i].proposal.code);
+    let place = |i: usize| {
+        let p = &round.fitted[i].proposal;
+        (catalogue::ALL.iter().position(|m| m.code == p.code), p.site.kind == SiteKind::Output)
+    };
     let commuting = |i: &usize| commute(&round.fitted[*i].proposal, &round.fitted[likeliest].proposal);
     let first =
         rivals.iter().copied().filter(|i| commuting(i) && alike(*i, likeliest)).min_by_key(|i| place(*i));

@@ -33,6 +33,8 @@ pub struct Paragraph<'a> {
     pub is_cut: bool,
     /// The law that is left, if one is.
     pub law: Option<&'a Law>,
+    /// Whether what is left wanders by more than its quick noise.
+    pub wanders: bool,
 }
 
 impl Paragraph<'_> {
@@ -50,10 +52,7 @@ impl Paragraph<'_> {
     fn beside(&self, physics: Verdict) -> String {
         match physics {
             Verdict::NothingMissing => {
-                let untried = self.untried();
-                format!(
-                    "Beside that nothing is missing: what the model leaves over looks like noise in every test.{untried}"
-                )
+                format!("Beside that nothing is missing{}", self.noise())
             }
             Verdict::NotIdentifiable => {
                 format!("What they leave cannot tell whether anything is missing: {}.", self.reason())
@@ -87,6 +86,20 @@ impl Paragraph<'_> {
         }
     }
 
+    /// What is left, where it is noise.
+    fn noise(&self) -> String {
+        let (that, though) = if self.wanders {
+            (
+                " that shows itself as a law",
+                ", but it wanders slowly, by a disturbance that nobody recorded or in the sensor itself (more below)",
+            )
+        } else {
+            ("", "")
+        };
+        let untried = self.untried();
+        format!("{that}: what the model leaves over looks like noise in every test{though}.{untried}")
+    }
+
     fn reason(&self) -> &str {
         self.blind.unwrap_or("it moves too little")
     }
@@ -102,9 +115,7 @@ impl Paragraph<'_> {
                         "Nothing is missing that would lower the error by 2 %. What the model leaves over is not quite noise: a trace is left in it, as small noise of an input leaves, or its rounding.{untried}"
                     );
                 }
-                return format!(
-                    "Nothing is missing: what the model leaves over looks like noise in every test.{untried}"
-                );
+                return format!("Nothing is missing{}", self.noise());
             }
             Verdict::NotIdentifiable => {
                 return format!("This recording cannot tell what is missing: {}.", self.reason());

@@ -6,8 +6,11 @@ use crate::model::Scalar;
 use crate::model::program::{Remembered, Switching};
 use crate::{Error, Result};
 
-/// Newton steps to a steady state before giving up.
+/// Newton steps to a steady state before giving up, and halvings of one.
 const STEPS: usize = 60;
+const HALVINGS: usize = 60;
+/// Where a steady state is sought if it is not found from 0: a law of a power has no slope there, or none beyond.
+const GUESSES: [f64; 8] = [1.0, -1.0, 1e3, -1e3, 1e-3, -1e-3, 1e6, 1e-6];
 
 /// The states at the start: those given (one a state of the model), the steady ones solved for, the hidden ones from their
 /// signals; switches and held values are set as well.
@@ -29,7 +32,10 @@ pub(super) fn start<T: Scalar>(
     if !steady.is_empty() {
         let hidden = given.len()..x.len();
         let which: Vec<usize> = steady.iter().copied().chain(hidden).collect();
-        steady_state(m, t, &mut x, &which)?;
+        x = steady_state(m, t, &x, &which).ok_or_else(|| {
+            Error::not_computed("no steady state was found at the first inputs")
+                .with_hint("give the states numbers to start from, or initial = \"fit\"")
+        })?;
         remember(m, t, &mut x);
     }
     m.forget_time();
@@ -57,8 +63,21 @@ fn remember<T: Scalar>(m: &mut Machine<'_, T>, t: f64, x: &mut [T]) {
     }
 }
 
-/// Newton's method for f(x) = 0 in some of the states; the last step is done with tangents.
-fn steady_state<T: Scalar>(m: &mut Machine<'_, T>, t: f64, x: &mut [T], which: &[usize]) -> Result<()> {
+/// The states of which some have no rate, sought from where they are, then from other places.
+fn steady_state<T: Scalar>(m: &mut Machine<'_, T>, t: f64, x: &[T], which: &[usize]) -> Option<Vec<T>> {
+    let from = |guess: f64| {
+        let mut x = x.to_vec();
+        for i in which {
+            x[*i] = T::constant(guess);
+        }
+        x
+    };
+    let begins = std::iter::once(x.to_vec()).chain(GUESSES.into_iter().map(from));
+    begins.into_iter().find_map(|mut x| newton(m, t, &mut x, which).then_some(x))
+}
+
+/// Newton's method for f(x) = 0 in some of the states, whether it came to an end; the last step is done with tangents.
+fn newton<T: Scalar>(m: &mut Machine<'_, T>, t: f64, x: &mut [T], which: &[usize]) -> bool {
     let (n, k) = (x.len(), which.len());
     let zeros = |n: usize| vec![T::constant(0.0); n];
     let (mut f, mut jacobian, mut explicit) = (zeros(n), zeros(n * n), zeros(n));
@@ -68,6 +87,7 @@ fn steady_state<T: Scalar>(m: &mut Machine<'_, T>, t: f64, x: &mut [T], which: &
     for _ in 0..STEPS {
         m.forget_time();
         m.rates(t, x, &mut f);
+        step_back(m, t, (x, which), (&mut step, &mut f));
         m.slopes(&mut jacobian, &mut explicit);
         for (i, row) in which.iter().enumerate() {
             b[i] = f[*row];
@@ -77,20 +97,38 @@ fn steady_state<T: Scalar>(m: &mut Machine<'_, T>, t: f64, x: &mut [T], which: &
         }
         factors.factor(&a);
         factors.solve(&b, &mut step);
-        let size = |x: &[T]| x.iter().map(|v| v.value().abs()).fold(0.0, f64::max);
-        let moved = size(&step);
-        if !moved.is_finite() {
-            break;
+        if step.iter().any(|s| !s.value().is_finite()) {
+            return false;
         }
+        let moved = step.iter().map(|v| v.value().abs()).fold(0.0, f64::max);
         for (j, column) in which.iter().enumerate() {
             x[*column] = x[*column] - step[j];
         }
         let scale = which.iter().map(|c| x[*c].value().abs()).fold(1e-300, f64::max);
         if moved <= 1e-14 * scale || (moved <= 1e-9 * scale && moved >= last) {
-            return Ok(());
+            return true;
         }
         last = moved;
     }
-    Err(Error::not_computed("no steady state was found at the first inputs")
-        .with_hint("give the states numbers to start from, or initial = \"fit\""))
+    false
+}
+
+/// Halves the last step until every rate is a number.
+fn step_back<T: Scalar>(
+    m: &mut Machine<'_, T>,
+    t: f64,
+    (x, which): (&mut [T], &[usize]),
+    (step, f): (&mut [T], &mut [T]),
+) {
+    for _ in 0..HALVINGS {
+        if which.iter().all(|i| f[*i].value().is_finite()) {
+            return;
+        }
+        for (column, step) in which.iter().zip(&mut *step) {
+            *step = step.scale(0.5);
+            x[*column] += *step;
+        }
+        m.forget_time();
+        m.rates(t, x, f);
+    }
 }

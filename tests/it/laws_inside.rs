@@ -1,8 +1,12 @@
 //! Laws of what stands inside a model: of a definition, of what a parameter multiplies, of a sensor's own angle, of a
 //! parameter that is known.
 
+use crate::diagnose::{diagnosed, noise};
 use crate::laws_met::{inputs, named, run, run_with_two, second_inputs, told};
 use gyrospec::diagnose::answer::{Answer, Verdict};
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Hold, Recording};
+use gyrospec::units::Unit;
 
 const OVEN: &str = r#"
     name = "oven with its controller"
@@ -162,6 +166,44 @@ fn a_known_value_that_is_another() {
         answer.says
     );
     assert_eq!(of(60.0).verdict, Verdict::NothingMissing);
+}
+
+/// A data sheet of which two values are wrong, beside 20 s of record: either alone would leave as much as it mends.
+#[test]
+fn two_known_values_that_are_others() {
+    let model = r#"
+        name = "RC"
+        [inputs]
+        u = { unit = "V" }
+        [parameters]
+        tau = { value = 0.8, unit = "s" }
+        K = { value = 1, unit = "1" }
+        [states]
+        x = { rate = "(K*u - x)/tau", unit = "V", initial = "fit" }
+        [outputs]
+        y = { equals = "x", unit = "V" }
+    "#;
+    for seed in [3, 4, 5] {
+        let steps: Vec<f64> = noise(200, seed).iter().step_by(10).map(|e| 2.0 * e).collect();
+        let u: Vec<f64> = (0..200).map(|i| steps[i / 10]).collect();
+        // x(t + h) = x e^{−h/τ} + K u (1 − e^{−h/τ})
+        let (keeps, mut x) = ((-0.1f64).exp(), 0.0);
+        let mut y = Vec::new();
+        for (u, e) in u.iter().zip(noise(2000, 40 + seed).iter().step_by(10)) {
+            y.push(x + 0.01 * e);
+            x = x * keeps + 1.3 * u * (1.0 - keeps);
+        }
+        let time: Vec<f64> = (0..200).map(|i| 0.1 * f64::from(i)).collect();
+        let volt = || Unit::parse("V").unwrap();
+        let input = Channel { hold: Hold::Previous, ..Channel::new("u", volt(), time.clone(), u) };
+        let recording =
+            Recording::from_channels("made", vec![input, Channel::new("y", volt(), time, y)]).unwrap();
+        let answer = diagnosed(&Model::parse(model).unwrap(), recording).answer;
+        let [found] = &answer.findings[..] else { panic!("{}", answer.says) };
+        let values: Vec<f64> = found.parameters.iter().map(|p| p.value).collect();
+        assert_eq!(found.code, "parameter-value", "{}", answer.says);
+        assert!((values[0] - 0.2).abs() < 0.015 && (values[1] - 0.3).abs() < 0.01, "{}", answer.says);
+    }
 }
 
 /// What acts on a body an accelerometer on it feels: here of the body's whole motion, while the model has that beside

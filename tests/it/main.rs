@@ -17,6 +17,7 @@ mod clock_shift;
 mod closer;
 mod correlation;
 mod cross;
+mod daily;
 mod diagnose;
 mod diagnose_rough;
 mod dialects;

@@ -79,7 +79,11 @@ fn judged(shown: &[f64], lacks: Range<usize>) -> (Verdict, Vec<String>) {
         ],
     );
     let answer = diagnosed(&Model::parse(ROOM).unwrap(), recording.unwrap()).answer;
-    (answer.verdict, answer.notes.into_iter().filter(|n| n.contains("wanders")).collect())
+    let told: Vec<String> = answer.notes.into_iter().filter(|n| n.contains("wanders")).collect();
+    if answer.verdict == Verdict::NothingMissing {
+        assert_eq!(answer.says.contains("but it wanders slowly"), !told.is_empty(), "{}", answer.says);
+    }
+    (answer.verdict, told)
 }
 
 /// What is told of a room from which nothing is missing.

@@ -7,6 +7,7 @@
 //! # Equation
 //! ```text
 //!     p -> p + d      p a parameter that is not fitted
+//!     p -> p + d, q -> q + e  two of them: what one spoils the other hides
 //!     p = b -> b + d  p one that is fitted and pressed against its bound b, from there on
 //! ```
 //!
@@ -34,10 +35,19 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    let known = scene.model.parameters[..scene.own_parameters].iter().filter(|p| !p.fit && p.value != 0.0);
-    let own = scene.model.parameters[..scene.own_parameters].iter();
-    known.filter_map(|p| at(scene, p)).chain(own.filter_map(|p| beyond(scene, p))).collect()
+    let own = || scene.model.parameters[..scene.own_parameters].iter();
+    let known: Vec<&Parameter> = own().filter(|p| !p.fit && p.value != 0.0).collect();
+    let few = if known.len() <= MOST_OF_PAIRS { &known[..] } else { &[] };
+    let pairs = few.iter().enumerate().flat_map(|(i, p)| few[i + 1..].iter().map(move |q| [*p, *q]));
+    let singles = known.iter().filter_map(|p| off(scene, &[*p]));
+    singles
+        .chain(pairs.filter_map(|pair| off(scene, &pair)))
+        .chain(own().filter_map(|p| beyond(scene, p)))
+        .collect()
 }
+
+/// Known values of which pairs are tried, at most.
+const MOST_OF_PAIRS: usize = 5;
 
 /// A value beyond a bound of the model; a bound of 0 is where something is not there at all.
 fn beyond(scene: &Scene, p: &Parameter) -> Option<Proposal> {
@@ -59,12 +69,20 @@ fn beyond(scene: &Scene, p: &Parameter) -> Option<Proposal> {
     ))
 }
 
-fn at(scene: &Scene, p: &Parameter) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "parameter-value", SiteKind::Parameter, &p.name);
-    let ends = (-0.95 * p.value, 30.0 * p.value);
-    let limits = (ends.0.min(ends.1), ends.0.max(ends.1));
-    let off = d.amplitude(&format!("d{}", p.name), &p.unit, limits, "what the known value is off by");
-    d.replace(&p.name, &format!("({} + {off})", p.name), |_| true);
-    d.start(&[0.3 * p.value]);
-    d.done(&format!("the value of {}, held for known, is off by {{0}}", scene.words(&p.name)))
+/// Some known values that are off at once; the first is the site.
+fn off(scene: &Scene, all: &[&Parameter]) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "parameter-value", SiteKind::Parameter, &all.first()?.name);
+    let mut says = Vec::new();
+    for (i, p) in all.iter().enumerate() {
+        let ends = (-0.95 * p.value, 30.0 * p.value);
+        let limits = (ends.0.min(ends.1), ends.0.max(ends.1));
+        let off = d.amplitude(&format!("d{}", p.name), &p.unit, limits, "what the known value is off by");
+        d.replace(&p.name, &format!("({} + {off})", p.name), |_| true);
+        says.push(match i {
+            0 => format!("the value of {}, held for known, is off by {{0}}", scene.words(&p.name)),
+            _ => format!("and that of {} by {{{i}}}", scene.words(&p.name)),
+        });
+    }
+    d.start(&all.iter().map(|p| 0.3 * p.value).collect::<Vec<_>>());
+    d.done(&says.join(", "))
 }

@@ -8,6 +8,8 @@
 //! # Equation
 //! ```text
 //!     M v' = … + A sin(w t) + B cos(w t)    or    + A sin(n q) + B cos(n q)
+//!     M v' = … + A sin(w t) + B cos(w t)    w a turn a day, or any form that comes each day to two harmonics:
+//!     M v' = … + A_0 + A sin(w t) + B cos(w t) + C sin(2 w t) + D cos(2 w t)
 //!     M v' = … + W^2 (A sin(n a) + B cos(n a))    with a recorded angle a of a shaft, n = 1, 2; W its speed, or 1
 //!     y -> y + A sin(w t) + B cos(w t)      hum of a sensor
 //!     y -> y + A sin(n y) + B cos(n y)      a disc that sits off its centre, n = 1 … 4
@@ -22,7 +24,7 @@
 //!
 //! # Example
 //! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame; an encoder whose disc is eccentric; a fan out of
-//! balance, whose angle is recorded.
+//! balance, whose angle is recorded; the sun on a wall, which nobody measured.
 
 use super::{
     Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit, field,
@@ -48,6 +50,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let moves = !motions.is_empty();
     all.extend(seen.filter(|_| moves).filter_map(|(o, w)| on_output(scene, &o.name, w)));
     all.extend(motions.iter().flat_map(|m| with_shafts(scene, m)));
+    if moves && scene.length() > DAYS * DAY {
+        all.extend(daily(scene, &motions));
+    }
     let turns = scene.model.outputs.iter().flat_map(|o| (1..=4).map(move |n| (o, n)));
     all.extend(turns.filter(|_| !scene.trials).filter_map(|(o, n)| on_turn(scene, &o.name, n)));
     for m in motions.iter().filter(|m| m.speed.is_some()) {
@@ -82,6 +87,58 @@ fn on_output(scene: &Scene, output: &str, peak: f64) -> Option<Proposal> {
         "the sensor of {} hums with {{0}} and {{1}} (sine and cosine) at {{2}}",
         scene.words(output)
     ))
+}
+
+/// The sun's day, s, and how many of them a recording must hold. Its frequency is known and not read from the residual,
+/// so that no likelihood is paid for having chosen it.
+const DAY: f64 = 86_400.0;
+const DAYS: f64 = 1.5;
+
+/// What comes again each day, as a sine or of any form (a mean and two harmonics), on every sum and at every sensor.
+fn daily(scene: &Scene, motions: &[Motion]) -> Vec<Proposal> {
+    let forms = || [1, 2].into_iter();
+    let on_states = motions.iter().flat_map(|m| forms().map(move |most| daily_force(scene, m, most)));
+    let on_outputs =
+        scene.model.outputs.iter().flat_map(|o| forms().map(move |most| daily_hum(scene, &o.name, most)));
+    on_states.chain(on_outputs).flatten().collect()
+}
+
+fn daily_force(scene: &Scene, m: &Motion, most: usize) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "periodic-force", m);
+    let wave = day(&mut d, &m.force, m.size, most)?;
+    d.force(&m.state, &wave);
+    d.done(&format!("{} acts on {} {}", field::words(m).acts, scene.words(&m.state), often_a_day(most)))
+}
+
+fn daily_hum(scene: &Scene, output: &str, most: usize) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "periodic-force", SiteKind::Output, output);
+    let wave = day(&mut d, &scene.unit(output), scene.signal(output)?.spread, most)?;
+    d.output(output, &format!("{{}} + {wave}"));
+    d.done(&format!("the sensor of {} errs {}", scene.words(output), often_a_day(most)))
+}
+
+fn often_a_day(most: usize) -> &'static str {
+    match most {
+        1 => "once a day, {0} and {1} (sine and cosine)",
+        _ => "by {4} and with the day, {0} and {1} once (sine and cosine), {2} and {3} twice a day",
+    }
+}
+
+/// A sum of so many harmonics of a day, with their amplitudes; what has a form has a mean.
+fn day(d: &mut Draft, unit: &Unit, size: f64, most: usize) -> Option<String> {
+    let w = d.constant("w_day", &Unit::parse("rad/s").ok()?, TAU / DAY, "angular frequency of the day");
+    let mut sum = Vec::new();
+    for n in 1..=most {
+        let a = d.amplitude("A_sin", unit, ANY, "sine part of what comes each day");
+        let b = d.amplitude("A_cos", unit, ANY, "cosine part of what comes each day");
+        let often = if n == 1 { String::new() } else { format!("{n}*") };
+        sum.push(format!("{a}*sin({often}{w}*t) + {b}*cos({often}{w}*t)"));
+    }
+    if most > 1 {
+        sum.push(d.amplitude("A_0", unit, ANY, "mean of what comes each day"));
+    }
+    d.start(&vec![size; 2 * most + usize::from(most > 1)]);
+    Some(sum.join(" + "))
 }
 
 /// Turns of a shaft in the recording from which on its orders are looked for.
