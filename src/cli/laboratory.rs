@@ -42,6 +42,9 @@ pub struct Call {
 }
 
 pub fn run(call: &Call) -> Result<Outcome> {
+    if call.cases == 0 {
+        return Err(Error::usage("no recording is asked for: give --cases 1 or more"));
+    }
     let scenario = match (&call.model, &call.recording) {
         (Some(model), Some(recording)) => {
             read_once([model.as_path(), recording])?;

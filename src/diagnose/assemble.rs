@@ -22,6 +22,7 @@ use super::{
 };
 use crate::Result;
 use crate::estimate::Fit;
+use crate::estimate::noise::NoiseModel;
 use crate::record::Recording;
 use crate::simulate::Early;
 use rayon::prelude::*;
@@ -96,10 +97,14 @@ impl Assembly<'_> {
         let odd = unlike.as_ref().map(|u| u.says(&self.request.model.outputs, &self.found.last.rmse));
         let physics = settle(with_noise(evidence.verdict(), unlike.as_ref()), &findings, &self.found);
         let held_out: usize = before.iter().map(Held::samples).sum();
+        let coloured =
+            |n: &NoiseModel| (n.autoregression.variance() / n.autoregression.innovation_variance()).sqrt();
+        let coloured: Vec<f64> = self.found.last.noise.iter().map(coloured).collect();
         let proven = Proven {
             proof: &proof,
             samples: held_out,
             falls_whitened: self.falls_whitened(&before, &after),
+            coloured: &coloured,
             is_left_in_trials: left && self.bench.is_trials(),
         };
         let physics = proven.settle(with_patches(physics, &findings, &rest));

@@ -138,6 +138,11 @@ const BEYOND: f64 = 1.5;
 const MORE_THAN_NOISE: f64 = 2.0;
 const ENOUGH: f64 = 0.75;
 
+/// Share of the fitted error that names leave, and times its innovations that it is then, from which on they are a splinter
+/// of what is missing: the colour of the noise has swallowed the rest.
+const SPLINTER: f64 = 0.8;
+const FAR_ABOVE: f64 = 10.0;
+
 /// What was held out says of names.
 pub struct Proven<'a> {
     /// Held-out errors before and after, an output each.
@@ -146,6 +151,8 @@ pub struct Proven<'a> {
     pub samples: usize,
     /// Whether the held-out innovations fall for sure: slow noise may hide in the error what they show.
     pub falls_whitened: bool,
+    /// Deviation of what is left of each output over that of its innovations.
+    pub coloured: &'a [f64],
     /// Whether a law is left in a table of trials.
     pub is_left_in_trials: bool,
 }
@@ -154,7 +161,8 @@ impl Proven<'_> {
     /// The verdict in the light of the proof. Names without one only resemble what is missing: where too little
     /// is held out to tell; where no held-out error falls for sure, neither as it stands nor by its innovations;
     /// where the errors rise on the whole, or fall by too small a part of what lies above the noise; where held-out
-    /// levels are missed while a law is left.
+    /// levels are missed while a law is left; where only the innovations fall and nearly all of an error is left that
+    /// is many times these.
     pub fn settle(&self, verdict: Verdict) -> Verdict {
         let proof = self.proof;
         let fails =
@@ -164,8 +172,16 @@ impl Proven<'_> {
         let falls_short = falls_short(proof);
         let unproved =
             agree_by_luck(self.samples) || fails || rise(proof) > 0.0 || misses || blows_up || falls_short;
+        let unproved = unproved || self.is_splinter();
         let named = matches!(verdict, Verdict::Named | Verdict::Tie);
         if named && unproved { Verdict::Unknown } else { verdict }
+    }
+
+    fn is_splinter(&self) -> bool {
+        let is_left = |(p, coloured): (&Proof, &f64)| {
+            p.fit_after > SPLINTER * p.fit_before && p.improvement_low <= 0.0 && *coloured > FAR_ABOVE
+        };
+        !self.proof.is_empty() && self.proof.iter().zip(self.coloured).all(is_left)
     }
 }
 
@@ -240,7 +256,28 @@ mod tests {
     }
 
     fn settled(proof: &[Proof], samples: usize, falls_whitened: bool) -> Verdict {
-        Proven { proof, samples, falls_whitened, is_left_in_trials: false }.settle(Verdict::Named)
+        Proven { proof, samples, falls_whitened, coloured: &[1.0, 1.0], is_left_in_trials: false }
+            .settle(Verdict::Named)
+    }
+
+    #[test]
+    fn a_splinter_of_what_is_missing_is_no_name_of_it() {
+        let of = |fit_after: f64, low: f64, coloured: f64| {
+            let proof = [Proof { fit_after, ..proof(1.0, 0.95, low) }];
+            let coloured = &[coloured];
+            let proven = Proven {
+                proof: &proof,
+                samples: 100,
+                falls_whitened: true,
+                coloured,
+                is_left_in_trials: false,
+            };
+            proven.settle(Verdict::Named)
+        };
+        assert_eq!(of(0.9, -0.1, 40.0), Verdict::Unknown);
+        assert_eq!(of(0.9, 0.1, 40.0), Verdict::Named);
+        assert_eq!(of(0.9, -0.1, 3.0), Verdict::Named);
+        assert_eq!(of(0.5, -0.1, 40.0), Verdict::Named);
     }
 
     #[test]

@@ -216,7 +216,9 @@ impl Fitted<'_> {
 
     /// Whether the data tell every free parameter.
     pub fn is_determined(&self) -> bool {
-        self.fit.unseen.is_empty()
+        let is_told =
+            |p: &ParameterEstimate| p.status != Status::Fitted || p.low.is_finite() || p.high.is_finite();
+        self.fit.unseen.is_empty() && self.fit.parameters.iter().all(is_told)
     }
 
     /// What should be known about the fit though it went on.

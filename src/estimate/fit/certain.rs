@@ -11,8 +11,9 @@ use crate::estimate::least_squares::Problem;
 use crate::record::Recording;
 use crate::simulate::Early;
 
-/// A parameter whose interval widens by this when others leave their bounds does not rest on curvature.
-const WIDENS: f64 = 1.5;
+/// A parameter whose interval widens by this when others leave their bounds, or what holds them along a direction that is
+/// not seen, does not rest on curvature.
+const WIDENS: f64 = 1.2;
 
 /// That profiles were cut off by the time.
 const CUT_OFF: &str = "the time given was up before it was found how far parameters that trade with each other may go: \
@@ -109,8 +110,9 @@ fn is_doubtful(fit: &Fit, valley: &Valley<'_>, directions: &Directions, j: usize
     let at_bound = fit.is_at_bound(&fit.unknowns[j]);
     let curved = fit.covariance[(j, j)].sqrt();
     let whole = (valley.noise * directions.variance_along(j)).sqrt();
-    let bounded = fit.parameters.iter().any(|p| matches!(p.status, Status::AtBound(_)));
-    let widens = bounded && !at_bound && whole > WIDENS * curved;
+    let held = fit.parameters.iter().any(|p| matches!(p.status, Status::AtBound(_)))
+        || fit.unseen.iter().any(|d| d.deviation.is_infinite());
+    let widens = held && !at_bound && whole > WIDENS * curved;
     trading.contains(&j) || widens || !at_bound && valley.is_bent(j, directions)
 }
 
