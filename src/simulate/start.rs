@@ -113,7 +113,7 @@ fn newton<T: Scalar>(m: &mut Machine<'_, T>, t: f64, x: &mut [T], which: &[usize
     false
 }
 
-/// Halves the last step until every rate is a number.
+/// Halves the last step, if there was one, until every rate is a number.
 fn step_back<T: Scalar>(
     m: &mut Machine<'_, T>,
     t: f64,
@@ -121,7 +121,8 @@ fn step_back<T: Scalar>(
     (step, f): (&mut [T], &mut [T]),
 ) {
     for _ in 0..HALVINGS {
-        if which.iter().all(|i| f[*i].value().is_finite()) {
+        let stood_still = step.iter().all(|s| s.value() == 0.0);
+        if stood_still || which.iter().all(|i| f[*i].value().is_finite()) {
             return;
         }
         for (column, step) in which.iter().zip(&mut *step) {

@@ -34,6 +34,9 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     propose,
 );
 
+/// Known values of which pairs are tried, at most.
+const MOST_OF_PAIRS: usize = 5;
+
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let own = || scene.model.parameters[..scene.own_parameters].iter();
     let known: Vec<&Parameter> = own().filter(|p| !p.fit && p.value != 0.0).collect();
@@ -45,9 +48,6 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         .chain(own().filter_map(|p| beyond(scene, p)))
         .collect()
 }
-
-/// Known values of which pairs are tried, at most.
-const MOST_OF_PAIRS: usize = 5;
 
 /// A value beyond a bound of the model; a bound of 0 is where something is not there at all.
 fn beyond(scene: &Scene, p: &Parameter) -> Option<Proposal> {

@@ -63,10 +63,15 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     all
 }
 
+/// Amplitudes of a sine and of a cosine of something.
+fn parts(d: &mut Draft, unit: &Unit, of: &str) -> (String, String) {
+    let part = |d: &mut Draft, name, which| d.amplitude(name, unit, ANY, &format!("{which} part of {of}"));
+    (part(d, "A_sin", "sine"), part(d, "A_cos", "cosine"))
+}
+
 fn with_time(scene: &Scene, m: &Motion, peak: f64) -> Option<Proposal> {
     let mut d = Draft::at(scene, "periodic-force", m);
-    let a = d.amplitude("A_sin", &m.force, ANY, "sine part of the periodic force");
-    let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
+    let (a, b) = parts(&mut d, &m.force, "the periodic force");
     let w = frequency(&mut d, scene, peak)?;
     d.force(&m.state, &format!("{a}*sin({w}*t) + {b}*cos({w}*t)"));
     d.start(&[m.size, m.size, peak]);
@@ -78,8 +83,7 @@ fn with_time(scene: &Scene, m: &Motion, peak: f64) -> Option<Proposal> {
 fn on_output(scene: &Scene, output: &str, peak: f64) -> Option<Proposal> {
     let (size, unit) = (scene.signal(output)?.spread, scene.unit(output));
     let mut d = Draft::new(scene, "periodic-force", SiteKind::Output, output);
-    let a = d.amplitude("A_sin", &unit, ANY, "sine part of the hum");
-    let b = d.amplitude("A_cos", &unit, ANY, "cosine part of the hum");
+    let (a, b) = parts(&mut d, &unit, "the hum");
     let w = frequency(&mut d, scene, peak)?;
     d.output(output, &format!("{{}} + {a}*sin({w}*t) + {b}*cos({w}*t)"));
     d.start(&[size, size, peak]);
@@ -129,8 +133,7 @@ fn day(d: &mut Draft, unit: &Unit, size: f64, most: usize) -> Option<String> {
     let w = d.constant("w_day", &Unit::parse("rad/s").ok()?, TAU / DAY, "angular frequency of the day");
     let mut sum = Vec::new();
     for n in 1..=most {
-        let a = d.amplitude("A_sin", unit, ANY, "sine part of what comes each day");
-        let b = d.amplitude("A_cos", unit, ANY, "cosine part of what comes each day");
+        let (a, b) = parts(d, unit, "what comes each day");
         let often = if n == 1 { String::new() } else { format!("{n}*") };
         sum.push(format!("{a}*sin({often}{w}*t) + {b}*cos({often}{w}*t)"));
     }
@@ -170,8 +173,7 @@ fn with_shaft(
 ) -> Option<Proposal> {
     let mut d = Draft::at(scene, "periodic-force", m);
     let unit = speed.map_or_else(|| m.force.clone(), |w| m.force.over(&scene.unit(&w.name).power(2.0)));
-    let a = d.amplitude("A_sin", &unit, ANY, "sine part of the periodic force");
-    let b = d.amplitude("A_cos", &unit, ANY, "cosine part of the periodic force");
+    let (a, b) = parts(&mut d, &unit, "the periodic force");
     let angle = if n == 1 { shaft.name.clone() } else { format!("{n}*{}", shaft.name) };
     let wave = format!("({a}*sin({angle}) + {b}*cos({angle}))");
     d.uses(&shaft.name);
@@ -195,8 +197,7 @@ fn on_turn(scene: &Scene, output: &str, n: u8) -> Option<Proposal> {
     let signal = scene.signal(output).filter(|s| scene.is_angle(&s.name) && s.max - s.min > TAU)?;
     let unit = scene.unit(output);
     let mut d = Draft::new(scene, "periodic-force", SiteKind::Output, output);
-    let a = d.amplitude("A_sin", &unit, ANY, "sine part of the error");
-    let b = d.amplitude("A_cos", &unit, ANY, "cosine part of the error");
+    let (a, b) = parts(&mut d, &unit, "the error");
     let angle = if n == 1 { "{}".to_string() } else { format!("{n}*{{}}") };
     d.output(output, &format!("{{}} + {a}*sin({angle}) + {b}*cos({angle})"));
     let size = (0.01 * signal.spread).min(0.1);
@@ -238,8 +239,7 @@ fn with_line(scene: &Scene, m: &Motion, n: f64) -> Option<Proposal> {
 fn repeating(scene: &Scene, m: &Motion, limits: (f64, f64), starts: &[f64]) -> Option<Proposal> {
     let q = m.position.as_ref()?;
     let mut d = Draft::at(scene, "periodic-force", m);
-    let a = d.amplitude("A_sin", &m.force, ANY, "sine part of the periodic force");
-    let b = d.amplitude("A_cos", &m.force, ANY, "cosine part of the periodic force");
+    let (a, b) = parts(&mut d, &m.force, "the periodic force");
     let unit = Unit::parse("rad").ok()?.over(&scene.signal(q)?.unit);
     let n = d.parameter("n", &unit, limits, "angle of the force for a unit of the position");
     d.force(&m.state, &format!("{a}*sin({n}*{q}) + {b}*cos({n}*{q})"));
