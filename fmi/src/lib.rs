@@ -369,6 +369,20 @@ impl Instance {
         both!(self, calls => calls.step(c, from, step), calls.step(c, from, step))
     }
 
+    /// Sets the rates at which real inputs run during the next step; FMI 3.0 has no such call.
+    ///
+    /// # Errors
+    /// As above.
+    pub fn input_slopes(&mut self, references: &[u32], slopes: &[f64]) -> Result<(), Refused> {
+        if references.is_empty() {
+            return Ok(());
+        }
+        match &self.library.calls {
+            Calls::Two(calls) => calls.input_slopes(self.component, references, slopes),
+            Calls::Three(_) => Err(Refused { call: "fmi2SetRealInputDerivatives", status: -1 }),
+        }
+    }
+
     /// The derivative of some numbers in the direction of one other, at the present values.
     ///
     /// # Errors

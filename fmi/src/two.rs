@@ -61,6 +61,7 @@ type Get = unsafe extern "C" fn(Component, *const c_uint, usize, *mut f64) -> c_
 type Set = unsafe extern "C" fn(Component, *const c_uint, usize, *const f64) -> c_int;
 type GetInt = unsafe extern "C" fn(Component, *const c_uint, usize, *mut c_int) -> c_int;
 type SetInt = unsafe extern "C" fn(Component, *const c_uint, usize, *const c_int) -> c_int;
+type InputSlopes = unsafe extern "C" fn(Component, *const c_uint, usize, *const c_int, *const f64) -> c_int;
 type Slopes = unsafe extern "C" fn(
     Component,
     *const c_uint,
@@ -88,6 +89,7 @@ pub(super) struct Calls {
     slopes: Option<Slopes>,
     exchange: Option<Exchange>,
     step: Option<unsafe extern "C" fn(Component, f64, f64, c_int) -> c_int>,
+    input_slopes: Option<InputSlopes>,
 }
 
 #[derive(Debug)]
@@ -133,6 +135,7 @@ impl Calls {
             slopes: symbol(l, "fmi2GetDirectionalDerivative").ok(),
             exchange: is_exchange.then(exchange).transpose()?,
             step: (!is_exchange).then(|| symbol(l, "fmi2DoStep")).transpose()?,
+            input_slopes: symbol(l, "fmi2SetRealInputDerivatives").ok(),
         })
     }
 
@@ -256,6 +259,14 @@ impl Calls {
         let (e, mut event, mut ends) = (self.exchange()?, 0, 0);
         counted("fmi2CompletedIntegratorStep", || unsafe { (e.completed)(c, 1, &mut event, &mut ends) })?;
         Ok(event != 0)
+    }
+
+    pub fn input_slopes(&self, c: Component, r: &[u32], v: &[f64]) -> Result<(), Refused> {
+        assert!(r.len() <= v.len(), "a value for each reference");
+        let call = "fmi2SetRealInputDerivatives";
+        let set = self.input_slopes.ok_or(Refused { call, status: -1 })?;
+        let orders: Vec<c_int> = vec![1; r.len()];
+        counted(call, || unsafe { set(c, r.as_ptr(), r.len(), orders.as_ptr(), v.as_ptr()) })
     }
 
     pub fn step(&self, c: Component, from: f64, step: f64) -> Result<bool, Refused> {

@@ -41,6 +41,9 @@ pub fn run(call: &Call) -> Result<Outcome> {
     let [place] = output::open([call.out.as_deref()])?;
     output::spare(&place, [&call.model, &call.recording])?;
     let model = Model::read(&call.model)?;
+    if call.tolerance != Options::default().tolerance && !model.stepped_as().is_empty() {
+        super::warn("--tolerance has no effect here: the FMU steps itself, by its own solver");
+    }
     let mut recording = model.read_recording(&call.recording)?;
     let sources = recording.sources.iter().chain(model.begun_with());
     let read: Vec<PathBuf> = sources.map(|s| s.file.clone()).chain([call.model.clone()]).collect();

@@ -8,6 +8,7 @@ use super::bench::Bench;
 use super::carried::{settled, together};
 use super::catalogue::{ANY, Added};
 use super::faults::{self, Spoiled};
+use super::feedback;
 use super::few::Few;
 use super::innovations::Unlike;
 use super::located::{Mismatch, site_name};
@@ -15,7 +16,7 @@ use super::paragraph::Paragraph;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::{Found, Taken};
-use super::verdict::{Evidence, Proven, missed, settle, with_faults, with_noise, with_patches};
+use super::verdict::{Evidence, Proven, in_a_loop, missed, settle, with_faults, with_noise, with_patches};
 use super::view::View;
 use super::{
     Diagnosis, Request, answer, backward, inert, innovations, locate, next, pictures, wandering, words,
@@ -108,6 +109,10 @@ impl Assembly<'_> {
             is_left_in_trials: left && self.bench.is_trials(),
         };
         let physics = proven.settle(with_patches(physics, &findings, &rest));
+        let closed = (!self.bench.is_trials())
+            .then(|| feedback::of(&self.bench.recordings, &self.found.last))
+            .flatten();
+        let physics = in_a_loop(physics, closed.is_some());
         let unfinished = self.ended_early.filter(|_| physics == Verdict::NothingMissing).map(unfinished);
         let physics = if unfinished.is_some() { Verdict::NotIdentifiable } else { physics };
         let reason = unfinished.as_deref().or(blind.as_deref()).or(odd.as_deref());
@@ -161,7 +166,10 @@ impl Assembly<'_> {
             findings,
             faults: self.faults.clone(),
             unexplained: if left { rest.unexplained() } else { None },
-            notes: self.notes(held_out, missed(verdict, &proof).into_iter().chain(wanders)),
+            notes: self.notes(
+                held_out,
+                missed(verdict, &proof).into_iter().chain(wanders).chain(closed.map(|l| l.says())),
+            ),
             proof,
             next_experiment,
             parameters: self.parameters(),

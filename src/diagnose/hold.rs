@@ -32,7 +32,7 @@ use super::view::own_tracks;
 use crate::Result;
 use crate::estimate::Fit;
 use crate::model::Model;
-use crate::record::{Channel, Hold, Recording, looks_held};
+use crate::record::{Channel, Hold, Recording, looks_held, may_be_held};
 
 /// How far a weight may lie from 1, and its standard deviation: a delay has any weight, and what leaves it so open
 /// that it may be 1 by luck settles nothing.
@@ -97,7 +97,9 @@ pub fn settle(
     is_asked_again: bool,
 ) -> Result<Settled> {
     let weights = weighed(bench, &base).unwrap_or_default();
-    let looks = |w: &Weight| w.held > NEARER && looks_held_everywhere(bench, &w.name);
+    // where nothing is searched for that could show it later, a leap or two are enough to ask the likelihood
+    let stays = if is_asked_again { looks_held } else { may_be_held };
+    let looks = |w: &Weight| w.held > NEARER && is_so_everywhere(bench, &w.name, stays);
     let (shown, open): (Vec<Weight>, Vec<Weight>) =
         weights.into_iter().partition(|w| w.is_sure() || looks(w));
     let open: Vec<String> = open.into_iter().filter(Weight::may_be).map(|w| w.name).collect();
@@ -269,8 +271,8 @@ pub fn note(name: &str) -> String {
 }
 
 /// Whether an input stays and leaps in every recording.
-fn looks_held_everywhere(bench: &Bench, name: &str) -> bool {
-    bench.recordings.iter().all(|r| r.find(name).is_some_and(|c| looks_held(&c.values)))
+fn is_so_everywhere(bench: &Bench, name: &str, stays: fn(&[f64]) -> bool) -> bool {
+    bench.recordings.iter().all(|r| r.find(name).is_some_and(|c| stays(&c.values)))
 }
 
 /// How far the residual shows each straight input to be held.

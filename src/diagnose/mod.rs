@@ -19,6 +19,7 @@ mod compared;
 mod cut;
 mod exchanged;
 mod faults;
+mod feedback;
 mod few;
 mod foretold;
 mod forgotten;

@@ -79,29 +79,40 @@ pub fn intervals(bench: &Bench, taken: &[Taken], fit: &mut Fit) {
     for (p, k) in wanted {
         let name = &p.added[k].name;
         let found = interval(bench, &view, (p, k), fit);
-        if let (Some((low, high)), Some(own)) = (found, fit.parameters.iter_mut().find(|e| e.name == *name)) {
-            (own.low, own.high) = (low.min(own.value), high.max(own.value));
+        if let (Some(found), Some(own)) = (found, fit.parameters.iter_mut().find(|e| e.name == *name)) {
+            (own.low, own.high) = found;
         }
     }
 }
 
-/// The places of one parameter that the likelihood allows.
+/// The places of one parameter that the likelihood allows. The last place looked at on a side is no end where it is
+/// allowed: the parameter's limit stands for it, where it has one.
 fn interval(bench: &Bench, view: &View, of: (&Proposal, usize), fit: &Fit) -> Option<(f64, f64)> {
     let rig = Rig::new(bench, view, of, fit, Metric::Whitened(&fit.noise))?;
     let coarse = places(of.0, of.1);
-    let step = coarse.get(1)? - coarse.first()?;
+    let (begin, end) = (*coarse.first()?, *coarse.last()?);
+    let step = coarse.get(1)? - begin;
     let own = rig.stand.parameters[rig.shape];
     let width =
         fit.parameters.iter().find(|p| p.name == of.0.added[of.1].name).map_or(step, |p| p.high - p.low);
-    let width = if width.is_finite() { width.clamp(0.01 * step, step) } else { step };
+    let limits = of.0.limits[of.1];
+    let width = if width.is_finite() { width.min(limits.1 - limits.0).max(0.01 * step) } else { step };
+    // a fit beyond all starts lies beyond the coarse places, and nothing would be looked at between
+    let between = Some((own - begin).max(end - own)).filter(|_| own < begin || own > end);
     // a valley beside its own may be as deep and as narrow
     let near =
         |width: f64| (0..FINER).map(move |i| own + width * ((i as f64 + 0.5) / FINER as f64 - 0.5) * 2.0);
-    let all: Vec<f64> = coarse.iter().copied().chain(near(width)).chain(near(step)).chain([own]).collect();
+    let within = |at: &f64| (limits.0..=limits.1).contains(at);
+    let nearer = [width, step].into_iter().chain(between).flat_map(near);
+    let all: Vec<f64> = coarse.iter().copied().chain(nearer).filter(within).chain([own]).collect();
     let promised: Vec<(f64, f64)> = all.par_iter().map(|at| (*at, rig.promise(*at).0)).collect();
     let least = promised.iter().map(|p| p.1).fold(f64::INFINITY, f64::min);
     let allowed = promised.iter().filter(|p| 0.5 * (p.1 - least) <= LOST).map(|p| p.0);
-    Some(allowed.fold((own, own), |(low, high), at| (low.min(at), high.max(at))))
+    let ends = |(low, high): (f64, f64), at: f64| (low.min(at), high.max(at));
+    let (low, high) = allowed.fold((own, own), ends);
+    let (first, last) = all.iter().copied().fold((own, own), ends);
+    let open = |limit: f64| if limit.is_finite() { limit } else { f64::NAN };
+    Some((if low > first { low } else { open(limits.0) }, if high < last { high } else { open(limits.1) }))
 }
 
 /// A better fit of a proposal than the one given, where its shape has one elsewhere.
@@ -167,7 +178,7 @@ impl<'a> Rig<'a> {
                 .any(|(k, a)| a.name == *name && (k == shape || p.amplitudes.contains(&k)))
         };
         for t in &mut own {
-            let mut keep = fit.unknowns.iter().map(|n| !moves(n));
+            let mut keep = fit.unknowns.iter().filter(|n| !fit.is_at_bound(n)).map(|n| !moves(n));
             t.sensitivities.retain(|_| keep.next().unwrap_or(true));
         }
         let name = &p.added[shape].name;

@@ -75,6 +75,9 @@ pub struct Score {
     pub direction: Vec<f32>,
 }
 
+/// On how many directions a statistic rests, and whether its weight may only be positive.
+type Kind = (usize, bool);
+
 /// Directions orthogonal to the fitted ones, D = Q Lᵀ with orthonormal Q.
 struct Apart {
     /// Those that the others before them do not contain.
@@ -208,7 +211,7 @@ impl Screen {
         Some(Score {
             chi2: dot(projections, projections),
             degrees,
-            statistic: statistic(projections, one_sided),
+            statistic: statistic(square(projections, one_sided), (degrees, one_sided)),
             weights: projections.iter().enumerate().map(|(j, z)| z / own.l[(j, j)]).collect(),
             image: self.imaged(&own),
             one_sided,
@@ -224,14 +227,21 @@ impl Screen {
         let images =
             Mat::from_fn(columns.first().map_or(0, |c| c.len()), columns.len(), |i, j| columns[j][i]);
         let z = images.transpose() * draws(images.nrows(), seed);
+        // of one kind of statistic the largest has the largest square, so that one a kind is turned into a chance
+        let own: Vec<Kind> = scores.iter().map(|s| (s.image.ncols(), s.one_sided)).collect();
+        let mut kinds = own.clone();
+        kinds.sort_unstable();
+        kinds.dedup();
+        let numbers: Vec<usize> = own.iter().map(|k| kinds.partition_point(|other| other < k)).collect();
         let of = |draw: &[f64]| {
+            let mut largest = vec![0.0f64; kinds.len()];
             let mut rest = draw;
-            let one = |s: &&Score| {
-                let (own, others) = rest.split_at(s.image.ncols());
+            for ((directions, one_sided), number) in own.iter().zip(&numbers) {
+                let (z, others) = rest.split_at(*directions);
                 rest = others;
-                statistic(own, s.one_sided)
-            };
-            scores.iter().map(one).fold(0.0, f64::max)
+                largest[*number] = largest[*number].max(square(z, *one_sided));
+            }
+            kinds.iter().zip(&largest).map(|(k, square)| statistic(*square, *k)).fold(0.0, f64::max)
         };
         let drawn = (0..DRAWS).map(|r| of(z.col_as_slice(r))).collect();
         beyond(drawn, scores.iter().map(|s| s.statistic).fold(0.0, f64::max))
@@ -257,14 +267,18 @@ fn rescaled(model: &NoiseModel, scale: f64) -> NoiseModel {
     model
 }
 
-/// −ln of the chance of a projection on some unit directions.
-fn statistic(z: &[f64], one_sided: bool) -> f64 {
-    if one_sided && z.first().is_some_and(|z| *z <= 0.0) {
-        return 0.0;
+/// The square of a projection on some unit directions; 0 where its one weight may only be positive and is not.
+fn square(z: &[f64], one_sided: bool) -> f64 {
+    if one_sided && z.first().is_some_and(|z| *z <= 0.0) { 0.0 } else { z.iter().map(|z| z * z).sum() }
+}
+
+/// −ln of the chance of so large a square; it grows with it.
+fn statistic(chi2: f64, (directions, one_sided): Kind) -> f64 {
+    match one_sided {
+        true if chi2 <= 0.0 => 0.0,
+        true => std::f64::consts::LN_2 - log_chance(chi2, directions),
+        false => -log_chance(chi2, directions),
     }
-    let chi2: f64 = z.iter().map(|z| z * z).sum();
-    let half = if one_sided { std::f64::consts::LN_2 } else { 0.0 };
-    half - log_chance(chi2, z.len())
 }
 
 /// ln of the chance that chi-squared exceeds a value.
@@ -394,7 +408,7 @@ impl Screen {
         let score = Score {
             chi2: dot(z, z),
             degrees: k,
-            statistic: statistic(z, false),
+            statistic: statistic(dot(z, z), (k, false)),
             weights: weights.clone(),
             image: self.imaged(&own),
             one_sided: false,

@@ -3,7 +3,7 @@
 use crate::diagnose::read_held;
 use crate::estimate::fit::{FitOptions, begun_on};
 use crate::model::{Initial, Model};
-use crate::record::{Channel, Hold, Kind, Recording, looks_held};
+use crate::record::{Channel, Hold, Kind, Recording, may_be_held};
 use crate::report::simulated;
 use crate::simulate::{Options, OutputSignal, Simulator, Trajectory, warnings};
 use crate::{Error, Result};
@@ -81,7 +81,7 @@ impl Simulating<'_> {
     /// Inputs that stay and leap and are read as straight lines, where the run comes nearer to what was measured with all of
     /// them held.
     fn held(&self, ran: &Simulated) -> Vec<String> {
-        let looks = |c: &&Channel| c.hold == Hold::Linear && self.is_input(&c.name) && looks_held(&c.values);
+        let looks = |c: &&Channel| c.hold == Hold::Linear && self.is_input(&c.name) && may_be_held(&c.values);
         let names: Vec<String> =
             self.recording.channels.iter().filter(looks).map(|c| c.name.clone()).collect();
         let is_compared = ran.outputs().any(|o| o.errors().0.is_finite());

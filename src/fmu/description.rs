@@ -46,6 +46,8 @@ pub(crate) struct Interface {
     pub has_slopes: bool,
     /// Whether its steps may be of any length, in a unit that steps itself.
     pub takes_any_step: bool,
+    /// Whether an input may run straight during a step.
+    pub takes_input_slopes: bool,
     /// s, where its own steps have one length.
     pub own_step: Option<f64>,
 }
@@ -170,6 +172,7 @@ fn interface(n: &Node<'_, '_>, version: Version) -> Option<Interface> {
         identifier: n.attribute("modelIdentifier")?.to_owned(),
         has_slopes: is(n, slopes),
         takes_any_step: is(n, "canHandleVariableCommunicationStepSize"),
+        takes_input_slopes: version == Version::Two && is(n, "canInterpolateInputs"),
         own_step: number(n, "fixedInternalStepSize").filter(|s| *s > 0.0),
     })
 }

@@ -34,7 +34,7 @@ pub use apart::keep_apart;
 pub(crate) use csv::of_raw as clocks_of;
 pub use csv::{Raw, columns};
 #[cfg(feature = "diagnose")]
-pub(crate) use held::looks_held;
+pub(crate) use held::{looks_held, may_be_held};
 pub(crate) use input::Input;
 #[cfg(feature = "cli")]
 pub(crate) use label::label;

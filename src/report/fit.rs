@@ -291,6 +291,9 @@ fn errors(r: &FitReport<'_>) -> String {
 fn unseen_words(d: &Direction) -> String {
     let names: Vec<&str> = d.weights.iter().map(|(name, _)| name.as_str()).collect();
     match names.as_slice() {
+        [one] if d.deviation.is_finite() => {
+            format!("{one}: what is measured allows none of it, and several times as much")
+        }
         [one] => format!("{one}: it leaves no trace in what is measured"),
         several => format!("{} apart: changes in them cancel in what is measured", several.join(" and ")),
     }

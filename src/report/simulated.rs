@@ -20,6 +20,8 @@ pub fn summary(s: &Simulator, ran: &Trajectory, begins: &[(String, f64, String)]
             e if e.is_finite() => format!("solver error {e:.1e} of the spread (by halving the step)\n"),
             _ => "solver error not known\n".to_string(),
         });
+    } else if !s.model().stepped_as().is_empty() {
+        out.push_str("the FMU steps itself; its solver error is not known\n");
     }
     for (state, value, unit) in begins {
         let _ = writeln!(out, "{state} begins at {value:.6} {unit}");

@@ -39,6 +39,8 @@ pub struct Analysis {
     /// Part of the variance in the upper half of the band: where it is more than a little, the samples are too far apart,
     /// and what moves faster than they follow was folded down into the band.
     pub fast_share: f64,
+    /// Fourth moment of the roll proper over its squared variance: 3 where waves come and go at random, 1.5 for a sine.
+    pub kurtosis: f64,
     /// The step of which all samples are whole multiples, rad, where there is one.
     pub quantum: Option<f64>,
 }
@@ -55,6 +57,9 @@ impl Analysis {
 
 /// Part of the variance in the upper half of the band from which on the samples are too far apart.
 pub const FAST_SHARE: f64 = 0.01;
+
+/// Kurtosis of the roll below which it hardly comes and goes.
+pub const STEADY: f64 = 2.0;
 
 /// Periods that a recording of roll must hold at least.
 const PERIODS: f64 = 5.0;
@@ -122,8 +127,18 @@ pub fn analyse(recording: &Recording, channel: &str) -> Result<Analysis> {
         deviation: all.sqrt(),
         slow_share: (1.0 - measured[0] / all).max(0.0),
         fast_share,
+        kurtosis: kurtosis(&rolling.values),
         quantum: quantum(roll),
     })
+}
+
+/// Fourth moment over squared variance, of what is there.
+fn kurtosis(values: &[f64]) -> f64 {
+    let known = || values.iter().filter(|x| x.is_finite());
+    let n = known().count() as f64;
+    let mean = known().sum::<f64>() / n;
+    let moment = |k: i32| known().map(|x| (x - mean).powi(k)).sum::<f64>() / n;
+    moment(4) / moment(2).powi(2)
 }
 
 /// Refuses a recording that shows no roll: nothing above the rounding of its own numbers.

@@ -43,7 +43,7 @@ mod trials;
 mod waves;
 
 pub use against::Against;
-pub use analysis::{Analysis, FAST_SHARE, SLOW, analyse};
+pub use analysis::{Analysis, FAST_SHARE, SLOW, STEADY, analyse};
 pub use card::{Card, Column};
 pub use case::{Days, Row};
 #[cfg(feature = "symbolic")]

@@ -4,8 +4,9 @@
 //! # Method
 //! The plan was made at the model's own parameters. Where a run blows up, or the roughness of its steps
 //! foretells too large an error, it is repeated with more steps of the same method until two of them agree,
-//! then with the stiff one. All together may spend what one simulation may; one that asks for more ends with
-//! the reason.
+//! then with the stiff one: with the steps that do at the model's own parameters, sought once, where the roughness
+//! of the run says that they do here, else with steps that are sought here. All together may spend what one
+//! simulation may; one that asks for more ends with the reason.
 
 use super::plan::{self, Plan, Search};
 use super::request::{Case, Unknown};
@@ -65,6 +66,9 @@ impl Simulator {
                 return Ok((ran, plan));
             }
             let Some(next) = self.better(&course, plan, &ran, (&case.parameters, &starts))? else {
+                if plan.method == Solver::Stiff {
+                    plan.error = plan.error.max(plan.foretold(ran.roughness));
+                }
                 if is_own {
                     self.did.remember(case, plan);
                 }
@@ -85,7 +89,8 @@ impl Simulator {
     ) -> Result<Option<Plan>> {
         let excess = plan.foretold(ran.roughness) / (SLACK * self.tolerance.max(self.plan.error));
         let blew_up = ran.blew_up.is_some();
-        let was_sought = plan.method == Solver::Stiff && self.plan.method != Solver::Stiff;
+        let is_own_stiff = self.did.own_stiff.get().is_some_and(|own| *own == Some(plan));
+        let was_sought = plan.method == Solver::Stiff && self.plan.method != Solver::Stiff && !is_own_stiff;
         if was_sought || self.plan.error.is_nan() || !(blew_up || excess > 1.0) {
             return Ok(None);
         }
@@ -94,12 +99,30 @@ impl Simulator {
         }
         let finer = plan.finer(excess.powf(0.25));
         let most = plan::most_substeps(plan.method, course.mesh.intervals());
-        if !blew_up && finer.substeps <= most.min(MOST_FINER * self.plan.substeps) {
+        if !blew_up && !is_own_stiff && finer.substeps <= most.min(MOST_FINER * self.plan.substeps) {
             return Ok(Some(finer));
         }
-        if plan.method == Solver::Stiff {
+        if plan.method == Solver::Stiff && !is_own_stiff {
             return Ok(None);
         }
-        Search { course, parameters, given, tolerance: self.tolerance }.stiff_if_it_converges()
+        match self.own_stiff().filter(|_| !is_own_stiff) {
+            Some(own) => Ok(Some(own)),
+            None => Search { course, parameters, given, tolerance: self.tolerance }.stiff_if_it_converges(),
+        }
+    }
+
+    /// The steps of the stiff method that do at the model's own parameters; none where it does not converge there.
+    fn own_stiff(&self) -> Option<Plan> {
+        *self.did.own_stiff.get_or_init(|| {
+            let parameters = self.parameters();
+            let mesh = self.mesh_at(&parameters);
+            let (given, steady) = self.starts(&self.initials());
+            let allowance = self.budget.one_run();
+            let course = self.course(&mesh, self.plan, &steady, &allowance);
+            let tolerance = self.tolerance;
+            let search = Search { course: &course, parameters: &parameters, given: &given, tolerance };
+            let converges = search.stiff_if_it_converges().ok().flatten();
+            converges.filter(|p| p.error <= tolerance && !p.blew_up)
+        })
     }
 }

@@ -9,11 +9,15 @@
 
 use super::plan::Plan;
 use super::request::Case;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// The last point and its plan.
 #[derive(Debug, Default)]
-pub(super) struct Did(Mutex<Option<(Vec<u64>, Plan)>>);
+pub(super) struct Did {
+    last: Mutex<Option<(Vec<u64>, Plan)>>,
+    /// The plan of the stiff method at the model's own parameters, where it was asked for; none where it does not do.
+    pub own_stiff: OnceLock<Option<Plan>>,
+}
 
 impl Clone for Did {
     /// Knows nothing: a clone may run over another part of the recording.
@@ -29,13 +33,13 @@ fn point(case: &Case<'_>) -> Vec<u64> {
 impl Did {
     /// The plan that did at the very same parameters and initial states.
     pub fn at(&self, case: &Case<'_>) -> Option<Plan> {
-        let known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = self.last.lock().unwrap_or_else(PoisonError::into_inner);
         known.as_ref().filter(|k| k.0 == point(case)).map(|k| k.1)
     }
 
     /// Remembers a plan.
     pub fn remember(&self, case: &Case<'_>, plan: Plan) {
-        *self.0.lock().unwrap_or_else(PoisonError::into_inner) = Some((point(case), plan));
+        *self.last.lock().unwrap_or_else(PoisonError::into_inner) = Some((point(case), plan));
     }
 }
 

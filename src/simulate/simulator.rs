@@ -63,7 +63,7 @@ pub struct Simulator {
     pub(super) plan: Plan,
     /// What to take where the plan of order 2 does not do.
     pub(super) careful: Option<Plan>,
-    /// What did at the last point.
+    /// What did at the last point, and the stiff steps that do at its own.
     pub(super) did: Did,
     pub(super) tolerance: f64,
     pub(super) budget: Budget,

@@ -17,10 +17,10 @@ fn model(count: usize, link: impl Fn(usize) -> String, rate: &str) -> String {
     )
 }
 
-/// 1.8 x' = u − 0.9 x − 0.8 sign x, in steps of 1 ms, every fiftieth kept.
+/// 1.8 x' = u − 0.9 x − 0.8 sign x, in steps of 1 ms over 10 s, every fiftieth kept.
 fn recording() -> String {
     let (mut x, mut rows) = (0.0f64, String::from("t [s],u [N],speed [m/s]\n"));
-    for i in 0..25_000 {
+    for i in 0..10_000 {
         let t = 1e-3 * f64::from(i);
         let u = 3.0 * (0.7 * t).sin() + 2.0 * (2.3 * t + 1.0).sin();
         if i % 50 == 0 {

@@ -1,8 +1,7 @@
 //! Faults of the data beside physics: two questions, two answers.
 
-use crate::diagnose::{diagnosed, moved, noise, recording};
+use crate::diagnose::{axis, diagnosed, moved, noise, recording};
 use gyrospec::diagnose::answer::{Answer, Verdict};
-use gyrospec::diagnose::laboratory::Scenario;
 use gyrospec::diagnose::{Request, diagnose};
 use gyrospec::estimate::fit::Silent;
 use gyrospec::model::Model;
@@ -26,8 +25,8 @@ fn values<'a>(recording: &'a mut Recording, name: &str) -> &'a mut Vec<f64> {
 /// Repeats one value of the position for 3 s.
 fn stick(recording: &mut Recording) {
     let position = values(recording, "position");
-    let held = position[1000];
-    position[1000..1300].fill(held);
+    let held = position[500];
+    position[500..650].fill(held);
 }
 
 fn friction_is_named(a: &Answer) {
@@ -41,7 +40,7 @@ fn friction_is_named(a: &Answer) {
 fn a_masked_fault_hides_no_name() {
     let (model, mut stuck) = recording(Some(FRICTION));
     stick(&mut stuck);
-    values(&mut stuck, "position")[2000] += 5.0;
+    values(&mut stuck, "position")[1000] += 5.0;
     let a = diagnosed(&model, stuck).answer;
     friction_is_named(&a);
     let expected = [("frozen-channel", "position", true), ("outliers", "position", true)];
@@ -77,7 +76,7 @@ fn a_wrong_unit_is_mended_in_the_separate_record_too() {
         };
         Recording::from_channels("part", whole.channels.iter().map(part).collect()).unwrap()
     };
-    let (recordings, separate) = ([cut(0, 3000)], [cut(3000, 5000)]);
+    let (recordings, separate) = ([cut(0, 1500)], [cut(1500, 2500)]);
     let request = Request {
         model: &model,
         source: None,
@@ -96,11 +95,11 @@ fn a_wrong_unit_is_mended_in_the_separate_record_too() {
 /// What is commanded may rest, step and leap; lost samples of it still count.
 #[test]
 fn a_command_that_is_held_or_leaps_has_no_fault() {
-    let mut scenario = Scenario::axis(5).unwrap();
+    let mut scenario = axis();
     let force = values(&mut scenario.recording, "force");
-    let held = force[1200];
-    force[1200..1900].fill(held);
-    for spike in [2200, 2600, 3300, 4100] {
+    let held = force[600];
+    force[600..950].fill(held);
+    for spike in [1100, 1300, 1650, 2050] {
         force[spike] += 90.0;
     }
     let (model, made) = moved(scenario, None);
@@ -108,7 +107,7 @@ fn a_command_that_is_held_or_leaps_has_no_fault() {
     assert_eq!(a.verdict, Verdict::NothingMissing, "{}", a.says);
     assert_eq!(faults(&a), []);
     let mut lost = made;
-    values(&mut lost, "force")[3400..3700].fill(f64::NAN);
+    values(&mut lost, "force")[1700..1850].fill(f64::NAN);
     let a = diagnosed(&model, lost).answer;
     assert_eq!((a.verdict, faults(&a)), (Verdict::DataFault, vec![("gap", "force", true)]), "{}", a.says);
 }
@@ -116,14 +115,14 @@ fn a_command_that_is_held_or_leaps_has_no_fault() {
 /// The force is held, and so does the position stand still, but for its noise; meanwhile its sensor is stuck.
 #[test]
 fn a_stuck_sensor_is_found_while_the_input_is_held() {
-    let mut scenario = Scenario::axis(5).unwrap();
+    let mut scenario = axis();
     let force = values(&mut scenario.recording, "force");
-    let held = force[1000];
-    force[1000..1900].fill(held);
+    let held = force[500];
+    force[500..950].fill(held);
     let (model, mut stuck) = moved(scenario, None);
     let position = values(&mut stuck, "position");
-    let value = position[1450];
-    position[1450..1700].fill(value);
+    let value = position[725];
+    position[725..850].fill(value);
     let a = diagnosed(&model, stuck).answer;
     let found = [("frozen-channel", "position", true)];
     assert_eq!((a.verdict, faults(&a)), (Verdict::DataFault, found.to_vec()), "{}", a.says);
@@ -132,7 +131,7 @@ fn a_stuck_sensor_is_found_while_the_input_is_held() {
 /// An input that is held throughout is an input; that its sign and unit cannot be seen is no fault.
 #[test]
 fn an_input_held_throughout_is_no_fault() {
-    let mut scenario = Scenario::axis(5).unwrap();
+    let mut scenario = axis();
     values(&mut scenario.recording, "force").fill(12.0);
     let (model, made) = moved(scenario, None);
     let a = diagnosed(&model, made).answer;
@@ -153,7 +152,7 @@ fn an_output_that_never_changes_is_frozen() {
         assert!(a.proof.len() == 1 && a.proof[0].holdout_after.is_nan());
     };
     frozen(still.clone(), &model);
-    values(&mut still, "position")[1000..2200].fill(f64::NAN);
+    values(&mut still, "position")[500..1100].fill(f64::NAN);
     frozen(still.clone(), &model);
     // a table of trials
     let (time, force): (Vec<f64>, Vec<f64>) = (0..40).map(|i| (f64::from(i), f64::from(i % 8))).unzip();
@@ -197,8 +196,8 @@ fn a_dead_output_does_not_hide_what_another_shows() {
 fn a_name_without_proof_left_is_open() {
     let (model, mut stuck) = recording(Some(FRICTION));
     let position = values(&mut stuck, "position");
-    let held = position[2990];
-    position[2990..].fill(held);
+    let held = position[1495];
+    position[1495..].fill(held);
     let a = diagnosed(&model, stuck).answer;
     assert_eq!(a.verdict, Verdict::DataFault, "{}", a.says);
     assert_eq!(codes(&a)[0], "frozen-channel");

@@ -4,6 +4,7 @@ use clap::CommandFactory;
 use rayon::prelude::*;
 use std::path::Path;
 use std::process::Command;
+use std::sync::OnceLock;
 
 /// An argument of a subcommand with words that make a difference; `%` stands for a new file.
 struct Given {
@@ -59,14 +60,16 @@ fn beside<'a>(parts: &[&Given], before: &[&'a str]) -> Vec<&'a str> {
     }
 }
 
+/// What an argument alone gives: as text, and as JSON where that is asked for.
+struct Alone<'a> {
+    given: &'a Given,
+    text: (i32, String),
+    json: OnceLock<(i32, String)>,
+}
+
 /// What is wrong with a pair: neither refused nor seen in the answer, as text or JSON, beside each alone.
-fn dropped(
-    name: &str,
-    folder: &Path,
-    pair: [(&Given, &(i32, String)); 2],
-    before: &[&str],
-) -> Option<String> {
-    let parts = pair.map(|p| p.0);
+fn dropped(name: &str, folder: &Path, pair: [&Alone; 2], before: &[&str]) -> Option<String> {
+    let parts = pair.map(|p| p.given);
     let ids = format!("{} {}", parts[0].id, parts[1].id);
     let both = called(name, folder, &parts, &beside(&parts, before));
     match both.0 {
@@ -78,13 +81,14 @@ fn dropped(
         let words: Vec<&str> = beside(parts, before).into_iter().chain(["--json"]).collect();
         called(name, folder, parts, &words)
     };
-    for ((left, _), (stays, alone)) in [(pair[0], pair[1]), (pair[1], pair[0])] {
+    for (left, stays) in [(pair[0], pair[1]), (pair[1], pair[0])] {
         // what wrote its file was used
-        if left.file.is_some() || *alone != both {
+        if left.given.file.is_some() || stays.text != both {
             continue;
         }
-        if parts.iter().any(|g| g.id == "json") || in_json(&[stays]) == in_json(&parts) {
-            return Some(format!("{ids}: {} is dropped", left.id));
+        let json = || stays.json.get_or_init(|| in_json(&[stays.given]));
+        if parts.iter().any(|g| g.id == "json") || *json() == in_json(&parts) {
+            return Some(format!("{ids}: {} is dropped", left.given.id));
         }
     }
     None
@@ -114,14 +118,15 @@ fn each_pair_with(is_wanted: &dyn Fn(&str) -> bool, name: &str, list: &[(&str, &
     });
     put("roll.csv", &rows.collect::<String>());
     let all = arguments(name, list);
-    let alone: Vec<(i32, String)> =
-        all.par_iter().map(|g| called(name, folder.path(), &[g], &beside(&[g], before))).collect();
+    let alone = |given| {
+        let text = called(name, folder.path(), &[given], &beside(&[given], before));
+        Alone { given, text, json: OnceLock::new() }
+    };
+    let alone: Vec<Alone> = all.par_iter().map(alone).collect();
     let wanted: Vec<bool> = all.iter().map(|g| is_wanted(&g.id)).collect();
     let pairs = (0..all.len()).flat_map(|i| (i + 1..all.len()).map(move |j| (i, j)));
     let pairs: Vec<(usize, usize)> = pairs.filter(|(i, j)| wanted[*i] || wanted[*j]).collect();
-    let check = |&(i, j): &(usize, usize)| {
-        dropped(name, folder.path(), [(&all[i], &alone[i]), (&all[j], &alone[j])], before)
-    };
+    let check = |&(i, j): &(usize, usize)| dropped(name, folder.path(), [&alone[i], &alone[j]], before);
     let wrong: Vec<String> = pairs.par_iter().filter_map(check).collect();
     assert!(wrong.is_empty(), "{name} {before:?}, {} of {}:\n{}", wrong.len(), pairs.len(), wrong.join("\n"));
 }

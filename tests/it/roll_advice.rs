@@ -163,3 +163,24 @@ fn a_roll_in_coarse_steps_is_not_trusted_to_its_spectrum() {
     let (fine, note) = mean(0.001);
     assert!((fine / regular - 1.0).abs() < 0.1 && !note.contains("in steps of"), "{fine}: {note}");
 }
+
+/// ⟨x⁴⟩/⟨x²⟩² of a sine is 3/2: no strong and weak rolling come and go in it.
+#[test]
+fn a_recorded_roll_that_keeps_its_size_has_no_slow_spread_and_that_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let told = |size: &dyn Fn(f64) -> f64| {
+        let mut text = String::from("t [s],roll [deg]\n");
+        for k in 0..3600 {
+            let t = 0.5 * f64::from(k);
+            writeln!(text, "{t},{:.4}", size(t) * (TAU * t / 10.0).sin()).unwrap();
+        }
+        let file = folder.path().join("roll.csv");
+        std::fs::write(&file, text).unwrap();
+        asked(&[file.to_str().unwrap(), "--heading", "45"]).1
+    };
+    let steady = told(&|_| 5.0);
+    assert!(steady.contains("this roll keeps its size (kurtosis 1.50"), "{steady}");
+    // a beat of all of it: 3/2 · 35/128 · 64/9
+    let beating = told(&|t| 5.0 * (TAU * t / 97.0).sin().powi(2));
+    assert!(!beating.contains("keeps its size"), "{beating}");
+}

@@ -138,8 +138,8 @@ fn a_diagnosis_fits_its_schema() {
     );
     let (model, mut stuck) = recording(Some("1.5*sign(v)"));
     let position = &mut stuck.channels.iter_mut().find(|c| c.name == "position").unwrap().values;
-    let held = position[1000];
-    position[1000..1300].fill(held);
+    let held = position[500];
+    position[500..650].fill(held);
     let named = diagnosed(&model, stuck.clone()).answer;
     assert_eq!((named.verdict, named.faults.len()), (Verdict::Named, 1));
     fits("diagnosis", &serde_json::to_value(&named).unwrap());

@@ -105,5 +105,6 @@ fn at(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal> 
         d.output(output, &shift.late("{}", &rate));
     }
     d.start(&[20.0 * scene.step / scene.length()]);
-    d.done(&format!("the clock of {} gains {{0}} s a second on the others", scene.words(first)))
+    let others = if inputs.len() + outputs.len() > 1 { " and of what else stands in its table" } else { "" };
+    d.done(&format!("the clock of {}{others} gains {{0}} s a second on the others", scene.words(first)))
 }

@@ -152,7 +152,7 @@ fn at(scene: &Scene, m: &Motion, signal: &Signal, factor: &str) -> Option<Propos
     let mut d = Draft::at(scene, "cross-coupling", m);
     let c = d.amplitude("c", &m.force.over(&signal.unit), ANY, "coupling");
     d.uses(&signal.name);
-    let part = d.centred(signal);
+    let part = d.turned(signal, factor);
     d.force(&m.state, &format!("{c}*{part}{factor}"));
     d.start(&[m.size / signal.spread]);
     d.done(&format!("{}{factor} acts on {}, {{0}}", scene.words(&signal.name), scene.words(&m.state)))
@@ -220,7 +220,7 @@ fn in_definition(scene: &Scene, definition: &Signal, signal: &Signal, factor: &s
     let mut d = Draft::new(scene, "cross-coupling", SiteKind::Definition, &definition.name);
     let c = d.amplitude("c", &definition.unit.over(&signal.unit), ANY, "coupling");
     d.uses(&signal.name);
-    let part = d.centred(signal);
+    let part = d.turned(signal, factor);
     d.define(&definition.name, &format!("{c}*{part}{factor}"));
     d.start(&[definition.spread / signal.spread]);
     d.done(&format!("{}{factor} enters {}, {{0}}", scene.words(&signal.name), scene.words(&definition.name)))

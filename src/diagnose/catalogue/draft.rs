@@ -2,7 +2,7 @@
 
 use super::edit::{self, Place};
 use super::felt;
-use super::scene::{Motion, Scene, Signal};
+use super::scene::{Motion, Scene, Signal, is_temperature};
 use crate::expression::{Expr, Function};
 use crate::model::{Initial, Model, Parameter, State};
 use crate::units::Unit;
@@ -318,6 +318,15 @@ impl<'a> Draft<'a> {
             return signal.name.clone();
         }
         self.about_mean(signal)
+    }
+
+    /// A signal as what turns with a heading feels it: from its own zero, as a ship without speed has no error of speed;
+    /// a temperature, whose zero is far, and a signal that nothing turns as above.
+    pub fn turned(&mut self, signal: &Signal, factor: &str) -> String {
+        if factor.is_empty() || is_temperature(&signal.unit) {
+            return self.centred(signal);
+        }
+        signal.name.clone()
     }
 
     /// A signal about its mean.

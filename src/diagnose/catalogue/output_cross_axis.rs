@@ -78,7 +78,7 @@ fn at(scene: &Scene, output: &str, s: &Signal, factor: &str) -> Option<Proposal>
     let mut d = Draft::new(scene, "output-cross-axis", SiteKind::Output, output);
     let c = d.amplitude("c", &scene.unit(output).over(&s.unit), ANY, "part of the other motion");
     d.uses(&s.name);
-    let part = d.centred(s);
+    let part = d.turned(s, factor);
     d.output(output, &format!("{{}} + {c}*{part}{factor}"));
     d.start(&[scene.signal(output)?.spread / s.spread]);
     d.done(&format!(

@@ -19,8 +19,8 @@
 //! # Example
 //! A furnace modelled with a loss in proportion to its temperature.
 
+use super::scene::is_temperature;
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
-use crate::units::Unit;
 
 /// A loss by radiation.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -30,10 +30,6 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     include_str!("radiation.rs"),
     propose,
 );
-
-fn is_temperature(unit: &Unit) -> bool {
-    Unit::parse("K").is_ok_and(|k| k.dimension() == unit.dimension())
-}
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();

@@ -370,6 +370,11 @@ impl MasslessLag {
     }
 }
 
+/// Whether values in a unit are temperatures, or differences of them.
+pub(super) fn is_temperature(unit: &Unit) -> bool {
+    Unit::parse("K").is_ok_and(|k| k.dimension() == unit.dimension())
+}
+
 /// X of 1 + X or X + 1, for a product or power X.
 pub(super) fn lag_square(e: &Expr) -> Option<&Expr> {
     let Expr::Binary(BinaryOp::Add, a, b) = e else { return None };

@@ -9,7 +9,7 @@ use crate::diagnose::choose::{CHANCE, TIE};
 use crate::diagnose::measure::chance;
 use crate::estimate::fit::{Effort, ParameterEstimate, Status};
 use crate::estimate::{Fit, fit};
-use crate::expression::Expr;
+use crate::expression::{BinaryOp, Expr};
 use crate::model::{Model, Parameter};
 use crate::record::Recording;
 use crate::units::{Unit, significant};
@@ -145,20 +145,23 @@ struct Mend<'m> {
 /// Looks for a channel of the wrong sign or unit, and for a definition or a parameter of the wrong sign, where the model
 /// as given fits badly. A channel that never changes has no sign and no unit that could be seen: what acts as evenly is
 /// as likely. In a linear model an input too large is an output too small: what fits as well is told beside.
+///
+/// An input beside a stronger one may be turned over and yet spoil little. Where the model fits but for a part, each input
+/// is turned over from the values that were fitted, and any other factor must fit no better: else a law of another size
+/// is missing. Units are not asked there: an input that does not act is any unit too large.
 pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     let before = relative(bench, base, "", 1.0).into_iter().fold(0.0, f64::max);
-    if before <= BADLY {
-        return None;
-    }
-    let (mends, tried) = mends(bench, model);
+    let is_bad = before > BADLY;
+    let (mends, tried) =
+        if is_bad { mends(bench, model, None) } else { mends(bench, &base.model, Some(before)) };
     // 2 Δln L = n ln(S₀/S₁), the factor one more unknown.
     let is_sure = |m: &Mend<'_>| {
         let samples = independent(&m.fit);
         let degrees = samples - m.fit.values.len() as f64 - 1.0;
         tried as f64 * chance(2.0 * samples * (before / m.misfit).ln(), 1, samples, degrees) < CHANCE
     };
-    let mut stand: Vec<Mend<'_>> =
-        mends.into_iter().filter(|m| m.misfit < BETTER * before && is_sure(m)).collect();
+    let stands = |m: &Mend<'_>| m.misfit < BETTER * before && is_sure(m) && (is_bad || is_exact(bench, m));
+    let mut stand: Vec<Mend<'_>> = mends.into_iter().filter(stands).collect();
     let most = stand.iter().map(|m| m.likelihood).fold(f64::NEG_INFINITY, f64::max);
     stand.retain(|m| m.likelihood > most - TIE);
     if stand.iter().any(|m| !is_turned(&m.way)) && is_another_value(bench, model, base, &stand) {
@@ -168,9 +171,40 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     let first = stand.first()?;
     let others: Vec<Way<'_>> = stand[1..].iter().map(|m| m.way).collect();
     let fault = fault(first, &others, before);
-    let Mend { way, model, fit, .. } = stand.swap_remove(0);
+    let Mend { way, model: mended, fit, .. } = stand.swap_remove(0);
+    // A channel leaves the model as it was given.
+    let model = if way.part.is_channel() { model.clone() } else { mended };
     let channel = way.part.is_channel().then(|| way.name.to_string());
     Some(Misread { fault, channel, factor: way.factor, model, fit })
+}
+
+/// Whether an input that is mended fits no better by any other factor.
+fn is_exact(bench: &Bench, mend: &Mend<'_>) -> bool {
+    let (mut model, recordings) = mend.way.mended(&mend.fit.model, bench);
+    let mut factor = String::from("factor");
+    while edit::unit_of_name(&model, &factor).is_some() || model.outputs.iter().any(|o| o.name == factor) {
+        factor.push('_');
+    }
+    let [by, input] = [factor.as_str(), mend.way.name].map(|n| Box::new(Expr::name(n)));
+    let times = Expr::Binary(BinaryOp::Mul, by, input);
+    edit::for_each(&mut model, |_, e| *e = e.substitute(mend.way.name, &times));
+    let (name, unit) = (factor, Unit::one());
+    model.parameters.push(Parameter {
+        name,
+        value: 1.0,
+        unit,
+        fit: true,
+        min: None,
+        max: None,
+        meaning: None,
+    });
+    let Ok(freed) = fit(&model, &recordings, &bench.options(Effort::Near, 10)) else { return false };
+    // Both on one scale: the samples that are independent beside the smaller model.
+    let pairs = mend.fit.rmse.iter().zip(&freed.rmse).enumerate();
+    let gains = pairs.map(|(k, (one, free))| samples_of(&mend.fit, k) * (one / free).ln());
+    let gain: f64 = gains.filter(|g| g.is_finite()).sum();
+    let samples = independent(&mend.fit);
+    chance(2.0 * gain, 1, samples, samples - freed.values.len() as f64) > CHANCE
 }
 
 /// Share of the misfit that a unit leaves up to which a value that is another one explains more.
@@ -239,14 +273,23 @@ fn ways<'m>(bench: &Bench, model: &'m Model) -> Vec<Way<'m>> {
         .collect()
 }
 
-/// The ways after which the model can be fitted, with how many were tried.
-fn mends<'m>(bench: &Bench, model: &'m Model) -> (Vec<Mend<'m>>, usize) {
-    let ways = ways(bench, model);
+/// The ways after which the model can be fitted, with how many were tried. Of a model that is fitted and misses no more than
+/// a share: inputs turned over alone, and only what misses less after one step is fitted to the end.
+fn mends<'m>(bench: &Bench, model: &'m Model, fitted: Option<f64>) -> (Vec<Mend<'m>>, usize) {
+    let mut ways = ways(bench, model);
+    ways.retain(|w| fitted.is_none() || w.part == Part::Input && is_turned(w));
     let mend = |way: &Way<'m>| {
         let (model, recordings) = way.mended(model, bench);
-        let fit = fit(&model, &recordings, &bench.options(Effort::Near, 10)).ok()?;
-        let shares = relative(bench, &fit, way.name, way.factor);
-        let misfit = shares.iter().copied().fold(0.0, f64::max);
+        let refitted = |steps: usize| {
+            let fit = fit(&model, &recordings, &bench.options(Effort::Near, steps)).ok()?;
+            let shares = relative(bench, &fit, way.name, way.factor);
+            let misfit = shares.iter().copied().fold(0.0, f64::max);
+            Some((fit, shares, misfit))
+        };
+        if fitted.is_some_and(|before| refitted(1).is_none_or(|(_, _, misfit)| misfit >= before)) {
+            return None;
+        }
+        let (fit, shares, misfit) = refitted(10)?;
         let of = |(k, share): (usize, &f64)| -share.ln() * samples_of(&fit, k);
         let likelihood = shares.iter().enumerate().map(of).sum();
         Some(Mend { way: *way, model, fit, misfit, likelihood })

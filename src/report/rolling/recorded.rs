@@ -1,7 +1,7 @@
 //! What is said of a recorded roll and its fit.
 
 use crate::report::terminal::{Trace, picture};
-use crate::rolling::{FAST_SHARE, MeasuredRoll};
+use crate::rolling::{FAST_SHARE, MeasuredRoll, STEADY};
 use crate::spectrum::{Interval, RollIntervals};
 use crate::units::significant;
 use std::f64::consts::{PI, TAU};
@@ -49,6 +49,16 @@ pub fn words(r: &MeasuredRoll) -> String {
             0.5 * PI / step
         ),
     };
+    // an amplitude a has x² = a²/2 on the mean, and ⟨x⁴⟩/⟨x²⟩² = 3/2 (1 + var a²/⟨a²⟩²), where a random one has var a² = ⟨a²⟩²
+    let steady = match a.kurtosis {
+        k if k < STEADY => format!(
+            "this roll keeps its size (kurtosis {k:.2}; 3 where waves come and go at random, 1.5 for a sine): the slow part of \
+             the spread,\nand with it the whole, is that of a random roll, some {:.0} times too large here or more; \
+             --regular AMPLITUDE,PERIOD asks for a steady one\n",
+            (1.0 / (k / 1.5 - 1.0).max(1e-2)).sqrt()
+        ),
+        _ => String::new(),
+    };
     let verdict = match a.fit.misfit {
         m if m < MeasuredRoll::FAIR => "a good fit",
         _ if r.mean.is_none() => "this roll is hardly of that form, and the quick spread a guide alone",
@@ -57,7 +67,7 @@ pub fn words(r: &MeasuredRoll) -> String {
     };
     format!(
         "Roll of `{}`: {n} samples {step:.4} s apart{gaps}, {:.1} min; standard deviation {sigma:.3}°\n\
-         {fast}{slow}highest spectral point of the roll at {:.3} rad/s (period {:.1} s), from {} segments\n\n\
+         {fast}{slow}{steady}highest spectral point of the roll at {:.3} rad/s (period {:.1} s), from {} segments\n\n\
          Fit of K(τ) = A e^(−μ|τ|) (cos ετ + (μ/ε) sin ε|τ|) to the correlation function, lags 0 … {:.0} s\n\
          \x20 A = {:.4e} rad² ({:.3}°)²,  μ = {:.4} 1/s,  ε = {:.4} rad/s (period {:.1} s)\n\
          {}\x20 explains {:.1} % of it; misfit {:.1} % of K(0): {verdict}\n",

@@ -38,7 +38,7 @@ fn a_unit_of_a_model_with_memories_is_for_co_simulation() {
     }
     let out = gyrospec(folder.path(), &["simulate", "model.fmu", "in.csv", "--out", "-"]);
     assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
-    // four steps between samples with the input held at its middle
+    // four steps between samples, in which the input runs straight
     for d in differences(&reference, &String::from_utf8_lossy(&out.stdout), &["y", "w"]) {
         assert!(d < 2e-3, "{d}");
     }

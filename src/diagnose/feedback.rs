@@ -1,0 +1,162 @@
+//! Whether an input follows what the model leaves over: someone steers by the output.
+//!
+//! # Purpose
+//! A disturbance that nobody recorded goes round a closed loop. It stands in the input as well, so that laws of the input
+//! explain it, on what was held out too, and the values of parameters lean.
+//!
+//! # Method
+//! The input and what is left are turned into innovations, each by its own autoregression. Where the loop is open, what is
+//! new in the input is independent of all that was left before, whatever the model lacks. Of the correlations ρ_k of what
+//! is new in the input with innovations k samples earlier, n Σ ρ_k² is then chi-squared (Haugh 1976, eq. 3.5).
+//!
+//! # References
+//! L. D. Haugh, JASA 71 (1976) 378-385; C. W. J. Granger, Econometrica 37 (1969) 424-438; L. Ljung, System Identification,
+//! 2nd ed. 1999, 13.4 (what a closed loop does to a model without a model of its noise).
+
+use super::catalogue::edit;
+use super::screen::log_chance;
+use crate::estimate::Fit;
+use crate::estimate::fit::Series;
+use crate::estimate::noise::{Autoregression, robust_deviation};
+use crate::record::{Channel, Hold, Recording, looks_held};
+
+/// Order of the autoregressions, and earlier samples that are looked at.
+const ORDER: usize = 20;
+const LAGS: usize = 20;
+/// ln of the chance from which on the input follows, and least share of what is new in it that what is left explains.
+const CHANCE: f64 = -20.0;
+const SHARE: f64 = 0.05;
+/// Deviations beyond which an innovation counts as so many.
+const OUTLIER: f64 = 3.0;
+/// Fewest samples.
+const FEWEST: usize = 10 * LAGS;
+/// Deviation of what is left over that of its innovations from which on it is no noise of a sensor but a disturbance.
+const DISTURBED: f64 = 5.0;
+
+/// An input, and the number of the output by which it is steered.
+pub struct Loop {
+    /// The input.
+    pub input: String,
+    /// The output's name.
+    pub output: String,
+}
+
+impl Loop {
+    /// What to know of it.
+    pub fn says(&self) -> String {
+        let Self { input, output } = self;
+        format!(
+            "{input} follows what the model leaves of “{output}”: someone steers by it, and what disturbs was not recorded. It goes round this loop and looks like a law of {input}, on what was held out too, so that no name is proved and the values of the parameters lean; record what disturbs, or {input} moved by a plan of its own"
+        )
+    }
+}
+
+/// An input that surely follows what a fit leaves of an output, where that is far more than its innovations.
+pub fn of(recordings: &[Recording], fit: &Fit) -> Option<Loop> {
+    let disturbed = |s: &&Series| {
+        let noise = fit.noise.get(s.output).map(|n| &n.autoregression);
+        noise.is_some_and(|a| a.variance() > DISTURBED.powi(2) * a.innovation_variance())
+    };
+    let inputs = || fit.model.inputs.iter().map(|i| i.name.as_str());
+    let pairs = recordings.iter().zip(&fit.records);
+    let all = pairs.flat_map(|(r, record)| record.series.iter().filter(disturbed).map(move |s| (r, s)));
+    let mut all = all.flat_map(|(r, s)| inputs().filter_map(move |i| Some((r.find(i)?, s))));
+    let acts_at_once = |input: &Channel, series: &Series| {
+        let shown = &fit.model.outputs[series.output].equals;
+        input.hold != Hold::Previous || edit::reaches(&fit.model, shown, &input.name)
+    };
+    let is_closed = |(i, s): &(&Channel, &Series)| follows(i, s, usize::from(acts_at_once(i, s)));
+    let (input, series) = all.find(is_closed)?;
+    Some(Loop { input: input.name.clone(), output: fit.model.outputs[series.output].name.clone() })
+}
+
+/// Whether what is new in a channel answers innovations of what is left that many samples earlier or more.
+fn follows(input: &Channel, series: &Series, first: usize) -> bool {
+    if looks_held(&input.values) {
+        return false;
+    }
+    let at = |r: &std::ops::Range<usize>| -> Option<[Vec<f64>; 2]> {
+        let moved = series.time[r.clone()].iter().map(|t| input.value_at(*t)).collect::<Option<_>>()?;
+        Some([moved, series.residual[r.clone()].to_vec()])
+    };
+    let known: Vec<[Vec<f64>; 2]> = series.stretches.iter().filter_map(at).collect();
+    let [Some(moved), Some(left)] = [0, 1].map(|k| innovations(&known, k)) else { return false };
+    let size = |all: &[Vec<f64>]| all.iter().flatten().map(|x| x * x).sum::<f64>();
+    let both = size(&moved) * size(&left);
+    let correlation = |k: usize| {
+        let lagged =
+            moved.iter().zip(&left).map(|(u, e)| u.iter().skip(k).zip(e).map(|(u, e)| u * e).sum::<f64>());
+        lagged.sum::<f64>() / both.sqrt()
+    };
+    let lags = first..=LAGS;
+    let degrees = lags.clone().count();
+    let share: f64 = lags.map(|k| correlation(k).powi(2)).sum();
+    let n = moved.iter().map(Vec::len).sum::<usize>() as f64;
+    share > SHARE && log_chance(n * share, degrees) < CHANCE
+}
+
+/// Stretches of one of the two signals as innovations of its autoregression, about their mean; none where they are short
+/// or stand still.
+fn innovations(stretches: &[[Vec<f64>; 2]], which: usize) -> Option<Vec<Vec<f64>>> {
+    let n = stretches.iter().map(|s| s[which].len()).sum::<usize>();
+    let mean = stretches.iter().flat_map(|s| &s[which]).sum::<f64>() / n as f64;
+    let about: Vec<Vec<f64>> =
+        stretches.iter().map(|s| s[which].iter().map(|x| x - mean).collect()).collect();
+    let views: Vec<&[f64]> = about.iter().map(Vec::as_slice).collect();
+    let moves = about.iter().flatten().any(|x| x.abs() > 1e-12 * mean.abs());
+    if n < FEWEST || !moves {
+        return None;
+    }
+    let own = Autoregression::fit(&views, ORDER);
+    let mut new: Vec<Vec<f64>> = views.iter().map(|v| own.whiten(v)).collect();
+    let most = OUTLIER * robust_deviation(&new.concat());
+    if most.is_nan() || most <= 0.0 {
+        return None;
+    }
+    new.iter_mut().flatten().for_each(|x| *x = x.clamp(-most, most));
+    Some(new)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Unit;
+    use rand::SeedableRng;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution, StandardNormal};
+
+    /// x' = u + d with a wandering d, seen with noise; u is a controller's or a plan's.
+    fn told(is_closed: bool, lacks: f64, seed: u64) -> bool {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut drawn = || -> f64 { StandardNormal.sample(&mut rng) };
+        let (mut x, mut predicted, mut d, mut aim, mut seen) = (0.0, 0.0, 0.0, 0.0, 0.0);
+        let (mut u, mut left) = (Vec::new(), Vec::new());
+        for i in 0..2000 {
+            if i % 40 == 0 {
+                aim = 5.0 * drawn();
+            }
+            let plan = 0.3 * (aim + (0.07 * f64::from(i)).sin());
+            // by what was seen a row before
+            let now = if is_closed { plan - 0.3 * seen } else { plan };
+            seen = x + 0.02 * drawn();
+            u.push(now);
+            left.push(seen - predicted);
+            d = 0.95 * d + 0.1 * drawn();
+            x += 0.5 * (now - 0.4 * x + d) + lacks * now * now.abs();
+            predicted += 0.5 * (now - 0.4 * predicted);
+        }
+        let time: Vec<f64> = (0..2000).map(f64::from).collect();
+        let input = Channel::new("u", Unit::one(), time.clone(), u);
+        let stretches = std::iter::once(0..left.len()).collect();
+        let series = Series { output: 0, time, residual: left, sensitivities: Vec::new(), stretches };
+        follows(&input, &series, 1)
+    }
+
+    #[test]
+    fn a_controller_follows_what_disturbs_and_a_plan_does_not() {
+        for seed in 0..10 {
+            assert!(told(true, 0.0, seed), "{seed}");
+            assert!(!told(false, 0.0, seed) && !told(false, 0.3, seed), "{seed}");
+        }
+    }
+}
