@@ -109,7 +109,8 @@ impl Assembly<'_> {
             is_left_in_trials: left && self.bench.is_trials(),
         };
         let physics = proven.settle(with_patches(physics, &findings, &rest));
-        let closed = (!self.bench.is_trials())
+        // a law that is left goes with the input as well
+        let closed = (!left && !self.bench.is_trials())
             .then(|| feedback::of(&self.bench.recordings, &self.found.last))
             .flatten();
         let physics = in_a_loop(physics, closed.is_some());
