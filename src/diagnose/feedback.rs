@@ -24,8 +24,8 @@ use crate::record::{Channel, Hold, Recording, looks_held};
 const ORDER: usize = 20;
 const LAGS: usize = 20;
 /// ln of the chance from which on the input follows, and least share of what is new in it that what is left explains.
-const CHANCE: f64 = -20.0;
-const SHARE: f64 = 0.05;
+const CHANCE: f64 = -30.0;
+const SHARE: f64 = 0.1;
 /// Deviations beyond which an innovation counts as so many.
 const OUTLIER: f64 = 3.0;
 /// Fewest samples.
@@ -132,7 +132,7 @@ mod tests {
         let (mut x, mut predicted, mut d, mut aim, mut seen) = (0.0, 0.0, 0.0, 0.0, 0.0);
         let (mut u, mut left) = (Vec::new(), Vec::new());
         for i in 0..2000 {
-            if i % 40 == 0 {
+            if i % 120 == 0 {
                 aim = 5.0 * drawn();
             }
             let plan = 0.3 * (aim + (0.07 * f64::from(i)).sin());
