@@ -17,6 +17,7 @@ use super::screen::log_chance;
 use crate::estimate::Triangle;
 use crate::estimate::fit::{Fit, Series};
 use crate::estimate::noise::{Autoregression, NoiseModel, block_means};
+use crate::units::Unit;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use statrs::function::beta::checked_beta_reg;
@@ -30,6 +31,8 @@ const BLOCKS: usize = 6;
 const PIECES: usize = 4;
 /// Share of the whole information that stands in for what a part alone would know.
 const PRIOR: f64 = 2e-3;
+/// Share of all that is known of a time from which on one part alone shows it.
+const ALONE: f64 = 0.9;
 /// Order of the autoregressions whose likelihoods are compared.
 const ORDER: usize = 10;
 /// One in so many samples is not weighed at the beginning: what a law remembers from before it is not known, and a
@@ -127,7 +130,8 @@ impl Measure {
         let (likelihood, samples) = likelihood(&series, &free, scale);
         // Initial states belong to their block alone: they stay where they are.
         let shared: Vec<usize> = free.iter().copied().filter(|j| !fit.unknowns[*j].contains("(0)")).collect();
-        let left_out = left_out(&series, &shared, scale).unwrap_or(f64::INFINITY);
+        let times: Vec<bool> = shared.iter().map(|j| is_time(fit, &fit.unknowns[*j])).collect();
+        let left_out = left_out(&series, (&shared, &times), scale).unwrap_or(f64::INFINITY);
         Self { left_out, likelihood, samples, unknowns: free.len() }
     }
 
@@ -157,10 +161,19 @@ fn free_unknowns(fit: &Fit) -> Vec<usize> {
     (0..fit.unknowns.len()).filter(|j| !fit.is_at_bound(&fit.unknowns[*j])).collect()
 }
 
+/// Whether an unknown is a parameter that is a time.
+fn is_time(fit: &Fit, name: &str) -> bool {
+    let second = Unit::parse("s").map(|s| s.dimension());
+    let own = fit.model.parameters.iter().find(|p| p.name == name).map(|p| p.unit.dimension());
+    own.is_some_and(|own| second.is_ok_and(|s| s == own))
+}
+
 /// Σ JᵀJ, Σ Jᵀe and the rows (series, sample) of one part.
 type Part = (Mat<f64>, Vec<f64>, Vec<(usize, usize)>);
 
-fn left_out(series: &[&Series], free: &[usize], scale: &Scale) -> Option<f64> {
+/// `times` says which of the free unknowns are times. The moment of a leap belongs to the part that shows it, as an initial
+/// state does: without that part nothing says when, and it stays where it is.
+fn left_out(series: &[&Series], (free, times): (&[usize], &[bool]), scale: &Scale) -> Option<f64> {
     let p = free.len();
     let total: usize = series.iter().map(|s| s.residual.len()).sum();
     let size = total.div_ceil(BLOCKS * PIECES).max(1);
@@ -186,14 +199,23 @@ fn left_out(series: &[&Series], free: &[usize], scale: &Scale) -> Option<f64> {
     for (a, _, _) in &blocks {
         all += a;
     }
+    let is_moment = |x: usize| {
+        let alone = |(a, _, _): &Part| a[(x, x)] > ALONE * all[(x, x)];
+        times[x] && !scale.trials && blocks.iter().any(alone)
+    };
+    let moments: Vec<bool> = (0..p).map(is_moment).collect();
     let mut sum = 0.0;
     for (a, g, rows) in &blocks {
         let rest = Mat::from_fn(p, p, |x, y| {
             let (i, j) = if x >= y { (x, y) } else { (y, x) };
+            if moments[x] || moments[y] {
+                return if x == y { 1.0 } else { 0.0 };
+            }
             let value = all[(i, j)] - a[(i, j)];
             if x == y { value + PRIOR * all[(i, i)] + f64::MIN_POSITIVE } else { value }
         });
-        let step = rest.partial_piv_lu().solve(Mat::from_fn(p, 1, |x, _| g[x]));
+        let step =
+            rest.partial_piv_lu().solve(Mat::from_fn(p, 1, |x, _| if moments[x] { 0.0 } else { g[x] }));
         for (k, i) in rows {
             let s = series[*k];
             let shift: f64 =

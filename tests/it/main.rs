@@ -109,3 +109,4 @@ mod two_gyros;
 mod two_ways;
 mod wandering;
 mod without_alarm;
+mod zero_jumps;
