@@ -66,9 +66,6 @@ impl Simulator {
                 return Ok((ran, plan));
             }
             let Some(next) = self.better(&course, plan, &ran, (&case.parameters, &starts))? else {
-                if plan.method == Solver::Stiff {
-                    plan.error = plan.error.max(plan.foretold(ran.roughness));
-                }
                 if is_own {
                     self.did.remember(case, plan);
                 }
@@ -89,8 +86,7 @@ impl Simulator {
     ) -> Result<Option<Plan>> {
         let excess = plan.foretold(ran.roughness) / (SLACK * self.tolerance.max(self.plan.error));
         let blew_up = ran.blew_up.is_some();
-        let is_own_stiff = self.did.own_stiff.get().is_some_and(|own| *own == Some(plan));
-        let was_sought = plan.method == Solver::Stiff && self.plan.method != Solver::Stiff && !is_own_stiff;
+        let was_sought = plan.method == Solver::Stiff && self.plan.method != Solver::Stiff;
         if was_sought || self.plan.error.is_nan() || !(blew_up || excess > 1.0) {
             return Ok(None);
         }
@@ -99,15 +95,16 @@ impl Simulator {
         }
         let finer = plan.finer(excess.powf(0.25));
         let most = plan::most_substeps(plan.method, course.mesh.intervals());
-        if !blew_up && !is_own_stiff && finer.substeps <= most.min(MOST_FINER * self.plan.substeps) {
+        if !blew_up && finer.substeps <= most.min(MOST_FINER * self.plan.substeps) {
             return Ok(Some(finer));
         }
-        if plan.method == Solver::Stiff && !is_own_stiff {
+        if plan.method == Solver::Stiff {
             return Ok(None);
         }
-        match self.own_stiff().filter(|_| !is_own_stiff) {
-            Some(own) => Ok(Some(own)),
-            None => Search { course, parameters, given, tolerance: self.tolerance }.stiff_if_it_converges(),
+        let search = Search { course, parameters, given, tolerance: self.tolerance };
+        match self.own_stiff() {
+            Some(own) => search.stiff_from(own),
+            None => search.stiff_if_it_converges(),
         }
     }
 

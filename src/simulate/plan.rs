@@ -150,6 +150,16 @@ impl Search<'_> {
         Ok(Some(self.stiff()?).filter(|p| p.meets(CONVERGING)))
     }
 
+    /// Stiff steps that do elsewhere, where the roughness of a run with them says that they do here, else as above.
+    pub fn stiff_from(&self, known: Plan) -> Result<Option<Plan>> {
+        let ran = self.run((known.method, known.substeps), &self.course.allowance.budget().one_run())?;
+        let error = known.foretold(ran.roughness);
+        if ran.is_cut || ran.blew_up.is_some() || error > self.tolerance {
+            return self.stiff_if_it_converges();
+        }
+        Ok(Some(Plan { error, roughness: ran.roughness, ..known }))
+    }
+
     fn stiff(&self) -> Result<Plan> {
         self.refine(Solver::Stiff, limit(MOST_STIFF, self.course.mesh.intervals()))
     }

@@ -31,7 +31,7 @@ load = { equals = "wl", unit = "rad/s" }
 "#;
 
 const STEP: f64 = 0.01;
-const COUNT: usize = 2000;
+const COUNT: usize = 3000;
 const NOISE: f64 = 0.02;
 
 fn torque(t: f64) -> f64 {

@@ -159,7 +159,7 @@ fn table(recording: &Recording, columns: [(&str, &str, f64, &str); 2]) -> String
 
 #[test]
 fn names_and_units_steer_nothing() {
-    let (_, made) = recording(Some("8*v*abs(v)"));
+    let (_, made) = moved(Scenario::axis(5).unwrap(), Some("8*v*abs(v)"));
     let plain = r#"
         name = "axis"
         [inputs]

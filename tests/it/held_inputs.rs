@@ -33,7 +33,7 @@ fn recorded(is_held: bool, late: isize, seed: u64) -> Recording {
 fn recorded_with(acts: impl Fn(f64) -> f64, (is_held, late): (bool, isize), seed: u64) -> Recording {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
-    let (count, time_constant, gain) = (2000, 0.25, 2.2);
+    let (count, time_constant, gain) = (3000, 0.25, 2.2);
     let mut u = vec![0.0; count];
     for i in 1..count {
         u[i] = 0.9 * u[i - 1] + normal();
@@ -178,7 +178,7 @@ pub const AXIS: &str = r#"
 /// The axis with M = 2.2, b = 2.5, k = 70 and a force of q and v that opposes it, so large that the reading of the
 /// input cannot be told before that is known; solved by Runge and Kutta's method at a tenth of a sample, the input held.
 fn opposed(input: fn(f64) -> f64, by: fn(f64, f64) -> f64, seed: u64) -> Recording {
-    let (count, h) = (2000, STEP / 10.0);
+    let (count, h) = (3000, STEP / 10.0);
     let force: Vec<f64> = (0..count).map(|i| input(STEP * f64::from(i))).collect();
     let add = |[q, v]: [f64; 2], h: f64, [a, b]: [f64; 2]| [q + h * a, v + h * b];
     let (mut state, mut position) = ([0.0, 0.0], Vec::new());
