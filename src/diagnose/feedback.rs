@@ -6,8 +6,11 @@
 //!
 //! # Method
 //! The input and what is left are turned into innovations, each by its own autoregression. Where the loop is open, what is
-//! new in the input is independent of all that was left before. Of the correlations ρ_k of what
-//! is new in the input with innovations k samples earlier, n Σ ρ_k² is then chi-squared (Haugh 1976, eq. 3.5).
+//! new in the input is independent of all that was left before. Of the correlations ρ_k of what is new in the input with
+//! innovations k samples earlier, n Σ ρ_k² is then chi-squared (Haugh 1976). k = 0 counts where an input is held and acts on
+//! no output at once: what it sets now shows later. A new course outweighs thousands of small answers to the sea: innovations
+//! far out are drawn in. A command in stairs answers nothing between its leaps. It is asked where no law is left: what such a
+//! law leaves goes with the input as well.
 //!
 //! # References
 //! L. D. Haugh, JASA 71 (1976) 378-385; C. W. J. Granger, Econometrica 37 (1969) 424-438; L. Ljung, System Identification,
@@ -33,11 +36,11 @@ const FEWEST: usize = 10 * LAGS;
 /// Deviation of what is left over that of its innovations from which on it is no noise of a sensor but a disturbance.
 const DISTURBED: f64 = 5.0;
 
-/// An input, and the number of the output by which it is steered.
+/// A closed loop.
 pub struct Loop {
-    /// The input.
+    /// What is steered, an input.
     pub input: String,
-    /// The output's name.
+    /// By what, an output.
     pub output: String,
 }
 

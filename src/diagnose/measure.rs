@@ -17,7 +17,7 @@ use super::screen::log_chance;
 use crate::estimate::Triangle;
 use crate::estimate::fit::{Fit, Series};
 use crate::estimate::noise::{Autoregression, NoiseModel, block_means};
-use crate::units::Unit;
+use crate::units::Dimension;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use statrs::function::beta::checked_beta_reg;
@@ -130,8 +130,11 @@ impl Measure {
         let (likelihood, samples) = likelihood(&series, &free, scale);
         // Initial states belong to their block alone: they stay where they are.
         let shared: Vec<usize> = free.iter().copied().filter(|j| !fit.unknowns[*j].contains("(0)")).collect();
-        let times: Vec<bool> = shared.iter().map(|j| is_time(fit, &fit.unknowns[*j])).collect();
-        let left_out = left_out(&series, (&shared, &times), scale).unwrap_or(f64::INFINITY);
+        let is_time = |j: usize| {
+            let own = fit.model.parameters.iter().find(|p| p.name == fit.unknowns[j]);
+            own.is_some_and(|p| p.unit.dimension() == Dimension::TIME)
+        };
+        let left_out = left_out(&series, (&shared, &is_time), scale).unwrap_or(f64::INFINITY);
         Self { left_out, likelihood, samples, unknowns: free.len() }
     }
 
@@ -161,19 +164,16 @@ fn free_unknowns(fit: &Fit) -> Vec<usize> {
     (0..fit.unknowns.len()).filter(|j| !fit.is_at_bound(&fit.unknowns[*j])).collect()
 }
 
-/// Whether an unknown is a parameter that is a time.
-fn is_time(fit: &Fit, name: &str) -> bool {
-    let second = Unit::parse("s").map(|s| s.dimension());
-    let own = fit.model.parameters.iter().find(|p| p.name == name).map(|p| p.unit.dimension());
-    own.is_some_and(|own| second.is_ok_and(|s| s == own))
-}
-
 /// Σ JᵀJ, Σ Jᵀe and the rows (series, sample) of one part.
 type Part = (Mat<f64>, Vec<f64>, Vec<(usize, usize)>);
 
-/// `times` says which of the free unknowns are times. The moment of a leap belongs to the part that shows it, as an initial
-/// state does: without that part nothing says when, and it stays where it is.
-fn left_out(series: &[&Series], (free, times): (&[usize], &[bool]), scale: &Scale) -> Option<f64> {
+/// The moment of a leap, a time that one part alone shows, belongs to that part as an initial state does: without it nothing
+/// says when, and it stays where it is.
+fn left_out(
+    series: &[&Series],
+    (free, is_time): (&[usize], &dyn Fn(usize) -> bool),
+    scale: &Scale,
+) -> Option<f64> {
     let p = free.len();
     let total: usize = series.iter().map(|s| s.residual.len()).sum();
     let size = total.div_ceil(BLOCKS * PIECES).max(1);
@@ -201,25 +201,21 @@ fn left_out(series: &[&Series], (free, times): (&[usize], &[bool]), scale: &Scal
     }
     let is_moment = |x: usize| {
         let alone = |(a, _, _): &Part| a[(x, x)] > ALONE * all[(x, x)];
-        times[x] && !scale.trials && blocks.iter().any(alone)
+        !scale.trials && is_time(free[x]) && blocks.iter().any(alone)
     };
-    let moments: Vec<bool> = (0..p).map(is_moment).collect();
+    let moving: Vec<usize> = (0..p).filter(|x| !is_moment(*x)).collect();
     let mut sum = 0.0;
     for (a, g, rows) in &blocks {
-        let rest = Mat::from_fn(p, p, |x, y| {
-            let (i, j) = if x >= y { (x, y) } else { (y, x) };
-            if moments[x] || moments[y] {
-                return if x == y { 1.0 } else { 0.0 };
-            }
+        let rest = Mat::from_fn(moving.len(), moving.len(), |x, y| {
+            let (i, j) = (moving[x.max(y)], moving[x.min(y)]);
             let value = all[(i, j)] - a[(i, j)];
             if x == y { value + PRIOR * all[(i, i)] + f64::MIN_POSITIVE } else { value }
         });
-        let step =
-            rest.partial_piv_lu().solve(Mat::from_fn(p, 1, |x, _| if moments[x] { 0.0 } else { g[x] }));
+        let step = rest.partial_piv_lu().solve(Mat::from_fn(moving.len(), 1, |x, _| g[moving[x]]));
         for (k, i) in rows {
             let s = series[*k];
-            let shift: f64 =
-                free.iter().enumerate().map(|(x, j)| s.sensitivities[*j][*i] * step[(x, 0)]).sum();
+            let one = |(x, at): (usize, &usize)| s.sensitivities[free[*at]][*i] * step[(x, 0)];
+            let shift: f64 = moving.iter().enumerate().map(one).sum();
             sum += scale.weights[s.output] * (s.residual[*i] + shift).powi(2);
         }
     }

@@ -73,7 +73,7 @@ impl<'a> Smoother<'a> {
 ///
 ///   p_(k+1) = (u − a_k) p_k − b_k p_(k−1),  a_k = Σ u p_k²/Σ p_k²,  b_k = Σ p_k²/Σ p_(k−1)²
 ///
-/// it is Σ_k p_k Σ y p_k/Σ p_k² (Forsythe 1957, eqs. 5 to 8).
+/// it is Σ_k p_k Σ y p_k/Σ p_k² (Forsythe 1957).
 fn cubic<S: Iterator<Item = (f64, f64)>>(samples: impl Fn() -> S) -> [f64; 4] {
     let value = |p: &[f64; 4], u: f64| p.iter().rev().fold(0.0, |sum, c| sum * u + c);
     let mut sum = [0.0; 4];

@@ -113,25 +113,22 @@ impl Drive {
         let places = Self::places(&self.inputs);
         let at = |t: f64| Self::own(&self.inputs, &(course.inputs)(t));
         let step = to - from;
-        let is_straight = |p: &Place| {
-            let v = &self.fmu.description.variables[p.variable];
-            v.number.is_real() && !v.is_discrete
-        };
-        let takes = self.fmu.description.simulation.as_ref().is_some_and(|i| i.takes_input_slopes);
-        if takes {
+        let mut values = at(from + 0.5 * step);
+        let (mut references, mut slopes) = (Vec::new(), Vec::new());
+        if self.fmu.description.simulation.as_ref().is_some_and(|i| i.takes_input_slopes) {
             let (early, late) = (at(from + 0.25 * step), at(from + 0.75 * step));
-            let (mut begins, mut references, mut slopes) = (at(from + 0.5 * step), Vec::new(), Vec::new());
-            for (k, p) in places.iter().enumerate().filter(|(_, p)| is_straight(p)) {
-                let slope = (late[k] - early[k]) / (0.5 * step);
-                begins[k] = early[k] - 0.25 * step * slope;
-                references.push(self.fmu.description.variables[p.variable].reference);
-                slopes.push(slope);
+            for (k, p) in places.iter().enumerate() {
+                let v = &self.fmu.description.variables[p.variable];
+                if v.number.is_real() && !v.is_discrete {
+                    let slope = (late[k] - early[k]) / (0.5 * step);
+                    values[k] = early[k] - 0.25 * step * slope;
+                    references.push(v.reference);
+                    slopes.push(slope);
+                }
             }
-            set(&self.fmu, unit, &places, &begins)?;
-            unit.input_slopes(&references, &slopes)?;
-        } else {
-            set(&self.fmu, unit, &places, &at(from + 0.5 * step))?;
         }
+        set(&self.fmu, unit, &places, &values)?;
+        unit.input_slopes(&references, &slopes)?;
         let ends = unit.step(from, step)?;
         set(&self.fmu, unit, &places, &at(to))?;
         Ok(ends)

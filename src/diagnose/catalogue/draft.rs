@@ -216,19 +216,7 @@ impl<'a> Draft<'a> {
     }
 
     fn free_name(&self, wanted: &str) -> String {
-        let m = &self.proposal.model;
-        let taken = |n: &str| {
-            n == "t"
-                || n == "pi"
-                || m.parameters.iter().any(|p| p.name == n)
-                || m.states.iter().any(|s| s.name == n)
-                || m.inputs.iter().any(|i| i.name == n)
-                || m.definitions.iter().any(|d| d.name == n)
-                || m.outputs.iter().any(|o| o.name == n)
-                || self.scene.signal(n).is_some()
-        };
-        let later = (2..).map(|i| format!("{wanted}_{i}"));
-        std::iter::once(wanted.to_string()).chain(later).find(|n| !taken(n)).unwrap_or_default()
+        edit::free_name(&self.proposal.model, wanted, |n| self.scene.signal(n).is_some())
     }
 
     /// Adds a fitted parameter; returns its name in the model.

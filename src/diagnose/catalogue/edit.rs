@@ -50,6 +50,18 @@ pub fn unit_of_name(model: &Model, name: &str) -> Option<Unit> {
     input().or_else(parameter).or_else(definition).or_else(state)
 }
 
+/// A name that a model does not use, nor what else is asked about: the wanted one, or that with the next free number.
+pub fn free_name(model: &Model, wanted: &str, is_other: impl Fn(&str) -> bool) -> String {
+    let is_taken = |n: &str| {
+        n == "pi"
+            || unit_of_name(model, n).is_some()
+            || model.outputs.iter().any(|o| o.name == n)
+            || is_other(n)
+    };
+    let later = (2..).map(|i| format!("{wanted}_{i}"));
+    std::iter::once(wanted.to_string()).chain(later).find(|n| !is_taken(n)).unwrap_or_default()
+}
+
 /// Whether a unit is one of speed: a length or an angle a second.
 pub fn is_rate(unit: &Unit) -> bool {
     let metres = Unit::parse("m/s").is_ok_and(|u| u.dimension() == unit.dimension());

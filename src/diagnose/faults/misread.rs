@@ -152,8 +152,8 @@ struct Mend<'m> {
 pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     let before = relative(bench, base, "", 1.0).into_iter().fold(0.0, f64::max);
     let is_bad = before > BADLY;
-    let (mends, tried) =
-        if is_bad { mends(bench, model, None) } else { mends(bench, &base.model, Some(before)) };
+    let (from, fitted) = if is_bad { (model, None) } else { (&base.model, Some(before)) };
+    let (mends, tried) = mends(bench, from, fitted);
     // 2 Δln L = n ln(S₀/S₁), the factor one more unknown.
     let is_sure = |m: &Mend<'_>| {
         let samples = independent(&m.fit);
@@ -181,18 +181,14 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
 /// Whether an input that is mended fits no better by any other factor.
 fn is_exact(bench: &Bench, mend: &Mend<'_>) -> bool {
     let (mut model, recordings) = mend.way.mended(&mend.fit.model, bench);
-    let mut factor = String::from("factor");
-    while edit::unit_of_name(&model, &factor).is_some() || model.outputs.iter().any(|o| o.name == factor) {
-        factor.push('_');
-    }
-    let [by, input] = [factor.as_str(), mend.way.name].map(|n| Box::new(Expr::name(n)));
+    let name = edit::free_name(&model, "factor", |_| false);
+    let [by, input] = [name.as_str(), mend.way.name].map(|n| Box::new(Expr::name(n)));
     let times = Expr::Binary(BinaryOp::Mul, by, input);
     edit::for_each(&mut model, |_, e| *e = e.substitute(mend.way.name, &times));
-    let (name, unit) = (factor, Unit::one());
     model.parameters.push(Parameter {
         name,
         value: 1.0,
-        unit,
+        unit: Unit::one(),
         fit: true,
         min: None,
         max: None,
