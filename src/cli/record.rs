@@ -3,7 +3,7 @@
 use super::{Outcome, output};
 use crate::Result;
 use crate::record::quality::{Fault, FaultKind};
-use crate::record::{Channel, Hold, Kind, Recording, Summary, summaries};
+use crate::record::{Channel, Kind, Recording, Summary, summaries};
 use crate::report::braille;
 use crate::text::in_line;
 use crate::units::counted;
@@ -129,8 +129,7 @@ fn headline(recording: &Recording) -> String {
 
 fn channel_words(channel: &Channel, s: &Summary, kind: Kind) -> String {
     let unit = &channel.unit;
-    let marks =
-        [(channel.wraps, ", wraps at a turn"), (channel.hold == Hold::Previous, ", held between samples")];
+    let marks = [(channel.wraps, ", wraps at a turn"), (channel.hold.is_held(), ", held between samples")];
     let marks: String = marks.iter().filter(|m| m.0).map(|m| m.1).collect();
     let mut text = format!("{} [{unit}]{marks}\n", in_line(&channel.name));
     if s.samples == 0 {

@@ -36,6 +36,12 @@ const FEWEST: usize = 10 * LAGS;
 /// Deviation of what is left over that of its innovations from which on it is no noise of a sensor but a disturbance.
 const DISTURBED: f64 = 5.0;
 
+/// ln of the chance from which on an input is set from what an output shows at the same moment.
+const AT_ONCE: f64 = -10.0;
+/// The share of its weight on what is new in an input that an error of a sensor has on the rest of it: all, where the sensor
+/// feels the input; none, where the input is set from the reading. And standard deviations that it is sure by.
+const FELT: (f64, f64) = (0.5, 2.0);
+
 /// A closed loop.
 pub struct Loop {
     /// What is steered, an input.
@@ -66,11 +72,87 @@ pub fn of(recordings: &[Recording], fit: &Fit) -> Option<Loop> {
     let mut all = all.flat_map(|(r, s)| inputs().filter_map(move |i| Some((r.find(i)?, s))));
     let acts_at_once = |input: &Channel, series: &Series| {
         let shown = &fit.model.outputs[series.output].equals;
-        input.hold != Hold::Previous || edit::reaches(&fit.model, shown, &input.name)
+        !input.hold.is_held() || edit::reaches(&fit.model, shown, &input.name)
     };
     let is_closed = |(i, s): &(&Channel, &Series)| follows(i, s, usize::from(acts_at_once(i, s)));
     let (input, series) = all.find(is_closed)?;
     Some(Loop { input: input.name.clone(), output: fit.model.outputs[series.output].name.clone() })
+}
+
+/// Reads held inputs that are set from what an output shows at the same moment, and reach no output at once, as acting after
+/// it: else the noise of the reading, which stands in the input, looks like an error of the sensor that goes with the
+/// input. What to know of each.
+pub fn read_first(recordings: &mut [Recording], separate: &mut [Recording], fit: &Fit) -> Vec<String> {
+    let model = &fit.model;
+    let waits = |name: &&String| {
+        !model.is_simulated(name) && !model.outputs.iter().any(|o| edit::reaches(model, &o.equals, name))
+    };
+    let set_by = |name: &String| -> Option<usize> {
+        let pairs = recordings.iter().zip(&fit.records);
+        let mut all =
+            pairs.flat_map(|(r, record)| record.series.iter().filter_map(|s| Some((r.find(name)?, s))));
+        all.find(|(c, s)| c.hold == Hold::Previous && answers_at_once(c, s)).map(|(_, s)| s.output)
+    };
+    let found: Vec<(String, usize)> = model
+        .inputs
+        .iter()
+        .map(|i| &i.name)
+        .filter(waits)
+        .filter_map(|name| Some((name.clone(), set_by(name)?)))
+        .collect();
+    let channels = recordings.iter_mut().chain(separate).flat_map(|r| &mut r.channels);
+    let is_found = |c: &&mut Channel| c.hold == Hold::Previous && found.iter().any(|f| f.0 == c.name);
+    channels.filter(is_found).for_each(|c| c.hold = Hold::AfterReading);
+    let says = |(name, output): (String, usize)| {
+        let output = &model.outputs[output].name;
+        format!(
+            "{name} is set from what “{output}” shows in the same row: what is measured was read as it was before {name} acts"
+        )
+    };
+    found.into_iter().map(says).collect()
+}
+
+/// An input at the times of an output, and what is left of that, stretch by stretch.
+fn beside(input: &Channel, series: &Series) -> Vec<[Vec<f64>; 2]> {
+    let at = |r: &std::ops::Range<usize>| -> Option<[Vec<f64>; 2]> {
+        let moved = series.time[r.clone()].iter().map(|t| input.value_at(*t)).collect::<Option<_>>()?;
+        Some([moved, series.residual[r.clone()].to_vec()])
+    };
+    series.stretches.iter().filter_map(at).collect()
+}
+
+/// Whether what is new in an input goes with what is new in the residual of the same moment, and the rest of the input does
+/// not, as it would were it the sensor that feels the input.
+fn answers_at_once(input: &Channel, series: &Series) -> bool {
+    let known = beside(input, series);
+    let n = known.iter().map(|s| s[0].len()).sum::<usize>();
+    if n < FEWEST {
+        return false;
+    }
+    let mean = known.iter().flat_map(|s| &s[0]).sum::<f64>() / n as f64;
+    let moved: Vec<Vec<f64>> = known.iter().map(|s| s[0].iter().map(|u| u - mean).collect()).collect();
+    let views: Vec<&[f64]> = moved.iter().map(Vec::as_slice).collect();
+    let lefts: Vec<&[f64]> = known.iter().map(|s| s[1].as_slice()).collect();
+    let [own, noise] = [&views, &lefts].map(|s| Autoregression::fit(s, ORDER));
+    let all = |by: &Autoregression, which: &[&[f64]]| -> Vec<f64> {
+        let size = by.innovation_variance().sqrt();
+        which.iter().flat_map(|s| by.whiten(s)).map(|e| e * size).collect()
+    };
+    let (left, seen, mut new) = (all(&noise, &lefts), all(&noise, &views), all(&own, &views));
+    let rest: Vec<f64> = seen.iter().zip(&new).map(|(s, v)| s - v).collect();
+    let most = OUTLIER * robust_deviation(&new);
+    if most > 0.0 {
+        new.iter_mut().for_each(|v| *v = v.clamp(-most, most));
+    }
+    // e = a v + b r + noise: v what is new in the input, r the rest of it, each as the noise is whitened
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let (vv, vr, rr, ee) = (dot(&new, &new), dot(&new, &rest), dot(&rest, &rest), dot(&left, &left));
+    let (ve, re) = (dot(&new, &left), dot(&rest, &left));
+    let (weight, determinant) = (ve / vv, vv * rr - vr * vr);
+    let felt = (vv * re - vr * ve) / determinant;
+    let deviation = (ee / n as f64 * vv / determinant).sqrt();
+    let goes = log_chance(n as f64 * ve * ve / (vv * ee), 1) < AT_ONCE;
+    goes && felt * weight.signum() + FELT.1 * deviation < FELT.0 * weight.abs()
 }
 
 /// Whether what is new in a channel answers innovations of what is left that many samples earlier or more.
@@ -78,11 +160,7 @@ fn follows(input: &Channel, series: &Series, first: usize) -> bool {
     if looks_held(&input.values) {
         return false;
     }
-    let at = |r: &std::ops::Range<usize>| -> Option<[Vec<f64>; 2]> {
-        let moved = series.time[r.clone()].iter().map(|t| input.value_at(*t)).collect::<Option<_>>()?;
-        Some([moved, series.residual[r.clone()].to_vec()])
-    };
-    let known: Vec<[Vec<f64>; 2]> = series.stretches.iter().filter_map(at).collect();
+    let known = beside(input, series);
     let [Some(moved), Some(left)] = [0, 1].map(|k| innovations(&known, k)) else { return false };
     let size = |all: &[Vec<f64>]| all.iter().flatten().map(|x| x * x).sum::<f64>();
     let both = size(&moved) * size(&left);

@@ -325,6 +325,7 @@ impl Case<'_> {
         self.bench.budget.tell(base.ended_early);
         self.notes.extend(settled);
         let settled = hold::settle(&mut self.bench, &mut self.separate, base, true)?;
+        self.notes.extend(feedback::read_first(&mut self.bench.recordings, &mut self.separate, &settled.fit));
         let (base, found) = self.as_read(settled)?;
         let spent = self.bench.budget.cut();
         if spent == Some(Early::Time) {
@@ -342,6 +343,7 @@ impl Case<'_> {
         self.notes.retain(|n| !held.iter().any(|h| *n == hold::note(&h.finding.site.name)));
         self.told.extend(held);
         let base = compared::anew(&self.bench, &base)?;
+        self.notes.extend(feedback::read_first(&mut self.bench.recordings, &mut self.separate, &base));
         Ok((self.named(&self.bench, &self.separate, base, None)?, is_cut))
     }
 

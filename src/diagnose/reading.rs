@@ -1,7 +1,7 @@
 //! What is found with inputs as they are read, and with another reading where that may have led to it.
 
 use super::search::Found;
-use super::{Case, compared, hold};
+use super::{Case, compared, feedback, hold};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::simulate::Early;
@@ -39,6 +39,7 @@ impl Case<'_> {
             return Ok(None);
         }
         let base = compared::anew(&bench, base)?;
+        let said = feedback::read_first(&mut bench.recordings, &mut separate, &base);
         let other = self.named(&bench, &separate, base.clone(), None)?;
         let faults = hold::likelier(names, &other, found);
         if faults.is_empty() {
@@ -46,6 +47,7 @@ impl Case<'_> {
         }
         (self.bench, self.separate) = (bench, separate);
         self.told.extend(faults);
+        self.notes.extend(said);
         Ok(Some((base, other)))
     }
 }

@@ -27,6 +27,16 @@ pub enum Hold {
     Linear,
     /// On the previous sample until the next comes.
     Previous,
+    /// As [`Hold::Previous`], and set from what is measured at the moment of the sample: what is measured then was still
+    /// under the sample before.
+    AfterReading,
+}
+
+impl Hold {
+    /// Whether it stays on a sample until the next.
+    pub fn is_held(self) -> bool {
+        self != Self::Linear
+    }
 }
 
 /// One measured signal.
@@ -118,9 +128,18 @@ impl Channel {
     /// The value at a time between its samples, by its [`Hold`]; `None` in a gap and outside.
     pub fn value_at(&self, time: f64) -> Option<f64> {
         let next = self.time.partition_point(|&t| t <= time);
+        if self.hold == Hold::AfterReading && next > 1 && self.time[next - 1] == time {
+            return Some(self.values[next - 2]).filter(|v| !v.is_nan());
+        }
+        self.value_from(time)
+    }
+
+    /// The value from a time on: that of a sample at that time.
+    pub(crate) fn value_from(&self, time: f64) -> Option<f64> {
+        let next = self.time.partition_point(|&t| t <= time);
         let before = next.checked_sub(1)?;
         let (t0, v0) = (self.time[before], self.values[before]);
-        let at = if t0 == time || (self.hold == Hold::Previous && next < self.len()) {
+        let at = if t0 == time || (self.hold.is_held() && next < self.len()) {
             v0
         } else {
             let (t1, v1) = (*self.time.get(next)?, *self.values.get(next)?);

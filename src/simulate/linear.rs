@@ -35,12 +35,14 @@ pub(super) struct Factors<T> {
     n: usize,
     lu: Vec<T>,
     order: Vec<usize>,
+    /// Whether the order is an odd one.
+    is_odd: bool,
 }
 
 impl<T: Scalar> Factors<T> {
     /// Room for systems of n equations.
     pub fn new(n: usize) -> Self {
-        Self { n, lu: vec![T::constant(0.0); n * n], order: (0..n).collect() }
+        Self { n, lu: vec![T::constant(0.0); n * n], order: (0..n).collect(), is_odd: false }
     }
 
     /// Factors a matrix given row by row.
@@ -50,10 +52,12 @@ impl<T: Scalar> Factors<T> {
         for (i, o) in self.order.iter_mut().enumerate() {
             *o = i;
         }
+        self.is_odd = false;
         for k in 0..n {
             let size = |row: &usize| self.lu[row * n + k].value().abs();
             let pivot = (k..n).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(k);
             self.order.swap(k, pivot);
+            self.is_odd ^= pivot != k;
             for j in 0..n {
                 self.lu.swap(k * n + j, pivot * n + j);
             }
@@ -65,6 +69,12 @@ impl<T: Scalar> Factors<T> {
                 }
             }
         }
+    }
+
+    /// Whether the determinant is below zero.
+    pub fn is_negative(&self) -> bool {
+        let below = (0..self.n).filter(|i| self.lu[i * (self.n + 1)].value() < 0.0).count();
+        (below % 2 == 1) != self.is_odd
     }
 
     /// Solves for one right side.

@@ -71,14 +71,30 @@ impl<'a, T: Scalar> Machine<'a, T> {
         }
     }
 
+    /// Loads the end of the last interval as what is measured then sees it.
+    pub fn load_last(&mut self, x: &[T]) {
+        self.back = self.mesh.last.iter().copied().map(Some).collect();
+        self.loaded = f64::NAN;
+        self.load(self.mesh.time[self.mesh.intervals()], x);
+    }
+
     /// Whether a held input jumps at the start of an interval.
     pub fn jumps(&self, interval: usize) -> bool {
         self.mesh.jumps.get(interval).is_some_and(|jumps| *jumps)
     }
 
-    /// Whether a held input jumps at a time, where that is the end of the interval.
-    pub fn jumps_after(&self, t: f64) -> bool {
-        t == self.mesh.time[self.interval + 1] && self.jumps(self.interval + 1)
+    /// Whether what is measured at a time sees a held input jump, where that is the end of the interval.
+    pub fn shows_after(&self, t: f64) -> bool {
+        let is_seen = || self.mesh.shows.get(self.interval + 1).is_some_and(|s| *s);
+        t == self.mesh.time[self.interval + 1] && is_seen()
+    }
+
+    /// Holds the inputs that are set after what is measured at the start of the interval back at what they were, or lets
+    /// them go.
+    pub fn hold_late_back(&mut self, is_held: bool) {
+        for c in (0..self.mesh.columns).filter(|c| self.mesh.late[*c]) {
+            self.hold_back(c, is_held);
+        }
     }
 
     /// Whether the tangents of an input jump where it bends, because its delay has some.

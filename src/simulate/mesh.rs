@@ -45,7 +45,8 @@ impl Samples {
         }
     }
 
-    /// Value and slope just after a time; the end values beyond the ends. `near` is where to look first.
+    /// Value and slope at a time, just after it where the input jumps there, or just before if it is set after what is
+    /// measured then; the end values beyond the ends. `near` is where to look first.
     pub fn at(&self, t: f64, near: &mut usize) -> (f64, f64) {
         let n = self.time.len();
         let mut i = (*near).min(n - 1);
@@ -56,7 +57,10 @@ impl Samples {
             i += 1;
         }
         *near = i;
-        if i + 1 == n || t < self.time[0] || self.hold == Hold::Previous {
+        if self.hold == Hold::AfterReading && i > 0 && t - self.time[i] <= SAME * t.abs() {
+            return (self.values[i - 1], 0.0);
+        }
+        if i + 1 == n || t < self.time[0] || self.hold.is_held() {
             return (self.values[i], 0.0);
         }
         let slope = (self.values[i + 1] - self.values[i]) / (self.time[i + 1] - self.time[i]);
@@ -86,6 +90,12 @@ pub(super) struct Mesh {
     pub slope: Vec<f64>,
     /// Whether a held input jumps at the start of the interval.
     pub jumps: Vec<bool>,
+    /// Whether what is measured at that moment sees it; one more for the end of the last interval.
+    pub shows: Vec<bool>,
+    /// What is measured at the end of the last interval sees of the columns.
+    pub last: Vec<f64>,
+    /// Whether a column is set after what is measured at its samples.
+    pub late: Vec<bool>,
     /// The usual length of an interval, s.
     pub usual: f64,
     /// What the inputs alone make, for the programs of the mesh's owner.
@@ -107,7 +117,8 @@ impl Mesh {
         if let Some(last) = time.last_mut() {
             *last = span.1;
         }
-        let mut mesh = Self { columns: columns.len(), time, ..Self::default() };
+        let late = columns.iter().map(|c| samples[c.input].hold == Hold::AfterReading).collect();
+        let mut mesh = Self { columns: columns.len(), time, late, ..Self::default() };
         mesh.fill(samples, columns);
         mesh
     }
@@ -119,7 +130,7 @@ impl Mesh {
         self.end.reserve(intervals * columns.len());
         self.slope.reserve(intervals * columns.len());
         for i in 0..intervals {
-            let mut jumps = false;
+            let (mut jumps, mut shows) = (false, false);
             for (c, column) in columns.iter().enumerate() {
                 let s = &samples[column.input];
                 // Rounding must not put a shifted sample on the wrong side of its own mesh time.
@@ -129,13 +140,23 @@ impl Mesh {
                 let value = s.exactly(near[c], self.time[i] - column.delay, middle - slope * half);
                 let end = s.exactly(near[c] + 1, self.time[i + 1] - column.delay, middle + slope * half);
                 let before = self.start.len().checked_sub(columns.len()).map(|k| self.start[k]);
-                jumps |= s.hold == Hold::Previous && before.is_some_and(|b| b != value);
+                let leaps = s.hold.is_held() && before.is_some_and(|b| b != value);
+                (jumps, shows) = (jumps || leaps, shows || leaps && !self.late[c]);
                 self.start.push(value);
-                self.end.push(if s.hold == Hold::Previous { value } else { end });
+                self.end.push(if s.hold.is_held() { value } else { end });
                 self.slope.push(slope);
             }
             self.jumps.push(jumps);
+            self.shows.push(shows);
         }
+        let end = self.time[intervals];
+        let seen =
+            |(c, column): (usize, &Shifted)| samples[column.input].at(end - column.delay, &mut near[c]).0;
+        self.last = columns.iter().enumerate().map(seen).collect();
+        let ends = self.end[self.end.len() - columns.len()..].iter().zip(&self.last);
+        let leaps =
+            |(c, (end, last)): (usize, (&f64, &f64))| samples[columns[c].input].hold.is_held() && end != last;
+        self.shows.push(ends.enumerate().any(leaps));
         let mut lengths: Vec<f64> = self.time.windows(2).map(|w| w[1] - w[0]).collect();
         if !lengths.is_empty() {
             let middle = lengths.len() / 2;

@@ -195,6 +195,10 @@ impl<T: Scalar> Runner<'_, T> {
                 return Ok(Ended::BlownUp(to, bad));
             }
         }
+        if mesh.shows[mesh.intervals()] {
+            self.m.load_last(&self.x);
+            self.record_here(mesh.time[mesh.intervals()]);
+        }
         Ok(Ended::Well)
     }
 
@@ -224,8 +228,11 @@ impl<T: Scalar> Runner<'_, T> {
             self.m.rates(from, &self.x, &mut self.k);
         }
         if jumps {
-            // a held input has its new value from the moment of its sample on
+            // a held input has its new value from the moment of its sample on, but one that is set from a reading then
+            self.m.hold_late_back(true);
+            self.m.load(from, &self.x);
             self.record_here(from);
+            self.m.hold_late_back(false);
         }
     }
 
@@ -328,9 +335,9 @@ impl<T: Scalar> Runner<'_, T> {
     /// Ends a stretch: memory moves on, records are written, the new state becomes the present.
     fn accept(&mut self, from: f64, to: f64) {
         self.m.commit(to);
-        let jumps = self.m.jumps_after(to);
+        let shows = self.m.shows_after(to);
         let s = Stretch { from, to, x0: &self.x, k0: &self.k, x1: &self.x1, k1: &self.k1 };
-        self.probe.record(&mut self.m, &s, jumps, &mut self.room);
+        self.probe.record(&mut self.m, &s, shows, &mut self.room);
         std::mem::swap(&mut self.x, &mut self.x1);
         std::mem::swap(&mut self.k, &mut self.k1);
     }

@@ -85,6 +85,7 @@ mod room_laws;
 mod saddles;
 mod schemas;
 mod sea;
+mod set_by_reading;
 mod short_doses;
 mod side_by_side;
 mod simulate;

@@ -156,7 +156,7 @@ fn bridge(c: &mut Channel) {
         for i in a + 1..b {
             let share = match c.hold {
                 Hold::Linear => (c.time[i] - c.time[a]) / (c.time[b] - c.time[a]),
-                Hold::Previous => 0.0,
+                Hold::Previous | Hold::AfterReading => 0.0,
             };
             c.values[i] = c.values[a] + share * (c.values[b] - c.values[a]);
         }

@@ -8,7 +8,7 @@ use crate::estimate::fit::harness::{Record, Run, Unknown};
 use crate::estimate::fit::setup;
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::model::{Input, Model, Output, Parameter};
-use crate::record::{Channel, Hold, Recording};
+use crate::record::{Channel, Recording};
 use faer::Mat;
 use std::sync::Arc;
 
@@ -127,7 +127,7 @@ pub(super) fn nudged(model: &Model) -> (Model, Vec<usize>) {
 pub(super) fn moves_jumps(proposal: &Proposal, recording: &Recording) -> bool {
     let model = &proposal.model;
     let held: Vec<&str> =
-        recording.channels.iter().filter(|c| c.hold == Hold::Previous).map(|c| c.name.as_str()).collect();
+        recording.channels.iter().filter(|c| c.hold.is_held()).map(|c| c.name.as_str()).collect();
     let amplitudes: Vec<&str> =
         proposal.amplitudes.iter().map(|k| proposal.added[*k].name.as_str()).collect();
     let reaches = |e: &Expr, names: &[&str]| names.iter().any(|name| edit::reaches(model, e, name));

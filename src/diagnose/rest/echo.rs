@@ -19,7 +19,7 @@
 
 use crate::diagnose::bench::{Bench, Track};
 use crate::diagnose::view::View;
-use crate::record::{Channel, Hold};
+use crate::record::Channel;
 use num_complex::Complex64;
 use std::f64::consts::TAU;
 
@@ -71,7 +71,7 @@ fn echoes(input: &Channel, time: &[f64], lambdas: &[Complex64]) -> Option<Vec<Ve
     points.sort_by(f64::total_cmp);
     points.dedup();
     let mut value =
-        input.value_at(time[0]).or_else(|| input.values.iter().copied().find(|v| v.is_finite()))?;
+        input.value_from(time[0]).or_else(|| input.values.iter().copied().find(|v| v.is_finite()))?;
     let mut z: Vec<Complex64> = lambdas.iter().map(|l| -value / l).collect();
     let mut out = vec![Vec::with_capacity(time.len()); 2 * lambdas.len()];
     let mut asked = time.iter().peekable();
@@ -79,8 +79,8 @@ fn echoes(input: &Channel, time: &[f64], lambdas: &[Complex64]) -> Option<Vec<Ve
     for (k, t) in points.iter().enumerate() {
         if let Some(last) = k.checked_sub(1).map(|k| points[k]) {
             // an input in its gap stays as it was
-            let next = input.value_at(*t).unwrap_or(value);
-            let to = if input.hold == Hold::Previous { value } else { next };
+            let next = input.value_from(*t).unwrap_or(value);
+            let to = if input.hold.is_held() { value } else { next };
             steps.advance(&mut z, lambdas, t - last, (value, to));
             value = next;
         }

@@ -2,7 +2,7 @@
 
 use super::sensitivities::check;
 use super::{channel, outputs, recording, simulator, times};
-use gyrospec::record::{Hold, Recording};
+use gyrospec::record::{Channel, Hold, Recording};
 
 /// Sampled ten times as often as the input.
 const STEP: f64 = 0.05;
@@ -90,5 +90,31 @@ fn tangents_of_a_limited_rate_behind_a_held_input() {
     for limited in ["rate_limit(u, r)", "rate_limit(delay(u, w/r), r)"] {
         let states = format!(r#"x = {{ rate = "({limited} - x)/T", unit = "V", initial = 0.3 }}"#);
         check(&simulator(&model(&states, "x"), &held(stairs)), 1e-5, 1e-4);
+    }
+}
+
+/// x' = u, y = x + 2 u + 3 v with u set after what is measured at its samples and v with them: what y shows at a sample is
+/// under the u before it and the v of it.
+#[test]
+fn what_is_set_after_a_reading_is_seen_by_the_next() {
+    let time = times(6.0, 0.5);
+    let (u, v) = (|t: f64| stairs(t), |t: f64| (3.0 * t).sin());
+    let after = Channel { hold: Hold::AfterReading, ..channel("u", "V", &time, u) };
+    let with = Channel { hold: Hold::Previous, ..channel("v", "V", &time, v) };
+    let r = recording(vec![after, with, channel("y", "V", &time, |_| 0.0)]);
+    let before = |k: usize| u(time[k.saturating_sub(1)]);
+    let inputs = "name = \"after\"\n[inputs]\nu = { unit = \"V\" }\nv = { unit = \"V\" }\n";
+    let moving = "[parameters]\none = { value = 1, unit = \"s\" }\n[states]\nx = { rate = \"u/one\", unit = \"V\", initial = 0 }\n";
+    let output = |x: &str| format!("[outputs]\ny = {{ equals = \"{x}2*u + 3*v\", unit = \"V\" }}");
+    for (model, of_x) in
+        [(format!("{inputs}{moving}{}", output("x + ")), 1.0), (format!("{inputs}{}", output("")), 0.0)]
+    {
+        let got = outputs(&simulator(&model, &r));
+        let mut x = 0.0;
+        for (k, got) in got.iter().enumerate() {
+            let wanted = of_x * x + 2.0 * before(k) + 3.0 * v(time[k]);
+            assert!((got - wanted).abs() < 1e-9, "{got} for {wanted} at {}", time[k]);
+            x += 0.5 * u(time[k]);
+        }
     }
 }

@@ -88,3 +88,33 @@ fn one_run_ends_after_its_share_and_says_why() {
     let all = [Unknown::Parameter(0), Unknown::Parameter(1), Unknown::Initial(0), Unknown::Initial(1)];
     assert!(part.run_with_sensitivities(&part.parameters(), &part.initials(), &all).is_ok());
 }
+
+/// x' = a x + u grows by e^500 in a step; a method that damps what is fast would run beside −u/a as if it were stable.
+#[test]
+fn what_grows_fast_is_not_damped_away() {
+    let time = times(4.0, 0.01);
+    let model = r#"
+        name = "runaway"
+        [inputs]
+        u = { unit = "V/s" }
+        [parameters]
+        a = { value = 5e4, unit = "1/s" }
+        [states]
+        x = { rate = "a*x + u", unit = "V", initial = 0 }
+        [outputs]
+        y = { equals = "x", unit = "V" }
+    "#;
+    let r = recording(vec![channel("u", "V/s", &time, f64::sin), channel("y", "V", &time, |_| 0.0)]);
+    for fixed in [None, Some((Solver::Stiff, 1))] {
+        let options = Options { fixed, ..Options::default() };
+        let s = Simulator::new(&Model::parse(model).unwrap(), &r, &options);
+        let run = s.and_then(|s| s.run(&s.parameters(), &s.initials()));
+        let stays = |y: &[f64]| y.iter().all(|y| y.abs() < 1.0);
+        assert!(!run.is_ok_and(|run| stays(&run.outputs[0])));
+    }
+    // backwards it is a lag, and stays
+    let stable = model.replace("value = 5e4", "value = -5e4");
+    let s = Simulator::new(&Model::parse(&stable).unwrap(), &r, &Options::default()).unwrap();
+    let run = s.run(&s.parameters(), &s.initials()).unwrap();
+    assert!(worst(&time, &run.outputs[0], |t| t.sin() / 5e4) < 1e-9);
+}
