@@ -10,7 +10,7 @@ use crate::estimate::fit::{Effort, ascertain};
 use crate::estimate::noise::robust_deviation;
 use crate::estimate::{Fit, FitOptions, Stopping, fit};
 use crate::model::{Initial, Model};
-use crate::record::{Channel, Kind, Recording, Span};
+use crate::record::{Channel, Hold, Kind, Recording, Span};
 use crate::simulate::{Budget, Planned};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
@@ -232,6 +232,11 @@ impl Bench {
             }
         }
         short
+    }
+
+    /// Whether an input is set from what an output shows.
+    pub fn is_loop(&self) -> bool {
+        self.recordings.iter().flat_map(|r| &r.channels).any(|c| c.hold == Hold::AfterReading)
     }
 
     /// Fits a model from all starts on the first part, then walks on from there on the whole.

@@ -83,6 +83,21 @@ pub fn of(recordings: &[Recording], fit: &Fit) -> Option<Loop> {
 /// it: else the noise of the reading, which stands in the input, looks like an error of the sensor that goes with the
 /// input. What to know of each.
 pub fn read_first(recordings: &mut [Recording], separate: &mut [Recording], fit: &Fit) -> Vec<String> {
+    let found = answering(recordings, fit, Hold::Previous);
+    let channels = recordings.iter_mut().chain(separate).flat_map(|r| &mut r.channels);
+    let is_found = |c: &&mut Channel| c.hold == Hold::Previous && found.iter().any(|f| f.0 == c.name);
+    channels.filter(is_found).for_each(|c| c.hold = Hold::AfterReading);
+    let says = |(name, output): (String, usize)| {
+        let output = &fit.model.outputs[output].name;
+        format!(
+            "{name} is set from what “{output}” shows in the same row: what is measured was read as it was before {name} acts"
+        )
+    };
+    found.into_iter().map(says).collect()
+}
+
+/// Inputs of a hold that reach no output at once and answer one at the same moment, with the number of that output.
+pub fn answering(recordings: &[Recording], fit: &Fit, hold: Hold) -> Vec<(String, usize)> {
     let model = &fit.model;
     let waits = |name: &&String| {
         !model.is_simulated(name) && !model.outputs.iter().any(|o| edit::reaches(model, &o.equals, name))
@@ -91,25 +106,15 @@ pub fn read_first(recordings: &mut [Recording], separate: &mut [Recording], fit:
         let pairs = recordings.iter().zip(&fit.records);
         let mut all =
             pairs.flat_map(|(r, record)| record.series.iter().filter_map(|s| Some((r.find(name)?, s))));
-        all.find(|(c, s)| c.hold == Hold::Previous && answers_at_once(c, s)).map(|(_, s)| s.output)
+        all.find(|(c, s)| c.hold == hold && answers_at_once(c, s)).map(|(_, s)| s.output)
     };
-    let found: Vec<(String, usize)> = model
+    model
         .inputs
         .iter()
         .map(|i| &i.name)
         .filter(waits)
         .filter_map(|name| Some((name.clone(), set_by(name)?)))
-        .collect();
-    let channels = recordings.iter_mut().chain(separate).flat_map(|r| &mut r.channels);
-    let is_found = |c: &&mut Channel| c.hold == Hold::Previous && found.iter().any(|f| f.0 == c.name);
-    channels.filter(is_found).for_each(|c| c.hold = Hold::AfterReading);
-    let says = |(name, output): (String, usize)| {
-        let output = &model.outputs[output].name;
-        format!(
-            "{name} is set from what “{output}” shows in the same row: what is measured was read as it was before {name} acts"
-        )
-    };
-    found.into_iter().map(says).collect()
+        .collect()
 }
 
 /// An input at the times of an output, and what is left of that, stretch by stretch.

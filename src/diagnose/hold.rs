@@ -24,6 +24,7 @@ use super::bench::{self, Bench, Stand};
 use super::catalogue::{self, Proposal, SiteKind};
 use super::choose::{CHANCE, TIE};
 use super::compared::{anew, same_tracks};
+use super::feedback;
 use super::measure::{Measure, Scale};
 use super::propose::difference;
 use super::screen::Screen;
@@ -44,6 +45,8 @@ const ABOUT: f64 = 0.5;
 const NEARER: f64 = 0.5;
 /// Standard deviations up to which a weight may be 1, which is told.
 const OPEN: f64 = 3.0;
+/// Standard deviations from which on a weight is not 0.
+const SURELY: f64 = 5.0;
 /// A standard deviation beyond which the reading makes no difference.
 const BLIND: f64 = 0.5;
 
@@ -94,12 +97,18 @@ pub fn settle(
     bench: &mut Bench,
     separate: &mut [Recording],
     base: Fit,
-    is_asked_again: bool,
+    given: Option<&Model>,
 ) -> Result<Settled> {
+    let is_asked_again = given.is_some();
     let weights = weighed(bench, &base).unwrap_or_default();
+    let answering = feedback::answering(&bench.recordings, &base, Hold::Linear);
+    let answers = |name: &String| answering.iter().any(|a| a.0 == *name);
     // where nothing is searched for that could show it later, a leap or two are enough to ask the likelihood
     let stays = if is_asked_again { looks_held } else { may_be_held };
-    let looks = |w: &Weight| w.held > NEARER && is_so_everywhere(bench, &w.name, stays);
+    let looks = |w: &Weight| {
+        w.held > NEARER && (w.is_not_straight() || is_so_everywhere(bench, &w.name, stays))
+            || answers(&w.name)
+    };
     let (shown, open): (Vec<Weight>, Vec<Weight>) =
         weights.into_iter().partition(|w| w.is_sure() || looks(w));
     let open: Vec<String> = open.into_iter().filter(Weight::may_be).map(|w| w.name).collect();
@@ -111,8 +120,8 @@ pub fn settle(
     }
     let straight = bench.recordings.clone();
     read_held(&mut bench.recordings, &held);
-    let fit = anew(bench, &base)?;
     let scale = Scale::of(&base, false);
+    let fit = refitted(bench, &base, given)?;
     let (before, after) = (Measure::of(&base, &scale), Measure::of(&fit, &scale));
     if after.likelihood - before.likelihood < least {
         bench.recordings = straight;
@@ -125,11 +134,19 @@ pub fn settle(
     Ok(Settled { fit, held, open, before: settled_by_looks })
 }
 
+/// The base fitted anew, or the model as given where that ends at a better place: a wrong reading may have led far off.
+fn refitted(bench: &Bench, base: &Fit, given: Option<&Model>) -> Result<Fit> {
+    let near = anew(bench, base)?;
+    let Some(far) = given.and_then(|model| bench.full_fit(model).ok()) else { return Ok(near) };
+    let scale = Scale::of(&near, false);
+    Ok(if scale.squares(&far) < scale.squares(&near) { far } else { near })
+}
+
 /// The inputs of a fitted model that the recordings show to be held between their samples though they are read as straight
 /// lines.
 pub fn held_inputs(fit: &Fit, recordings: &[Recording], separate_holdout: bool, seed: u64) -> Vec<String> {
     let mut bench = Bench::new(&fit.model, recordings.to_vec(), separate_holdout, seed);
-    let settled = settle(&mut bench, &mut [], fit.clone(), false).ok();
+    let settled = settle(&mut bench, &mut [], fit.clone(), None).ok();
     settled.into_iter().flat_map(|s| s.held).map(|h| h.finding.site.name).collect()
 }
 
@@ -255,6 +272,11 @@ impl Weight {
     /// Whether it is held for sure.
     fn is_sure(&self) -> bool {
         (self.held - 1.0).abs() <= FROM_ONE.0 && self.deviation <= FROM_ONE.1
+    }
+
+    /// Whether it may be held and surely does not run straight.
+    fn is_not_straight(&self) -> bool {
+        self.may_be() && self.held > SURELY * self.deviation
     }
 
     /// Whether it may be held.

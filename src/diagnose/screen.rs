@@ -171,7 +171,7 @@ impl Screen {
     }
 
     /// Directions without what lies in the space of the fitted unknowns.
-    fn free(&self, directions: &[Vec<f64>]) -> Mat<f64> {
+    pub fn free(&self, directions: &[Vec<f64>]) -> Mat<f64> {
         let mut d = columns(self.residual.len(), directions);
         for _ in 0..2 {
             d -= &self.basis * (self.basis.transpose() * &d);

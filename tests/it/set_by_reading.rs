@@ -128,3 +128,49 @@ fn a_sensor_that_feels_the_command_is_found() {
         assert!(by == By::Recorded || !is_told(&answer), "{:?}", answer.notes);
     }
 }
+
+const ROOM: &str = r#"
+    name = "room"
+    [inputs]
+    heat = { unit = "W" }
+    outside = { unit = "degC" }
+    [parameters]
+    k = { value = 80, unit = "W/K", fit = true }
+    C = { value = 1e6, unit = "J/K", fit = true }
+    [states]
+    T = { rate = "(heat - k*(T - outside))/C", unit = "degC", initial = 20 }
+    [outputs]
+    room = { equals = "T", unit = "degC" }
+"#;
+
+/// Two days of 1.2 MJ/K under a thermostat that sets the heat each minute by a thermometer of 0.1 K, logged as it comes: with
+/// straight lines between rows. The thermometer "feels" the heat then, on what was held out too, below its own noise.
+#[test]
+fn a_thermostat_logged_as_it_comes_lacks_nothing() {
+    let mut rng = ChaCha8Rng::seed_from_u64(4);
+    let mut drawn = || -> f64 { StandardNormal.sample(&mut rng) };
+    let (mut t, mut sum) = (20.0, 0.0);
+    let minutes: Vec<f64> = (0..2880).map(|i| 60.0 * f64::from(i)).collect();
+    let outside: Vec<f64> = minutes.iter().map(|s| 7.0 + 4.0 * (s * 7.272e-5).sin()).collect();
+    let (mut heat, mut room) = (Vec::new(), Vec::new());
+    for air in &outside {
+        let seen = t + 0.1 * drawn();
+        sum += (21.0 - seen) / 60.0;
+        let set = (1000.0 * (21.0 - seen + sum)).clamp(0.0, 2500.0);
+        heat.push(set);
+        room.push(seen);
+        // exact where the air outside stands still
+        let rest = air + set / 100.0;
+        t = rest + (t - rest) * f64::exp(-60.0 * 100.0 / 1.2e6);
+    }
+    let channel = |name: &str, unit: &str, values: Vec<f64>| {
+        let unit = Unit::parse(unit).unwrap();
+        let values = values.into_iter().map(|v| unit.to_si(v)).collect();
+        Channel::new(name, unit, minutes.clone(), values)
+    };
+    let channels =
+        vec![channel("heat", "W", heat), channel("outside", "degC", outside), channel("room", "degC", room)];
+    let recording = Recording::from_channels("house", channels).unwrap();
+    let answer = diagnosed(&Model::parse(ROOM).unwrap(), recording).answer;
+    assert_eq!(answer.verdict, Verdict::NothingMissing, "{}", answer.says);
+}

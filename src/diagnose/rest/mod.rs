@@ -13,6 +13,7 @@
 //! S. F. Masri, T. K. Caughey, J. Appl. Mech. 46 (1979) 433 (the restoring-force surface).
 
 mod echo;
+mod elsewhere;
 mod laws;
 mod surface;
 
@@ -33,6 +34,10 @@ const LEFT_CHANCE: f64 = 0.01;
 /// Share of the residual's square, whitened or not, that it must explain.
 const LEFT_SHARE: f64 = 0.03;
 
+/// Share of its chi-squared that it must lower the square of parts by that it was not fitted to: about 1 − 2d/χ² for a law,
+/// below 0 for what a loop feigns.
+const FORETOLD: f64 = 0.1;
+
 /// A flexible law at a site, scored.
 pub struct Law {
     /// The state or output that it acts on.
@@ -49,6 +54,8 @@ pub struct Law {
     pub weights: Vec<f64>,
     /// Standard deviations of the weights.
     pub deviations: Vec<f64>,
+    /// By how much it lowers the square of parts that it was not fitted to, where a loop makes that a question.
+    pub elsewhere: f64,
     /// Share of the whitened residual's square that it explains.
     pub explained: f64,
     /// Share of the free-run residual's square that it takes away.
@@ -89,7 +96,8 @@ impl Rest {
     /// Whether something is left that goes with a signal.
     pub fn is_left(&self) -> bool {
         let is_much = |l: &Law| l.beyond_luck(l.explained.max(l.lowers)) > LEFT_SHARE;
-        self.p_value < LEFT_CHANCE && self.laws.first().is_some_and(is_much)
+        let is_law = |l: &Law| is_much(l) && l.elsewhere > FORETOLD * l.score.chi2;
+        self.p_value < LEFT_CHANCE && self.laws.first().is_some_and(is_law)
     }
 
     /// The best law in the answer, with the shape of the best along one signal.
@@ -128,11 +136,12 @@ impl Rest {
             #[allow(clippy::print_stderr)]
             for l in self.laws.iter().take(5) {
                 eprintln!(
-                    "rest {when}: p {:.3} s {:.2} chi2 {:.1}/{} explained {:.4} lowers {:.4} {} {:?}",
+                    "rest {when}: p {:.3} s {:.2} chi2 {:.1}/{} elsewhere {:.1} explained {:.4} lowers {:.4} {} {:?}",
                     self.p_value,
                     l.score.statistic,
                     l.score.chi2,
                     l.score.degrees,
+                    l.elsewhere,
                     l.explained,
                     l.lowers,
                     l.site.name,
@@ -147,11 +156,11 @@ impl Rest {
 pub fn look(bench: &Bench, scene: &Scene, view: &View) -> Rest {
     let simple = laws::all(scene).into_par_iter().with_max_len(1).filter_map(|(p, places)| {
         let tracks = view.at_rest(bench, &p).tracks(&p.starts[0])?;
-        law(view, &tracks, (p.site, p.depends), places)
+        law((bench, view), &tracks, (p.site, p.depends), places)
     });
     let surfaces = surface::all(scene).into_par_iter().with_max_len(1).filter_map(|s| {
         let tracks = s.tracks(bench, view)?;
-        law(view, &tracks, (s.push.site.clone(), s.signals()), Vec::new())
+        law((bench, view), &tracks, (s.push.site.clone(), s.signals()), Vec::new())
     });
     let rest = Rest::of(view, simple.chain(surfaces).collect());
     if rest.is_left() || scene.trials {
@@ -171,23 +180,31 @@ fn echoes(bench: &Bench, scene: &Scene, view: &View) -> Vec<Law> {
     let one = |(k, output, input): (usize, &Output, &Signal)| {
         let tracks = echo::tracks(bench, view, k, &input.name)?;
         let site = Site { kind: SiteKind::Output, name: output.name.clone() };
-        let law = law(view, &tracks, (site, vec![input.name.clone()]), Vec::new())?;
+        let law = law((bench, view), &tracks, (site, vec![input.name.clone()]), Vec::new())?;
         Some(Law { of_past: true, ..law })
     };
     pairs.into_par_iter().with_max_len(1).filter_map(one).collect()
 }
 
-fn law(view: &View, tracks: &[Track], at: (Site, Vec<String>), places: Vec<f64>) -> Option<Law> {
+fn law(
+    (bench, view): (&Bench, &View),
+    tracks: &[Track],
+    at: (Site, Vec<String>),
+    places: Vec<f64>,
+) -> Option<Law> {
     let count = tracks.first()?.sensitivities.len();
     let directions = |space: &Screen| -> Vec<Vec<f64>> {
         (0..count).map(|j| space.whitened(tracks, |t| &t.sensitivities[j])).collect()
     };
-    let solved = view.screen.solve(&directions(&view.screen))?;
+    let whitened = directions(&view.screen);
+    let solved = view.screen.solve(&whitened)?;
+    let elsewhere = if bench.is_loop() { elsewhere::gain(&view.screen, &whitened) } else { f64::INFINITY };
     let left = view.free.left(&directions(&view.free), &solved.weights);
     Some(Law {
         site: at.0,
         signals: at.1,
         of_past: false,
+        elsewhere,
         places,
         weights: solved.weights,
         deviations: solved.deviations,
