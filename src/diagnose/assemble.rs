@@ -29,6 +29,8 @@ use crate::simulate::Early;
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
+/// Share of what a mechanism moves up to which the fitted parameters take it up: what is left of it then is that of runs.
+const TAKEN_UP: f64 = 0.01;
 /// Mechanisms whose smallest visible size is told.
 const VISIBLE: usize = 12;
 /// Standard deviations from which on an effect would have been named.
@@ -385,6 +387,7 @@ impl Assembly<'_> {
         for s in &self.found.rest.screened {
             let p = &s.proposal;
             let single = p.amplitudes.len() == 1 && s.score.degrees == 1 && s.score.chi2 > 0.0;
+            let single = single && s.score.apart > TAKEN_UP;
             if !single || visible.iter().any(|v| v.code == p.code) || visible.len() >= VISIBLE {
                 continue;
             }

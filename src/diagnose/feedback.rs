@@ -42,6 +42,9 @@ const AT_ONCE: f64 = -10.0;
 /// feels the input; none, where the input is set from the reading. And standard deviations that it is sure by.
 const FELT: (f64, f64) = (0.5, 2.0);
 
+/// Words of an input that is set from what an output shows.
+pub const SET_BY: &str = " is set from what “";
+
 /// A closed loop.
 pub struct Loop {
     /// What is steered, an input.
@@ -90,7 +93,7 @@ pub fn read_first(recordings: &mut [Recording], separate: &mut [Recording], fit:
     let says = |(name, output): (String, usize)| {
         let output = &fit.model.outputs[output].name;
         format!(
-            "{name} is set from what “{output}” shows in the same row: what is measured was read as it was before {name} acts"
+            "{name}{SET_BY}{output}” shows in the same row: what is measured was read as it was before {name} acts"
         )
     };
     found.into_iter().map(says).collect()

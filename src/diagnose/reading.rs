@@ -17,6 +17,7 @@ impl Case<'_> {
         if let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found)) {
             // steps that were spent on a wrong reading are no reason to keep it
             self.bench.budget.renew();
+            self.notes.retain(|n| !n.contains(feedback::SET_BY));
             let found = self.named(&self.bench, &self.separate, straight.clone(), None)?;
             return Ok((straight, found));
         }
@@ -25,8 +26,17 @@ impl Case<'_> {
         if is_open && let Some(other) = self.held(&open, &base, &found)? {
             return Ok(other);
         }
-        self.notes.extend(open.iter().map(|name| hold::note(name)));
+        let fits = |name: &&String| !may(self) || self.fits_held(name, &found);
+        let notes: Vec<String> = open.iter().filter(fits).map(|name| hold::note(name)).collect();
+        self.notes.extend(notes);
         Ok((base, found))
+    }
+
+    /// Whether what was found fits as well with an input held.
+    fn fits_held(&self, name: &String, found: &Found) -> bool {
+        let mut bench = self.bench.clone();
+        hold::read_held(&mut bench.recordings, std::slice::from_ref(name));
+        hold::fits_as_well(&bench, found)
     }
 
     /// What the search finds with inputs held, where that is likelier than what it found.

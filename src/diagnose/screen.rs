@@ -71,6 +71,8 @@ pub struct Score {
     image: Mat<f64>,
     /// Whether its weight may only be positive.
     one_sided: bool,
+    /// Share of the first direction that the fitted unknowns do not hold.
+    pub apart: f64,
     /// The first direction, of unit length.
     pub direction: Vec<f32>,
 }
@@ -215,6 +217,7 @@ impl Screen {
             weights: projections.iter().enumerate().map(|(j, z)| z / own.l[(j, j)]).collect(),
             image: self.imaged(&own),
             one_sided,
+            apart: first / norm(&directions[0]),
             direction: own.d.col_as_slice(0).iter().map(|x| (*x / first) as f32).collect(),
         })
     }
@@ -412,6 +415,7 @@ impl Screen {
             weights: weights.clone(),
             image: self.imaged(&own),
             one_sided: false,
+            apart: f64::NAN,
             direction: Vec::new(),
         };
         Some(Solved { score, weights, deviations })

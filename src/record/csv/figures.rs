@@ -3,8 +3,10 @@
 use crate::Error;
 
 /// Marks of a missing value, beside an empty field; capitals do not matter.
-const MISSING: [&str; 12] =
-    ["nan", "na", "n/a", "null", "none", "#n/a", "#nv", "#na", "-", "--", "---", "\u{2013}"];
+const MISSING: [&str; 16] = [
+    "nan", "na", "n/a", "n.a.", "n.d.", "k.a.", "k. a.", "null", "none", "#n/a", "#nv", "#na", "-", "--",
+    "---", "\u{2013}",
+];
 /// Words for 1 and 0, as programs and spreadsheets write a logical value; capitals do not matter.
 const LOGICAL: [(&str, &str); 6] =
     [("true", "1"), ("wahr", "1"), ("vrai", "1"), ("false", "0"), ("falsch", "0"), ("faux", "0")];
