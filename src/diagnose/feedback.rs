@@ -89,7 +89,9 @@ pub fn read_first(recordings: &mut [Recording], separate: &mut [Recording], fit:
     let found = answering(recordings, fit, Hold::Previous);
     let channels = recordings.iter_mut().chain(separate).flat_map(|r| &mut r.channels);
     let is_found = |c: &&mut Channel| c.hold == Hold::Previous && found.iter().any(|f| f.0 == c.name);
-    channels.filter(is_found).for_each(|c| c.hold = Hold::AfterReading);
+    for c in channels.filter(is_found) {
+        c.hold = Hold::AfterReading;
+    }
     let says = |(name, output): (String, usize)| {
         let output = &fit.model.outputs[output].name;
         format!(
@@ -150,7 +152,9 @@ fn answers_at_once(input: &Channel, series: &Series) -> bool {
     let rest: Vec<f64> = seen.iter().zip(&new).map(|(s, v)| s - v).collect();
     let most = OUTLIER * robust_deviation(&new);
     if most > 0.0 {
-        new.iter_mut().for_each(|v| *v = v.clamp(-most, most));
+        for v in &mut new {
+            *v = v.clamp(-most, most);
+        }
     }
     // e = a v + b r + noise: v what is new in the input, r the rest of it, each as the noise is whitened
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();

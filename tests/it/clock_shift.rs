@@ -170,6 +170,7 @@ fn a_second_logger_stamps_early_or_late() {
 /// A turntable whose angle a second logger reads, with a clock of its own: what the model makes is known before alone,
 /// so that of two loggers the fast one reads late.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn the_clock_of_a_second_logger_runs_fast_or_slow() {
     let torque = |t: f64| (0.9 * t).sin() + 0.8 * (2.3 * t + 1.0).cos() + 0.6 * (0.31 * t).sin();
     let (step, count) = (0.1, 1500);

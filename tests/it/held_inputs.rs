@@ -207,6 +207,7 @@ fn opposed(input: fn(f64) -> f64, by: fn(f64, f64) -> f64, seed: u64) -> Recordi
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_hold_behind_something_larger_is_nothing_beside_it() {
     let two = |t: f64| 30.0 * (1.3 * t).sin() + 20.0 * (4.1 * t + 1.0).sin();
     let many = |t: f64| (1..=25).map(f64::from).map(|k| 12.0 * (0.7 * k * t + k * k).sin()).sum::<f64>();

@@ -63,6 +63,7 @@ fn found(others: &[(&str, &str, Vec<f64>)], law: impl Fn(usize) -> (f64, f64), n
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_loss_goes_with_a_power_of_the_wind() {
     let wind = stairs(&mut ChaCha8Rng::seed_from_u64(4), (0.4, 9.0), 23);
     let loss: Vec<f64> = wind.iter().map(|w| 70.0 * w.powf(0.4)).collect();
