@@ -21,7 +21,7 @@ use super::screen::log_chance;
 use crate::estimate::Fit;
 use crate::estimate::fit::Series;
 use crate::estimate::noise::{Autoregression, robust_deviation};
-use crate::record::{Channel, Hold, Recording, looks_held};
+use crate::record::{Channel, Hold, Kind, Recording, looks_held};
 
 /// Order of the autoregressions, and earlier samples that are looked at.
 const ORDER: usize = 20;
@@ -108,7 +108,7 @@ pub fn answering(recordings: &[Recording], fit: &Fit, hold: Hold) -> Vec<(String
         !model.is_simulated(name) && !model.outputs.iter().any(|o| edit::reaches(model, &o.equals, name))
     };
     let set_by = |name: &String| -> Option<usize> {
-        let pairs = recordings.iter().zip(&fit.records);
+        let pairs = recordings.iter().zip(&fit.records).filter(|(r, _)| r.kind == Kind::Time);
         let mut all =
             pairs.flat_map(|(r, record)| record.series.iter().filter_map(|s| Some((r.find(name)?, s))));
         all.find(|(c, s)| c.hold == hold && answers_at_once(c, s)).map(|(_, s)| s.output)
@@ -125,7 +125,7 @@ pub fn answering(recordings: &[Recording], fit: &Fit, hold: Hold) -> Vec<(String
 /// An input at the times of an output, and what is left of that, stretch by stretch.
 fn beside(input: &Channel, series: &Series) -> Vec<[Vec<f64>; 2]> {
     let at = |r: &std::ops::Range<usize>| -> Option<[Vec<f64>; 2]> {
-        let moved = series.time[r.clone()].iter().map(|t| input.value_at(*t)).collect::<Option<_>>()?;
+        let moved = series.time[r.clone()].iter().map(|t| input.value_from(*t)).collect::<Option<_>>()?;
         Some([moved, series.residual[r.clone()].to_vec()])
     };
     series.stretches.iter().filter_map(at).collect()
@@ -148,14 +148,14 @@ fn answers_at_once(input: &Channel, series: &Series) -> bool {
         let size = by.innovation_variance().sqrt();
         which.iter().flat_map(|s| by.whiten(s)).map(|e| e * size).collect()
     };
-    let (left, seen, mut new) = (all(&noise, &lefts), all(&noise, &views), all(&own, &views));
+    let (left, seen, new) = (all(&noise, &lefts), all(&noise, &views), all(&own, &views));
     let rest: Vec<f64> = seen.iter().zip(&new).map(|(s, v)| s - v).collect();
+    // a new course would outweigh thousands of small answers
     let most = OUTLIER * robust_deviation(&new);
-    if most > 0.0 {
-        for v in &mut new {
-            *v = v.clamp(-most, most);
-        }
-    }
+    let keeps: Vec<bool> = new.iter().map(|v| most <= 0.0 || v.abs() <= most).collect();
+    let kept = |all: &[f64]| -> Vec<f64> { all.iter().zip(&keeps).filter(|k| *k.1).map(|k| *k.0).collect() };
+    let (new, rest, left) = (kept(&new), kept(&rest), kept(&left));
+    let n = new.len();
     // e = a v + b r + noise: v what is new in the input, r the rest of it, each as the noise is whitened
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let (vv, vr, rr, ee) = (dot(&new, &new), dot(&new, &rest), dot(&rest, &rest), dot(&left, &left));

@@ -10,9 +10,10 @@
 //! sensitivities and whitened: a weight of 1 is an input that is held, 0 one that runs straight, and any other
 //! something else that shifts or smooths it, which is left to the search. What stands so is read as held, and stays so
 //! where the refitted model is likelier. So does an input that looks held by itself, since it stays and leaps, unless its
-//! weight is nearer to 0: beside something large a weight is far off. It is asked once more beside what was found. Where
-//! something larger is missing that hides the reading, the search finds what resembles it beside that, a delay or a
-//! resonance: held inputs take its place if they fit as well, with fewer unknowns.
+//! weight is nearer to 0: beside something large a weight is far off. An input that answers a reading in its own row is asked
+//! at any weight. A wrong reading may lead a fit far off, so that it begins anew from the values as given. It is asked once
+//! more beside what was found. Where something larger is missing that hides the reading, the search finds what resembles
+//! it beside that, a delay or a resonance: held inputs take its place if they fit as well, with fewer unknowns.
 //!
 //! # References
 //! G. F. Franklin, J. D. Powell, M. Workman, Digital Control of Dynamic Systems, 3rd ed. (1998), 4.3 (a hold delays by

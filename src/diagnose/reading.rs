@@ -18,6 +18,8 @@ impl Case<'_> {
             // steps that were spent on a wrong reading are no reason to keep it
             self.bench.budget.renew();
             self.notes.retain(|n| !n.contains(feedback::SET_BY));
+            let said = feedback::read_first(&mut self.bench.recordings, &mut self.separate, &straight);
+            self.notes.extend(said);
             let found = self.named(&self.bench, &self.separate, straight.clone(), None)?;
             return Ok((straight, found));
         }
@@ -26,7 +28,7 @@ impl Case<'_> {
         if is_open && let Some(other) = self.held(&open, &base, &found)? {
             return Ok(other);
         }
-        let fits = |name: &&String| !may(self) || self.fits_held(name, &found);
+        let fits = |name: &&String| self.bench.budget.cut().is_some() || self.fits_held(name, &found);
         let notes: Vec<String> = open.iter().filter(fits).map(|name| hold::note(name)).collect();
         self.notes.extend(notes);
         Ok((base, found))

@@ -247,7 +247,7 @@ fn of_output(fit: &Fit, recordings: &[Recording], (k, name): (usize, &str)) -> V
 fn beside<'a>(own: &[Own<'a>], recordings: &[Recording], input: &str) -> Vec<(&'a [f64], Vec<f64>)> {
     let of = |o: &Own<'a>| {
         let channel = recordings.get(o.recording)?.find(input)?;
-        let values: Option<Vec<f64>> = o.time.iter().map(|t| channel.value_at(*t)).collect();
+        let values: Option<Vec<f64>> = o.time.iter().map(|t| channel.value_from(*t)).collect();
         Some((o.residual, values?))
     };
     own.iter().filter_map(of).collect()

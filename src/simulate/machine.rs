@@ -71,8 +71,10 @@ impl<'a, T: Scalar> Machine<'a, T> {
         }
     }
 
-    /// Loads the end of the last interval as what is measured then sees it.
+    /// Loads the end of the last interval as what is measured then sees it, with the switches where that puts them.
     pub fn load_last(&mut self, x: &[T]) {
+        self.sliding.clear();
+        self.switching = Switching::Follow;
         self.back = self.mesh.last.iter().copied().map(Some).collect();
         self.loaded = f64::NAN;
         self.load(self.mesh.time[self.mesh.intervals()], x);

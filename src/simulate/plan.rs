@@ -124,7 +124,7 @@ fn of_order_four(search: &Search<'_>, explicit: Plan) -> Result<Plan> {
     }
     let longer = search.refine(Solver::Explicit, limit(MOST_EXPLICIT, intervals))?;
     // Where the stiff method does not converge either, the model itself blows up; the stiff method
-    // damps even that.
+    // damps that for some steps.
     let longer_is_better =
         if longer.blew_up { !stiff.meets(CONVERGING) } else { stiff.blew_up || longer.error <= stiff.error };
     Ok(if longer_is_better { longer } else { stiff })

@@ -218,6 +218,10 @@ impl<T: Scalar> Runner<'_, T> {
         let guards =
             if jumps && !self.m.program.watches.is_empty() { self.guards_at(from) } else { Vec::new() };
         self.m.enter(interval);
+        let shows = jumps && self.m.mesh.shows[interval];
+        if shows && self.m.mesh.late.contains(&true) {
+            self.record_under_late(from, to, &guards);
+        }
         let followed = self.m.follow_inputs(from, to);
         if jumps {
             self.m.follow_jumps(from, &self.x, &guards, None);
@@ -227,13 +231,20 @@ impl<T: Scalar> Runner<'_, T> {
         if followed || bends || jumps {
             self.m.rates(from, &self.x, &mut self.k);
         }
-        if jumps {
-            // a held input has its new value from the moment of its sample on, but one that is set from a reading then
-            self.m.hold_late_back(true);
-            self.m.load(from, &self.x);
+        if shows {
+            // a held input has its new value from the moment of its sample on
             self.record_here(from);
-            self.m.hold_late_back(false);
         }
+    }
+
+    /// Writes down what is seen where held inputs jump, before those jump that are set from it.
+    fn record_under_late(&mut self, from: f64, to: f64, guards: &[f64]) {
+        self.m.hold_late_back(true);
+        self.m.follow_inputs(from, to);
+        self.m.follow_jumps(from, &self.x, guards, None);
+        self.m.load(from, &self.x);
+        self.record_here(from);
+        self.m.hold_late_back(false);
     }
 
     fn guards_at(&mut self, t: f64) -> Vec<f64> {
@@ -275,6 +286,7 @@ impl<T: Scalar> Runner<'_, T> {
                 self.leave_slides(t);
             }
             let piece = piece.filter(|_| event == 0);
+            let growing = self.stepper.growing;
             self.stepper.step(&mut self.m, (t, to, piece), (&self.x, &self.k), (&mut self.x1, &mut self.k1));
             if !self.m.program.watches.is_empty() && self.k1.iter().any(|k| !k.value().is_finite()) {
                 self.step_following(t, to);
@@ -289,6 +301,8 @@ impl<T: Scalar> Runner<'_, T> {
             }
             let whole = Stretch { from: t, to, x0: &self.x, k0: &self.k, x1: &self.x1, k1: &self.k1 };
             let (at, switch) = self.m.locate(&whole, &mut self.room);
+            // the step is taken anew, up to the event
+            self.stepper.growing = growing;
             if at > t {
                 self.stepper.step(
                     &mut self.m,

@@ -17,7 +17,8 @@
 //! All run in dual numbers throughout, the Jacobian's entries included, so tangents are the exact
 //! derivatives of the computed values. A stiff step damps what grows within it: det(1/(hγ)·1 − J) < 0 says that J has a real
 //! eigenvalue above 4/h, and after nine such steps in a row, by e^36, rounding has grown to the size of the state, so that
-//! a run that stays small is none of the model's. (Two such eigenvalues at once are not seen.)
+//! a run that stays small is none of the model's, unless it is at rest to the last digit. (Two such eigenvalues at once are
+//! not seen.)
 
 use super::linear::Factors;
 use super::machine::Machine;
@@ -52,7 +53,7 @@ pub(super) struct Stepper<T> {
     right: Vec<T>,
     factors: Factors<T>,
     /// Stiff steps in a row in which something grows by more than e⁴.
-    growing: usize,
+    pub(super) growing: usize,
 }
 
 /// Such steps after which the run has blown up: e^(4·9) = 4e15.

@@ -40,7 +40,7 @@ fn gives_the_force(name: &str, bytes: &[u8], label: &str) {
 fn forty_dialects_of_one_recording_mean_the_same() {
     let german = "Zeit [s];Kraft [N];Weg [mm]\r\n0,0;1,5;10\r\n0,5;-1234,5;11\r\n1,0;0,25;12\r\n";
     let plain = "t [s],Kraft [N]\n0,1.5\n0.5,-1234.5\n1,0.25\n";
-    let clean: [(&str, &str); 57] = [
+    let clean: [(&str, &str); 55] = [
         ("plain", plain),
         ("spreadsheet, German", german),
         ("byte-order mark", "\u{feff}Zeit [s];Kraft [N]\r\n0;1,5\r\n0,5;-1234,5\r\n1;0,25\r\n"),
@@ -131,14 +131,6 @@ fn forty_dialects_of_one_recording_mean_the_same() {
         (
             "UNIX nanoseconds",
             "time,Kraft [N]\n1700000000000000000,1.5\n1700000000500000000,-1234.5\n1700000001000000000,0.25\n",
-        ),
-        (
-            "nanoseconds since 1970 under any name",
-            "t [ns],Kraft [N]\n1700000000000000100,1.5\n1700000000500000100,-1234.5\n1700000001000000100,0.25\n",
-        ),
-        (
-            "seconds since 1970 under any name",
-            "t [s],Kraft [N]\n1700000000.0000001,1.5\n1700000000.5000001,-1234.5\n1700000001.0000001,0.25\n",
         ),
         ("separators at line ends", "t [s];Kraft [N];\n0;1,5;\n0,5;-1234,5;\n1;0,25;\n"),
         ("rows padded", "t [s],Kraft [N],,\n0,1.5,,\n0.5,-1234.5,,\n1,0.25,,\n"),

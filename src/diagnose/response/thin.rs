@@ -62,7 +62,7 @@ pub(super) fn read_on(recording: &mut Recording, mesh: &Arc<[f64]>) {
 
 /// The values of a channel on a mesh; none where it has gaps or does not reach over all of it.
 pub(super) fn on(channel: &Channel, mesh: &[f64]) -> Option<Vec<f64>> {
-    mesh.iter().map(|t| channel.value_at(*t)).collect()
+    mesh.iter().map(|t| channel.value_from(*t)).collect()
 }
 
 #[cfg(test)]

@@ -34,7 +34,7 @@ const LEFT_CHANCE: f64 = 0.01;
 /// Share of the residual's square, whitened or not, that it must explain.
 const LEFT_SHARE: f64 = 0.03;
 
-/// Share of its chi-squared that it must lower the square of parts by that it was not fitted to: about 1 − 2d/χ² for a law,
+/// Share of its chi-squared that it must lower the square of parts by that it was not fitted to: about 1 − 2.25 d/χ² for a law,
 /// below 0 for what a loop feigns.
 const FORETOLD: f64 = 0.1;
 
@@ -87,8 +87,11 @@ pub struct Rest {
 impl Rest {
     /// Laws with the chance of the best.
     fn of(view: &View, mut laws: Vec<Law>) -> Self {
+        // all were tried, but what foretells nothing elsewhere is no law
+        let tried = laws.len().max(1) as f64;
+        laws.retain(|l| l.elsewhere > FORETOLD * l.score.chi2);
         let scores: Vec<&Score> = laws.iter().map(|l| &l.score).collect();
-        let p_value = view.screen.p_value(&scores);
+        let p_value = (view.screen.p_value(&scores) * tried / laws.len().max(1) as f64).min(1.0);
         laws.sort_by(|a, b| b.score.statistic.total_cmp(&a.score.statistic));
         Self { laws, p_value }
     }
@@ -96,8 +99,7 @@ impl Rest {
     /// Whether something is left that goes with a signal.
     pub fn is_left(&self) -> bool {
         let is_much = |l: &Law| l.beyond_luck(l.explained.max(l.lowers)) > LEFT_SHARE;
-        let is_law = |l: &Law| is_much(l) && l.elsewhere > FORETOLD * l.score.chi2;
-        self.p_value < LEFT_CHANCE && self.laws.first().is_some_and(is_law)
+        self.p_value < LEFT_CHANCE && self.laws.first().is_some_and(is_much)
     }
 
     /// The best law in the answer, with the shape of the best along one signal.

@@ -331,8 +331,8 @@ impl Layout {
         label == name || crate::record::label::label(label).name == name
     }
 
-    /// Whether a column counts since 1970: all its numbers do, and its unit is that of the count or, if it has none, its name
-    /// says so.
+    /// Whether a column counts since 1970: all its numbers do, its name says so, and its unit, if it has one, is that
+    /// of the count.
     fn is_counted(&self, column: usize, count: Option<i128>, given: Option<&Unit>) -> bool {
         let whole = &self.header.fields[column].1;
         let own = self.units.get(column).filter(|u| !u.is_empty()).cloned();
@@ -346,7 +346,7 @@ impl Layout {
         let label = whole.to_lowercase();
         let named = COUNTS.iter().any(|c| label.contains(c));
         let mut texts = self.rows.iter().filter_map(|l| l.fields.get(column));
-        unit.as_ref().map_or(named, fits) && texts.all(|f| since_1970(&f.1).is_some())
+        unit.as_ref().is_none_or(fits) && named && texts.all(|f| since_1970(&f.1).is_some())
     }
 
     /// Columns that hold words, with one of them.
