@@ -387,8 +387,8 @@ impl Assembly<'_> {
         for s in &self.found.rest.screened {
             let p = &s.proposal;
             let single = p.amplitudes.len() == 1 && s.score.degrees == 1 && s.score.chi2 > 0.0;
-            let single = single && s.score.apart > TAKEN_UP;
-            if !single || visible.iter().any(|v| v.code == p.code) || visible.len() >= VISIBLE {
+            let is_apart = s.score.apart > TAKEN_UP;
+            if !single || !is_apart || visible.iter().any(|v| v.code == p.code) || visible.len() >= VISIBLE {
                 continue;
             }
             let a = &p.added[p.amplitudes[0]];

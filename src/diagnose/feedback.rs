@@ -42,9 +42,6 @@ const AT_ONCE: f64 = -10.0;
 /// feels the input; none, where the input is set from the reading. And standard deviations that it is sure by.
 const FELT: (f64, f64) = (0.5, 2.0);
 
-/// Words of an input that is set from what an output shows.
-pub const SET_BY: &str = " is set from what “";
-
 /// A closed loop.
 pub struct Loop {
     /// What is steered, an input.
@@ -95,7 +92,7 @@ pub fn read_first(recordings: &mut [Recording], separate: &mut [Recording], fit:
     let says = |(name, output): (String, usize)| {
         let output = &fit.model.outputs[output].name;
         format!(
-            "{name}{SET_BY}{output}” shows in the same row: what is measured was read as it was before {name} acts"
+            "{name} is set from what “{output}” shows in the same row: what is measured was read as it was before {name} acts"
         )
     };
     found.into_iter().map(says).collect()
@@ -139,8 +136,7 @@ fn answers_at_once(input: &Channel, series: &Series) -> bool {
     if n < FEWEST {
         return false;
     }
-    let mean = known.iter().flat_map(|s| &s[0]).sum::<f64>() / n as f64;
-    let moved: Vec<Vec<f64>> = known.iter().map(|s| s[0].iter().map(|u| u - mean).collect()).collect();
+    let moved = about_mean(&known, 0).1;
     let views: Vec<&[f64]> = moved.iter().map(Vec::as_slice).collect();
     let lefts: Vec<&[f64]> = known.iter().map(|s| s[1].as_slice()).collect();
     let [own, noise] = [&views, &lefts].map(|s| Autoregression::fit(s, ORDER));
@@ -188,13 +184,18 @@ fn follows(input: &Channel, series: &Series, first: usize) -> bool {
     share > SHARE && log_chance(n * share, degrees) < CHANCE
 }
 
+/// The mean of one of the two signals, and its stretches about it.
+fn about_mean(stretches: &[[Vec<f64>; 2]], which: usize) -> (f64, Vec<Vec<f64>>) {
+    let n = stretches.iter().map(|s| s[which].len()).sum::<usize>();
+    let mean = stretches.iter().flat_map(|s| &s[which]).sum::<f64>() / n as f64;
+    (mean, stretches.iter().map(|s| s[which].iter().map(|x| x - mean).collect()).collect())
+}
+
 /// Stretches of one of the two signals as innovations of its autoregression, about their mean; none where they are short
 /// or stand still.
 fn innovations(stretches: &[[Vec<f64>; 2]], which: usize) -> Option<Vec<Vec<f64>>> {
     let n = stretches.iter().map(|s| s[which].len()).sum::<usize>();
-    let mean = stretches.iter().flat_map(|s| &s[which]).sum::<f64>() / n as f64;
-    let about: Vec<Vec<f64>> =
-        stretches.iter().map(|s| s[which].iter().map(|x| x - mean).collect()).collect();
+    let (mean, about) = about_mean(stretches, which);
     let views: Vec<&[f64]> = about.iter().map(Vec::as_slice).collect();
     let moves = about.iter().flatten().any(|x| x.abs() > 1e-12 * mean.abs());
     if n < FEWEST || !moves {

@@ -325,7 +325,6 @@ impl Case<'_> {
         self.bench.budget.tell(base.ended_early);
         self.notes.extend(settled);
         let settled = hold::settle(&mut self.bench, &mut self.separate, base, Some(&self.model))?;
-        self.notes.extend(feedback::read_first(&mut self.bench.recordings, &mut self.separate, &settled.fit));
         let (base, found) = self.as_read(settled)?;
         let spent = self.bench.budget.cut();
         if spent == Some(Early::Time) {

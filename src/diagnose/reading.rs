@@ -11,13 +11,15 @@ impl Case<'_> {
     /// where that may hide a hold, with inputs held that may be, if that is likelier.
     pub(super) fn as_read(&mut self, settled: hold::Settled) -> Result<(Fit, Found)> {
         let hold::Settled { fit: base, held, open, before } = settled;
+        let said = feedback::read_first(&mut self.bench.recordings, &mut self.separate, &base);
+        self.notes.extend(said.iter().cloned());
         let found = self.named(&self.bench, &self.separate, base.clone(), before.as_deref())?;
         let may = |case: &Self| case.bench.budget.cut() != Some(Early::Time);
         let before = before.filter(|_| may(self));
         if let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found)) {
             // steps that were spent on a wrong reading are no reason to keep it
             self.bench.budget.renew();
-            self.notes.retain(|n| !n.contains(feedback::SET_BY));
+            self.notes.retain(|n| !said.contains(n));
             let said = feedback::read_first(&mut self.bench.recordings, &mut self.separate, &straight);
             self.notes.extend(said);
             let found = self.named(&self.bench, &self.separate, straight.clone(), None)?;

@@ -127,9 +127,11 @@ impl Channel {
 
     /// The value at a time between its samples, by its [`Hold`]; `None` in a gap and outside.
     pub fn value_at(&self, time: f64) -> Option<f64> {
-        let next = self.time.partition_point(|&t| t <= time);
-        if self.hold == Hold::AfterReading && next > 1 && self.time[next - 1] == time {
-            return Some(self.values[next - 2]).filter(|v| !v.is_nan());
+        if self.hold == Hold::AfterReading {
+            let before = self.time.partition_point(|&t| t < time);
+            if before > 0 && self.time.get(before) == Some(&time) {
+                return Some(self.values[before - 1]).filter(|v| !v.is_nan());
+            }
         }
         self.value_from(time)
     }
