@@ -1,6 +1,6 @@
 //! # Purpose
-//! The slowest time of a model near the start of a run, to tell when a recording is too short, and the
-//! fastest, to tell why a run takes too long.
+//! The slowest time of a model, to tell when a recording is too short, and the fastest, to tell why a run takes too
+//! long.
 //!
 //! # Method
 //! The characteristic polynomial of the Jacobian by the Faddeev-LeVerrier recursion; its roots.
@@ -23,15 +23,24 @@ use num_complex::Complex64;
 const NONE: f64 = 1e-10;
 
 impl Simulator {
-    /// The longest time constant near the start, 1/|λ| of the slowest root, s; none where the
-    /// model has no dynamics.
+    /// The longest time constant near the start, 1/|λ| of the slowest root, s; where the run is shorter than that, the
+    /// shortest of it and those at the ends of what the states went through (a law of a power may have none at rest).
+    /// None where the model has no dynamics.
     ///
     /// # Errors
     /// No steady state.
     pub fn slowest_time(&self, parameters: &[f64], initials: &[f64]) -> Result<Option<f64>> {
+        let longest = |roots: &[Complex64]| {
+            let slowest = roots.iter().map(|r| r.norm()).fold(f64::INFINITY, f64::min);
+            (slowest.is_finite() && slowest > 0.0).then(|| 1.0 / slowest)
+        };
         let (roots, _) = self.roots_at_start(parameters, initials)?;
-        let slowest = roots.iter().map(|r| r.norm()).fold(f64::INFINITY, f64::min);
-        Ok((slowest.is_finite() && slowest > 0.0).then(|| 1.0 / slowest))
+        let (from, to) = self.span();
+        let Some(at_rest) = longest(&roots).filter(|t| *t > to - from) else { return Ok(longest(&roots)) };
+        let went = self.swings(parameters, initials)?.unwrap_or_default();
+        let ends = [went.iter().map(|s| s.0).collect::<Vec<f64>>(), went.iter().map(|s| s.1).collect()];
+        let moving = ends.iter().filter_map(|x| longest(&self.roots_at(parameters, x)));
+        Ok(Some(moving.fold(at_rest, f64::min)))
     }
 
     /// How long the model remembers, near the start of the run: the longest 1/|Re λ|, s; infinite where it never
@@ -58,12 +67,24 @@ impl Simulator {
         let mut m = Machine::<f64>::new(&self.program, &mesh, &parameters);
         let (given, steady) = self.starts(initials);
         let x = start(&mut m, mesh.time[0], &given, &steady)?;
-        let n = x.len();
-        let (mut jacobian, mut explicit) = (vec![0.0; n * n], vec![0.0; n]);
-        m.load(mesh.time[0], &x);
-        m.slopes(&mut jacobian, &mut explicit);
-        Ok((roots(&jacobian, n), n))
+        Ok((roots_of(&mut m, mesh.time[0], &x), x.len()))
     }
+
+    /// The eigenvalues that are not 0 with the states at `x` and the inputs of the start, 1/s.
+    fn roots_at(&self, parameters: &[f64], x: &[f64]) -> Vec<Complex64> {
+        let parameters = self.with_constants(parameters);
+        let mesh = self.mesh_at(&parameters);
+        roots_of(&mut Machine::<f64>::new(&self.program, &mesh, &parameters), mesh.time[0], x)
+    }
+}
+
+/// The eigenvalues of the Jacobian that are not 0, 1/s.
+fn roots_of(m: &mut Machine<'_, f64>, time: f64, x: &[f64]) -> Vec<Complex64> {
+    let n = x.len();
+    let (mut jacobian, mut explicit) = (vec![0.0; n * n], vec![0.0; n]);
+    m.load(time, x);
+    m.slopes(&mut jacobian, &mut explicit);
+    roots(&jacobian, n)
 }
 
 /// The eigenvalues that are not 0.

@@ -281,6 +281,25 @@ fn the_slowest_time_is_that_of_the_slowest_root() {
 }
 
 #[test]
+fn the_slowest_time_of_what_starts_at_rest_is_that_of_its_run() {
+    // v' = F - c v |v| from v = 0.001: the slope there gives 1/(2 c v) = 500 s, and v = tanh t ends at 1, where it is 0.5 s.
+    let model = r#"
+        name = "drag"
+        [parameters]
+        F = { value = 1, unit = "m/s^2" }
+        c = { value = 1, unit = "1/m" }
+        [states]
+        v = { rate = "F - c*v*abs(v)", unit = "m/s", initial = 0.001 }
+        [outputs]
+        y = { equals = "v", unit = "m/s" }
+    "#;
+    let r = recording(vec![channel("y", "m/s", &times(10.0, 0.1), |_| 0.0)]);
+    let s = simulator(model, &r);
+    let slowest = s.slowest_time(&s.parameters(), &s.initials()).unwrap().unwrap();
+    assert!((slowest - 0.5).abs() < 1e-4, "{slowest}");
+}
+
+#[test]
 fn parameters_may_move_to_where_only_the_stiff_path_goes() {
     let model = r#"
         name = "lag"
