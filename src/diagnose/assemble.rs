@@ -97,8 +97,13 @@ impl Assembly<'_> {
             }
             _ => None,
         };
+        let is_nameless = findings.is_empty() && self.is_left && self.few.is_none();
+        let wanders = is_nameless.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
+        let driven = wanders.as_ref().filter(|w| w.is_driven && self.found.is_sure_trace());
         let odd = unlike.as_ref().map(|u| u.says(&self.request.model.outputs, &self.found.last.rmse));
-        let physics = settle(with_noise(evidence.verdict(), unlike.as_ref()), &findings, &self.found);
+        let odd = odd.or_else(|| driven.map(|w| w.says.clone()));
+        let physics = with_noise(evidence.verdict(), unlike.as_ref(), driven.is_some());
+        let physics = settle(physics, &findings, &self.found);
         let held_out: usize = before.iter().map(Held::samples).sum();
         let coloured =
             |n: &NoiseModel| (n.autoregression.variance() / n.autoregression.innovation_variance()).sqrt();
@@ -129,8 +134,6 @@ impl Assembly<'_> {
             }
             _ => next(),
         };
-        let is_nameless = findings.is_empty() && self.is_left && self.few.is_none();
-        let wanders = is_nameless.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
         let paragraph = Paragraph {
             model: self.request.model,
             found: &self.found,
@@ -146,6 +149,8 @@ impl Assembly<'_> {
             wanders: wanders.is_some(),
         };
         let says = paragraph.text();
+        let is_said = driven.is_some() && verdict == Verdict::Unknown;
+        let beside = wanders.map(|w| w.says).filter(|_| !is_said);
         let mismatch = Mismatch {
             model: self.request.model,
             found: &self.found,
@@ -171,7 +176,7 @@ impl Assembly<'_> {
             unexplained: if left { rest.unexplained() } else { None },
             notes: self.notes(
                 held_out,
-                missed(verdict, &proof).into_iter().chain(wanders).chain(closed.map(|l| l.says())),
+                missed(verdict, &proof).into_iter().chain(beside).chain(closed.map(|l| l.says())),
             ),
             proof,
             next_experiment,

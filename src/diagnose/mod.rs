@@ -28,6 +28,7 @@ mod gathered;
 mod hold;
 mod inert;
 mod innovations;
+mod input_noise;
 #[doc(hidden)]
 pub mod laboratory;
 mod lines;

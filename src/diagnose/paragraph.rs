@@ -2,7 +2,6 @@
 
 use super::answer::{DataFault, Finding, Proof, Verdict, at_fault, told};
 use super::catalogue::Proposal;
-use super::choose::SURE;
 use super::free_law::is_in;
 use super::rest::Law;
 use super::search::{Found, Taken};
@@ -110,7 +109,7 @@ impl Paragraph<'_> {
         let opening = match self.verdicts.0 {
             Verdict::NothingMissing | Verdict::DataFault => {
                 let untried = self.untried();
-                if self.found.is_trace && self.found.first.p_value < SURE {
+                if self.found.is_sure_trace() {
                     return format!(
                         "Nothing is missing that would lower the error by 2 %. What the model leaves over is not quite noise: a trace is left in it, as small noise of an input leaves, or its rounding.{untried}"
                     );

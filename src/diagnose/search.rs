@@ -122,6 +122,11 @@ impl Found {
         }
     }
 
+    /// Whether what is left is no noise for sure, though nothing that was tried lowers it by the floor.
+    pub fn is_sure_trace(&self) -> bool {
+        self.is_trace && self.first.p_value < choose::SURE
+    }
+
     /// Puts another finding in the place of one, with the model fitted with it.
     pub fn replaces(&mut self, i: usize, taken: Taken, fit: Fit) {
         self.taken[i] = taken;

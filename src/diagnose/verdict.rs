@@ -79,10 +79,11 @@ impl Evidence<'_> {
     }
 }
 
-/// Nothing is missing only where what is left is noise: where it steps something is, and where it is too slow
-/// nobody can tell.
-pub fn with_noise(verdict: Verdict, unlike: Option<&Unlike>) -> Verdict {
+/// Nothing is missing only where what is left is noise: where it steps, or what drives it was not recorded, something is,
+/// and where it is too slow nobody can tell.
+pub fn with_noise(verdict: Verdict, unlike: Option<&Unlike>, is_driven: bool) -> Verdict {
     match (verdict, unlike) {
+        (Verdict::NothingMissing, None) if is_driven => Verdict::Unknown,
         (Verdict::NothingMissing, Some(Unlike::Steps(..) | Unlike::Strays(..))) => Verdict::Unknown,
         (Verdict::NothingMissing, Some(Unlike::Slow(..))) => Verdict::NotIdentifiable,
         _ => verdict,

@@ -14,6 +14,7 @@
 
 use super::bench::Bench;
 use super::catalogue::edit;
+use super::input_noise;
 use super::measure::SURELY;
 use super::response::{Drive, Driven};
 use super::view::View;
@@ -40,8 +41,16 @@ struct Best {
     ratio: f64,
 }
 
+/// What wanders.
+pub struct Wanders {
+    /// The sentence.
+    pub says: String,
+    /// Whether it drives a state for sure, and is more than noise of the inputs could be.
+    pub is_driven: bool,
+}
+
 /// What to know of what is left of a fitted model in which no law is seen; none where nothing wanders.
-pub fn told(bench: &Bench, fit: &Fit) -> Option<String> {
+pub fn told(bench: &Bench, fit: &Fit) -> Option<Wanders> {
     let view = View::of(bench, fit).ok()?;
     let response = view.response.as_ref()?;
     let sensor = |o: usize| {
@@ -58,7 +67,9 @@ pub fn told(bench: &Bench, fit: &Fit) -> Option<String> {
     let forces = pushed(&fit.model).into_par_iter().filter_map(push);
     let likelihood = |f: &(usize, Best)| f.1.driven.likelihood;
     let force = forces.max_by(|a, b| likelihood(a).total_cmp(&likelihood(b)));
-    Some(says(fit, output, &sensor, force))
+    let gain = force.map_or(0.0, |f| likelihood(&f) - sensor.driven.likelihood);
+    let is_driven = gain > SURELY && !input_noise::could_leave(bench, &view, fit, output);
+    Some(Wanders { says: says(fit, output, &sensor, force), is_driven })
 }
 
 /// States whose rates a force may enter.

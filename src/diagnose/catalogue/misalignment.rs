@@ -1,14 +1,15 @@
 //! # What it is
 //! An instrument stands turned against the axis from which its angle is counted, or an input against that along which
-//! it acts.
+//! it acts; or an instrument's own error goes with the angle that it shows (a compass's deviation).
 //!
 //! # Signature in a recording
-//! The error repeats with the heading, shifted against the model's own harmonic by a constant
-//! angle.
+//! The error repeats with the heading, shifted against the model's own harmonic by a constant angle; where that angle
+//! goes with the heading, harmonics one higher and one lower stand beside the model's own.
 //!
 //! # Equation
 //! ```text
 //!     K -> K + delta
+//!     K -> K + A_sin sin(n K) + A_cos cos(n K)      n = 1 (semicircular: B, C), 2 (quadrantal: D, E)
 //!     u -> u (1 + a y^2)      with a recorded angle y between u and its axis; a cosine where a = -1/2
 //! ```
 //!
@@ -17,10 +18,12 @@
 //! turning.
 //!
 //! # Reference
-//! A. Lawrence, Modern Inertial Technology, 2nd ed. (1998), on misalignment.
+//! A. Lawrence, Modern Inertial Technology, 2nd ed. (1998), on misalignment; N. Bowditch, The American Practical
+//! Navigator, on the coefficients A to E of a compass's deviation.
 //!
 //! # Example
-//! A gyrocompass stand turned by three degrees against the keel; a wind turbine that does not face the wind.
+//! A gyrocompass stand turned by three degrees against the keel; a wind turbine that does not face the wind; dead
+//! reckoning by a magnetic compass whose deviation nobody took out; an encoder that is not centred on its shaft.
 
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
 use crate::units::Unit;
@@ -34,9 +37,14 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     propose,
 );
 
+/// A heading that spreads less than this does not show what goes with its sine and cosine beside a constant, rad.
+const ROUND: f64 = 0.5;
+
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let angles: Vec<&Signal> = scene.headings();
     let mut all: Vec<Proposal> = angles.iter().filter_map(|h| at(scene, h)).collect();
+    let round = angles.iter().filter(|h| h.spread > ROUND);
+    all.extend(round.flat_map(|h| [1, 2].map(|n| deviating(scene, h, n))).flatten());
     let small = |s: &&Signal| scene.is_angle(&s.name) && !s.is_heading();
     for angle in scene.moving(&[SignalKind::Channel]).filter(small) {
         let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());
@@ -63,4 +71,17 @@ fn at(scene: &Scene, h: &Signal) -> Option<Proposal> {
     d.replace(&h.name, &format!("({} + {delta})", h.name), |_| true);
     d.start(&[0.3]);
     d.done(&format!("{} is off by {{0}}: the instrument stands turned", scene.words(&h.name)))
+}
+
+/// An error of the angle that goes with the angle itself.
+fn deviating(scene: &Scene, h: &Signal, n: u32) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "misalignment", SiteKind::Input, &h.name);
+    let mut part = |name, which| d.amplitude(name, &h.unit, (-1.0, 1.0), &format!("{which} part of the deviation"));
+    let (a, b) = (part("A_sin", "sine"), part("A_cos", "cosine"));
+    let angle = if n == 1 { h.name.clone() } else { format!("{n}*{}", h.name) };
+    d.replace(&h.name, &format!("({} + {a}*sin({angle}) + {b}*cos({angle}))", h.name), |_| true);
+    d.start(&[0.05, 0.05]);
+    let often = if n == 1 { "once" } else { "twice" };
+    let heading = scene.words(&h.name);
+    d.done(&format!("{heading} is off by {{0}} and {{1}} (sine and cosine) {often} in its own turn: its deviation"))
 }

@@ -8,6 +8,7 @@
 //! ```text
 //!     p -> p (1 + a (t - t0)),  t0 the middle of the fitted part
 //!     p -> p exp(a (t - t0)) of what decays
+//!     p -> p/(1 + a (t - t0)) of what has a growing resistance in series
 //! ```
 //!
 //! # What else looks like this
@@ -15,10 +16,11 @@
 //! change.
 //!
 //! # Reference
-//! P. C. Young, Recursive Estimation and Time-Series Analysis (2011), ch. 4.
+//! P. C. Young, Recursive Estimation and Time-Series Analysis (2011), ch. 4; D. Q. Kern, R. E. Seaton, Br. Chem. Eng. 4
+//! (1959) 258, on resistances of fouling that grow with time.
 //!
 //! # Example
-//! Grease that warms up in the first hour.
+//! Grease that warms up in the first hour; a heat exchanger that fouls.
 
 use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind, draft::ANY};
 use crate::units::Unit;
@@ -36,20 +38,34 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    let forms = |p: &String| [false, true].map(|decays| at(scene, p, decays));
+    let forms = |p: &String| [Form::Straight, Form::Decays, Form::Resists].map(|form| at(scene, p, form));
     scene.acting_parameters().iter().flat_map(forms).flatten().collect()
 }
 
-/// Along a straight line, or by the same share in the same time.
-fn at(scene: &Scene, p: &str, decays: bool) -> Option<Proposal> {
+/// How it drifts: along a straight line, by the same share in the same time, or as one over a straight line.
+enum Form {
+    Straight,
+    Decays,
+    Resists,
+}
+
+/// Limits of a drift that is one over a straight line, in lengths of the fitted part, between which the line stays above
+/// zero over that part and over a held-out part after it of two thirds of its length.
+const ABOVE_ZERO: (f64, f64) = (-0.8, 1.8);
+
+fn at(scene: &Scene, p: &str, form: Form) -> Option<Proposal> {
     let second = Unit::parse("s").ok()?;
     let mut d = Draft::new(scene, "parameter-drift", SiteKind::Parameter, p);
-    let a = d.amplitude("a", &Unit::one().over(&second), ANY, "relative drift of the parameter");
+    let limits = match form {
+        Form::Resists => (ABOVE_ZERO.0 / scene.length(), ABOVE_ZERO.1 / scene.length()),
+        _ => ANY,
+    };
+    let a = d.amplitude("a", &Unit::one().over(&second), limits, "relative drift of the parameter");
     let middle = d.constant("t_mid", &second, 0.5 * (scene.from + scene.to), "middle of the fitted part");
-    let (law, how) = if decays {
-        (format!("({p}*exp({a}*(t - {middle})))"), " by equal shares in equal times")
-    } else {
-        (format!("({p}*(1 + {a}*(t - {middle})))"), "")
+    let (law, how) = match form {
+        Form::Straight => (format!("({p}*(1 + {a}*(t - {middle})))"), ""),
+        Form::Decays => (format!("({p}*exp({a}*(t - {middle})))"), " by equal shares in equal times"),
+        Form::Resists => (format!("({p}/(1 + {a}*(t - {middle})))"), ": what is in its denominator grows"),
     };
     d.replace(p, &law, |_| true);
     d.start(&[1.0 / scene.length()]);
