@@ -99,9 +99,9 @@ impl Assembly<'_> {
         };
         let is_nameless = findings.is_empty() && self.is_left && self.few.is_none();
         let wanders = is_nameless.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
-        let driven = wanders.as_ref().filter(|w| w.is_driven && self.found.is_sure_trace());
+        let driven = wanders.as_ref().filter(|w| w.driven.is_some());
         let odd = unlike.as_ref().map(|u| u.says(&self.request.model.outputs, &self.found.last.rmse));
-        let odd = odd.or_else(|| driven.map(|w| w.says.clone()));
+        let odd = odd.or_else(|| driven.map(wandering::Wanders::acts));
         let physics = with_noise(evidence.verdict(), unlike.as_ref(), driven.is_some());
         let physics = settle(physics, &findings, &self.found);
         let held_out: usize = before.iter().map(Held::samples).sum();
@@ -126,8 +126,11 @@ impl Assembly<'_> {
         let reason = unfinished.as_deref().or(blind.as_deref()).or(odd.as_deref());
         let verdict = with_faults(physics, &self.faults, self.is_open(physics, &proof));
         let next = || next::experiment(self.request.model, &self.bench, &self.found, verdict, reason);
+        let is_said = driven.is_some() && verdict == Verdict::Unknown;
+        let unrecorded = driven.and_then(|w| w.driven.as_deref()).filter(|_| is_said);
         let next_experiment = match (&unlike, &self.found.fallen) {
             _ if unfinished.is_some() => Some(next::PATIENCE.to_string()),
+            (None, None) if unrecorded.is_some() => unrecorded.map(next::still),
             (_, Some(fallen)) if verdict == Verdict::Unknown => Some(next::wider(fallen)),
             (Some(Unlike::Steps(k, _) | Unlike::Strays(k, _)), _) => {
                 Some(next::second_sensor(&self.request.model.outputs[*k].name))
@@ -149,8 +152,8 @@ impl Assembly<'_> {
             wanders: wanders.is_some(),
         };
         let says = paragraph.text();
-        let is_said = driven.is_some() && verdict == Verdict::Unknown;
-        let beside = wanders.map(|w| w.says).filter(|_| !is_said);
+        let is_lawless = is_said && !self.found.is_sure_trace();
+        let beside = wanders.as_ref().filter(|_| !is_said).map(|w| w.says.clone());
         let mismatch = Mismatch {
             model: self.request.model,
             found: &self.found,
@@ -161,7 +164,10 @@ impl Assembly<'_> {
             spoiled: &self.spoiled,
             recordings: self.given(),
         };
-        let located = mismatch.located(physics, verdict);
+        let mut located = mismatch.located(physics, verdict);
+        if let Some(state) = unrecorded {
+            located.sites = vec![answer::SiteName { kind: "state".into(), name: state.into() }];
+        }
         if verdict == Verdict::DataFault {
             findings = self.faults.iter().map(|f| f.finding.clone()).chain(findings).collect();
         }
@@ -193,6 +199,7 @@ impl Assembly<'_> {
             after: Fit { model: inert::settled(tidy, &self.found.taken), ..self.found.last },
             held: (before, after),
             recordings: self.bench.recordings,
+            is_lawless,
         })
     }
 

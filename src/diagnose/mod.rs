@@ -40,6 +40,7 @@ mod next;
 mod paragraph;
 #[doc(hidden)]
 pub mod pictures;
+mod pieces;
 mod propose;
 pub(crate) mod prove;
 mod race;
@@ -76,6 +77,7 @@ use compared::Cut;
 use faults::{Cleaned, Left, Spoiled};
 use measure::Measure;
 use namesakes::Namesakes;
+use pieces::Pieces;
 use prove::Held;
 use search::Found;
 use std::time::{Duration, Instant};
@@ -112,6 +114,8 @@ pub struct Diagnosis {
     pub recordings: Vec<Recording>,
     /// The series behind the pictures.
     pub pictures: pictures::Pictures,
+    /// Whether a disturbance that nobody recorded is all that is seen: there is no law to look for.
+    is_lawless: bool,
 }
 
 /// Diagnoses a model against recordings. Where the fitted part is explained with nothing added, what was held out is
@@ -133,7 +137,12 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     let (recordings, separate) = (namesakes.apart(&recordings), namesakes.apart(&separate));
     let request = &Request { recordings: &recordings, separate: &separate, ..*request };
     setup::keep_apart(request.model, request.recordings, request.separate)?;
-    let mut diagnosis = both_ways(request)?;
+    let cut = pieces::cut(request).and_then(|Pieces { model, recordings, notes }| {
+        let mut cut = both_ways(&Request { model: &model, recordings: &recordings, ..*request }).ok()?;
+        cut.answer.notes.extend(notes);
+        Some(cut)
+    });
+    let mut diagnosis = cut.map_or_else(|| both_ways(request), Ok)?;
     diagnosis.answer.notes.extend(namesakes.notes);
     Ok(diagnosis)
 }
@@ -264,6 +273,9 @@ impl Case<'_> {
         let mut best = assembled(found.clone())?;
         let verdict = best.answer.verdict;
         let given = self.given();
+        if best.is_lawless {
+            return Ok(best);
+        }
         if verdict == Verdict::Unknown || free_law::may_be_better(&best.answer) {
             let stands = verdict != Verdict::Unknown;
             self.bench.budget.begin("law without a name");

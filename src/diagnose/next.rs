@@ -25,6 +25,13 @@ pub fn second_sensor(output: &str) -> String {
     )
 }
 
+/// What tells of a disturbance that nobody recorded.
+pub fn still(state: &str) -> String {
+    format!(
+        "Record beside it what may act on {state} (weather, people, loads, a neighbouring machine), or repeat the recording where that is still: what is left then shows what else is missing."
+    )
+}
+
 /// What tells of a law that fits and cannot be run beyond where it was fitted.
 pub fn wider(fallen: &Refitted) -> String {
     let over = listed(fallen.proposal.depends.iter()).unwrap_or_else(|| fallen.proposal.site.name.clone());

@@ -45,8 +45,17 @@ struct Best {
 pub struct Wanders {
     /// The sentence.
     pub says: String,
-    /// Whether it drives a state for sure, and is more than noise of the inputs could be.
-    pub is_driven: bool,
+    /// The state that it drives for sure, and by more than noise of the inputs could.
+    pub driven: Option<String>,
+}
+
+impl Wanders {
+    /// What is missing, where it drives a state.
+    pub fn acts(&self) -> String {
+        let on =
+            self.driven.iter().map(|state| format!("a disturbance that nobody recorded acts on {state}; "));
+        on.collect::<String>() + &self.says
+    }
 }
 
 /// What to know of what is left of a fitted model in which no law is seen; none where nothing wanders.
@@ -68,8 +77,9 @@ pub fn told(bench: &Bench, fit: &Fit) -> Option<Wanders> {
     let likelihood = |f: &(usize, Best)| f.1.driven.likelihood;
     let force = forces.max_by(|a, b| likelihood(a).total_cmp(&likelihood(b)));
     let gain = force.map_or(0.0, |f| likelihood(&f) - sensor.driven.likelihood);
-    let is_driven = gain > SURELY && !input_noise::could_leave(bench, &view, fit, output);
-    Some(Wanders { says: says(fit, output, &sensor, force), is_driven })
+    let state = force.map(|(j, _)| fit.model.states[j].name.clone());
+    let is_more = gain > SURELY && !input_noise::could_leave(bench, &view, fit, output);
+    Some(Wanders { says: says(fit, output, &sensor, force), driven: state.filter(|_| is_more) })
 }
 
 /// States whose rates a force may enter.

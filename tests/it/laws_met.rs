@@ -140,6 +140,21 @@ fn a_sensor_whose_calibration_bends() {
 }
 
 #[test]
+fn a_resistance_that_grows_in_series() {
+    // the loss begins at 0.1 W/K and falls as scale grows on the wall, to 0.1/(1 + 0.02 t); time is the second state
+    let states = run(|[x, t], u| [(u + 3.0 - 0.1 / (1.0 + 0.02 * t) * x) / 0.2, 1.0]);
+    let power = inputs().iter().map(|u| u + 3.0).collect();
+    let reads = states.iter().map(|x| 20.0 + x[0]).collect();
+    let answer = told(FURNACE, &[("power", "W", power, 0.0), ("probe", "degC", reads, 0.02)]);
+    assert!(matches!(answer.verdict, Verdict::Named | Verdict::Tie), "{}", answer.says);
+    let first = &answer.findings[0];
+    assert_eq!((first.code.as_str(), first.site.name.as_str()), ("parameter-drift", "H"), "{}", answer.says);
+    // about t0 = 18 s, the middle of what is fitted: (1 + 0.02 t)/1.36 = 1 + (0.02/1.36)(t - t0)
+    assert!(first.term.contains("H/(1 +"), "{}", first.term);
+    assert!((first.parameters[0].value - 0.02 / 1.36).abs() < 2e-4, "{}", answer.says);
+}
+
+#[test]
 fn a_sensor_that_also_feels_what_another_does() {
     let model = r#"
         name = "mass"

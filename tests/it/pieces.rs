@@ -1,0 +1,55 @@
+//! A logger that was off for a while before a thing that remembers for longer: what follows has a start of its own.
+
+use crate::diagnose::{diagnosed, noise};
+use crate::laws_met::{inputs, named, run};
+use gyrospec::diagnose::answer::{Answer, Verdict};
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Recording};
+use gyrospec::units::Unit;
+
+/// A furnace with a time constant of some 20 s in a recording of 60 s.
+const FURNACE: &str = r#"
+    name = "furnace"
+    [inputs]
+    power = { unit = "W" }
+    [parameters]
+    C = { value = 1.3, unit = "J/K", fit = true, min = 0.1, max = 20 }
+    H = { value = 0.08, unit = "W/K", fit = true, min = 0.005, max = 1 }
+    room = { value = 20, unit = "degC" }
+    [states]
+    T = { rate = "(power - H*(T - room))/C", unit = "K", initial = 293.15 }
+    [outputs]
+    probe = { equals = "T", unit = "degC" }
+"#;
+
+/// What is told where no row was written for 3 s, and the probe shows so much at so many degrees.
+fn told(shows: impl Fn(f64) -> f64) -> Answer {
+    let states = run(|[x], u| [(u + 3.0 - 0.1 * x) / 2.0]);
+    let kept: Vec<usize> = (0..states.len()).filter(|i| !(1200..1350).contains(i)).collect();
+    let time: Vec<f64> = kept.iter().map(|i| 0.02 * *i as f64).collect();
+    let noise = noise(states.len(), 12);
+    let power = kept.iter().map(|i| inputs()[*i] + 3.0).collect();
+    let probe = kept.iter().map(|i| 273.15 + shows(20.0 + states[*i][0]) + 0.02 * noise[*i]).collect();
+    let unit = |text| Unit::parse(text).unwrap();
+    let channels = vec![
+        Channel::new("power", unit("W"), time.clone(), power),
+        Channel::new("probe", unit("degC"), time, probe),
+    ];
+    let recording = Recording::from_channels("off", channels).unwrap();
+    let answer = diagnosed(&Model::parse(FURNACE).unwrap(), recording).answer;
+    assert!(answer.notes.iter().any(|n| n.contains("'off' is read in 2 pieces")), "{:?}", answer.notes);
+    assert!(!answer.notes.iter().any(|n| n.contains("are not compared")), "{:?}", answer.notes);
+    answer
+}
+
+#[test]
+fn what_follows_a_gap_of_the_logger_is_compared() {
+    let answer = told(|t| t);
+    assert_eq!(answer.verdict, Verdict::NothingMissing, "{}", answer.says);
+    assert!((answer.parameters[0].after - 2.0).abs() < 0.01, "{:?}", answer.parameters[0].after);
+    assert!((answer.proof[0].holdout_after - 0.02).abs() < 0.002, "{}", answer.proof[0].holdout_after);
+
+    let answer = told(|t| t - 2e-3 * t * t);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("output-square", "probe", a)] if (a + 2e-3).abs() < 2e-4), "{found:?}");
+}
