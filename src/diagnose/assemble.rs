@@ -99,7 +99,10 @@ impl Assembly<'_> {
         };
         let is_nameless = findings.is_empty() && self.is_left && self.few.is_none();
         let wanders = is_nameless.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
-        let driven = wanders.as_ref().filter(|w| w.driven.is_some());
+        let is_trace = evidence.verdict() == Verdict::NothingMissing && self.found.is_sure_trace();
+        let is_told = unlike.is_some() || !self.faults.iter().all(answer::DataFault::is_reading);
+        let is_all = is_trace && !is_told && self.ended_early.is_none();
+        let driven = wanders.as_ref().filter(|w| is_all && w.driven.is_some());
         let odd = unlike.as_ref().map(|u| u.says(&self.request.model.outputs, &self.found.last.rmse));
         let odd = odd.or_else(|| driven.map(wandering::Wanders::acts));
         let physics = with_noise(evidence.verdict(), unlike.as_ref(), driven.is_some());
@@ -152,7 +155,6 @@ impl Assembly<'_> {
             wanders: wanders.is_some(),
         };
         let says = paragraph.text();
-        let is_lawless = is_said && !self.found.is_sure_trace();
         let beside = wanders.as_ref().filter(|_| !is_said).map(|w| w.says.clone());
         let mismatch = Mismatch {
             model: self.request.model,
@@ -199,7 +201,6 @@ impl Assembly<'_> {
             after: Fit { model: inert::settled(tidy, &self.found.taken), ..self.found.last },
             held: (before, after),
             recordings: self.bench.recordings,
-            is_lawless,
         })
     }
 

@@ -112,7 +112,10 @@ pub fn chosen_from(p: &Proposal, samples: f64) -> f64 {
 /// is no repetition.
 pub fn is_repeated(p: &Proposal, taken: &[Taken]) -> bool {
     let own = p.harmonics();
-    let is_new = |t: &Proposal| t.harmonics().iter().all(|h| !own.contains(h)) && !own.is_empty();
+    let is_new = |t: &Proposal| {
+        let theirs = t.harmonics();
+        theirs.is_empty() != own.is_empty() || !own.is_empty() && theirs.iter().all(|h| !own.contains(h))
+    };
     let same = |t: &Proposal| t.code == p.code && t.site == p.site && t.depends == p.depends && !is_new(t);
     !is_anchored(p) && taken.iter().any(|t| same(&t.proposal))
 }

@@ -114,8 +114,6 @@ pub struct Diagnosis {
     pub recordings: Vec<Recording>,
     /// The series behind the pictures.
     pub pictures: pictures::Pictures,
-    /// Whether a disturbance that nobody recorded is all that is seen: there is no law to look for.
-    is_lawless: bool,
 }
 
 /// Diagnoses a model against recordings. Where the fitted part is explained with nothing added, what was held out is
@@ -137,14 +135,34 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     let (recordings, separate) = (namesakes.apart(&recordings), namesakes.apart(&separate));
     let request = &Request { recordings: &recordings, separate: &separate, ..*request };
     setup::keep_apart(request.model, request.recordings, request.separate)?;
+    let mut diagnosis = in_pieces(request)?;
+    diagnosis.answer.notes.extend(namesakes.notes);
+    Ok(diagnosis)
+}
+
+/// The diagnosis of recordings cut where they remember a gap for long; of what is whole where that alone has a name, one that
+/// goes with time if the pieces miss nothing: a moment of change is looked for in the first of them.
+fn in_pieces(request: &Request<'_>) -> Result<Diagnosis> {
+    let begin = Instant::now();
+    let in_time = |request: &Request<'_>| {
+        let time_limit = request.time_limit.map(|t| t.saturating_sub(begin.elapsed()));
+        both_ways(&Request { time_limit, ..*request })
+    };
     let cut = pieces::cut(request).and_then(|Pieces { model, recordings, notes }| {
-        let mut cut = both_ways(&Request { model: &model, recordings: &recordings, ..*request }).ok()?;
+        let mut cut = in_time(&Request { model: &model, recordings: &recordings, ..*request }).ok()?;
         cut.answer.notes.extend(notes);
         Some(cut)
     });
-    let mut diagnosis = cut.map_or_else(|| both_ways(request), Ok)?;
-    diagnosis.answer.notes.extend(namesakes.notes);
-    Ok(diagnosis)
+    let Some(cut) = cut else { return in_time(request) };
+    let is_named = |d: &Diagnosis| matches!(d.answer.verdict, Verdict::Named | Verdict::Tie);
+    if is_named(&cut) {
+        return Ok(cut);
+    }
+    let misses_nothing = cut.answer.verdict == Verdict::NothingMissing;
+    let is_more = |whole: &Diagnosis| {
+        is_named(whole) && (!misses_nothing || whole.answer.findings.iter().any(pieces::goes_with_time))
+    };
+    Ok(in_time(request).ok().filter(is_more).unwrap_or(cut))
 }
 
 /// The diagnosis as fit and proof stand, or with both exchanged.
@@ -273,9 +291,6 @@ impl Case<'_> {
         let mut best = assembled(found.clone())?;
         let verdict = best.answer.verdict;
         let given = self.given();
-        if best.is_lawless {
-            return Ok(best);
-        }
         if verdict == Verdict::Unknown || free_law::may_be_better(&best.answer) {
             let stands = verdict != Verdict::Unknown;
             self.bench.budget.begin("law without a name");

@@ -9,13 +9,15 @@
 //! samples and more, the recording is cut there: parameters are shared, and initial states are each piece's own.
 
 use super::Request;
+use super::answer::Finding;
 use super::bench::Bench;
 use super::faults::{Cleaned, clean};
 use super::forgotten::{has_gaps, traces};
 use crate::estimate::Fit;
+use crate::expression::Expr;
 use crate::model::{Initial, Model};
 use crate::record::{Channel, Kind, Recording};
-use crate::simulate::GAP_STEPS;
+use crate::simulate::{Budget, GAP_STEPS};
 
 /// Share of the samples that a gap must cost beside its own.
 const COSTS: f64 = 0.1;
@@ -47,7 +49,8 @@ pub fn cut(request: &Request<'_>) -> Option<Pieces> {
         return None;
     }
     let Cleaned { recordings: clean, .. } = clean(request);
-    let bench = Bench::new(model, clean, !request.separate.is_empty(), request.seed);
+    let mut bench = Bench::new(model, clean, !request.separate.is_empty(), request.seed);
+    bench.budget = Budget::new(bench.budget.most(), request.time_limit);
     let base = bench.full_fit(model).ok()?;
     let (mut recordings, mut notes) = (Vec::new(), Vec::new());
     for (k, own) in request.recordings.iter().enumerate() {
@@ -62,7 +65,15 @@ pub fn cut(request: &Request<'_>) -> Option<Pieces> {
         }
         recordings.extend(pieces);
     }
+    if request.recordings.len() > 1 {
+        recordings.iter_mut().for_each(|r| r.is_piece = false);
+    }
     (!notes.is_empty()).then(|| Pieces { model: starting_anywhere(model), recordings, notes })
+}
+
+/// Whether a finding goes with the time of one recording.
+pub fn goes_with_time(finding: &Finding) -> bool {
+    finding.code.starts_with("clock") || Expr::parse(&finding.term).is_ok_and(|e| e.mentions("t"))
 }
 
 /// The gaps of a model's inputs, by time; those that overlap are one.
@@ -119,6 +130,7 @@ fn pieces(model: &Model, recording: &Recording, places: &[(f64, f64)]) -> Vec<Re
 /// What a recording holds between two times, both with it.
 fn piece(recording: &Recording, k: usize, (from, to): (f64, f64)) -> Recording {
     let mut own = recording.clone();
+    own.is_piece = true;
     own.name = format!("{}, piece {}", recording.name, k + 1);
     if k > 0 {
         own.sources.clear();

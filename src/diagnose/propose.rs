@@ -91,7 +91,8 @@ pub struct Screening {
 /// Every proposal of the catalogue that was not taken before and that another recording could confirm.
 pub fn proposals(bench: &Bench, scene: &Scene, taken: &[Taken]) -> Vec<Proposal> {
     let mut proposals: Vec<Proposal> = catalogue::ALL.iter().flat_map(|m| (m.propose)(scene)).collect();
-    if bench.separate || bench.recordings.len() > 1 {
+    let shares_a_clock = bench.recordings.len() == 1 || bench.recordings.iter().all(|r| r.is_piece);
+    if bench.separate || !shares_a_clock {
         proposals.retain(|p| !super::choose::is_anchored(p));
     }
     proposals.retain(|p| !p.refines && !super::choose::is_repeated(p, taken));
@@ -263,7 +264,7 @@ pub fn worth_fitting(screening: &Screening, most: usize, floor: f64) -> Vec<&Scr
     let mut forms: Vec<&Screened> = Vec::new();
     for c in &chosen {
         let is_there = |s: &Screened| chosen.iter().any(|c| c.proposal.term == s.proposal.term);
-        forms.extend(screening.screened.iter().find(|s| is_form(c, s) && !is_there(s)));
+        forms.extend(screening.screened.iter().filter(|s| is_form(c, s) && !is_there(s)));
     }
     chosen.extend(forms);
     chosen

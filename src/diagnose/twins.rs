@@ -20,7 +20,7 @@ use super::view::View;
 /// Share of its score from which on another is fitted too.
 const NEAR: f64 = 0.5;
 /// How many at most.
-const MOST: usize = 6;
+const MOST: usize = 9;
 
 /// The proposals that may be twins of the likeliest of those fitted, and were not fitted.
 pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Screened> {

@@ -52,9 +52,8 @@ pub struct Wanders {
 impl Wanders {
     /// What is missing, where it drives a state.
     pub fn acts(&self) -> String {
-        let on =
-            self.driven.iter().map(|state| format!("a disturbance that nobody recorded acts on {state}; "));
-        on.collect::<String>() + &self.says
+        let state = self.driven.as_deref().unwrap_or_default();
+        format!("a disturbance that nobody recorded acts on {state}; {}", self.says)
     }
 }
 

@@ -103,6 +103,7 @@ impl Recording {
             left_out,
             zero,
             time_unit: table.time_unit,
+            is_piece: false,
             ..Self::default()
         })
     }

@@ -298,6 +298,8 @@ pub struct Recording {
     pub(crate) zero: Option<Zero>,
     /// The unit in which its first table counts time from a zero of its own.
     pub(crate) time_unit: Option<Unit>,
+    /// Whether it is a piece of one recording, so that it shares a clock with what it is given beside.
+    pub(crate) is_piece: bool,
 }
 
 impl Recording {

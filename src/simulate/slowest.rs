@@ -37,7 +37,7 @@ impl Simulator {
         let (roots, _) = self.roots_at_start(parameters, initials)?;
         let (from, to) = self.span();
         let Some(at_rest) = longest(&roots).filter(|t| *t > to - from) else { return Ok(longest(&roots)) };
-        let went = self.swings(parameters, initials)?.unwrap_or_default();
+        let went = self.swings(parameters, initials).ok().flatten().unwrap_or_default();
         let ends = [went.iter().map(|s| s.0).collect::<Vec<f64>>(), went.iter().map(|s| s.1).collect()];
         let moving = ends.iter().filter_map(|x| longest(&self.roots_at(parameters, x)));
         Ok(Some(moving.fold(at_rest, f64::min)))

@@ -75,6 +75,12 @@ fn a_compass_has_a_deviation() {
     let found = named(&answer);
     assert!(matches!(found[..], [("misalignment", "compass", a)] if (a + 2.0).abs() < 0.05), "{found:?}");
 
+    // a whole card: A, B, C and D
+    let answer = told(|k| degrees * (1.5 + 5.0 * k.sin() + 2.0 * k.cos() + 1.2 * (2.0 * k).sin()));
+    let found = named(&answer);
+    assert!(found.iter().all(|f| (f.0, f.1) == ("misalignment", "compass")), "{found:?}");
+    assert!(answer.proof.iter().all(|p| p.holdout_after < 1.0), "{}", answer.says);
+
     let answer = told(|_| 0.0);
     assert_eq!(answer.verdict, Verdict::NothingMissing, "{}", answer.says);
 }

@@ -6,6 +6,7 @@ use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};
 use gyrospec::units::Unit;
+use std::ops::Range;
 
 /// A furnace with a time constant of some 20 s in a recording of 60 s.
 const FURNACE: &str = r#"
@@ -24,22 +25,28 @@ const FURNACE: &str = r#"
 
 /// What is told where no row was written for 3 s, and the probe shows so much at so many degrees.
 fn told(shows: impl Fn(f64) -> f64) -> Answer {
+    let answer = told_with_time(1200..1350, |_, t| shows(t));
+    assert!(answer.notes.iter().any(|n| n.contains("'off' is read in 2 pieces")), "{:?}", answer.notes);
+    assert!(!answer.notes.iter().any(|n| n.contains("are not compared")), "{:?}", answer.notes);
+    answer
+}
+
+/// What is told where some rows were not written, and the probe shows so much at a time and so many degrees.
+fn told_with_time(lacks: Range<usize>, shows: impl Fn(f64, f64) -> f64) -> Answer {
     let states = run(|[x], u| [(u + 3.0 - 0.1 * x) / 2.0]);
-    let kept: Vec<usize> = (0..states.len()).filter(|i| !(1200..1350).contains(i)).collect();
+    let kept: Vec<usize> = (0..states.len()).filter(|i| !lacks.contains(i)).collect();
     let time: Vec<f64> = kept.iter().map(|i| 0.02 * *i as f64).collect();
     let noise = noise(states.len(), 12);
     let power = kept.iter().map(|i| inputs()[*i] + 3.0).collect();
-    let probe = kept.iter().map(|i| 273.15 + shows(20.0 + states[*i][0]) + 0.02 * noise[*i]).collect();
+    let shown = |i: usize| 273.15 + shows(0.02 * i as f64, 20.0 + states[i][0]) + 0.02 * noise[i];
+    let probe = kept.iter().map(|i| shown(*i)).collect();
     let unit = |text| Unit::parse(text).unwrap();
     let channels = vec![
         Channel::new("power", unit("W"), time.clone(), power),
         Channel::new("probe", unit("degC"), time, probe),
     ];
     let recording = Recording::from_channels("off", channels).unwrap();
-    let answer = diagnosed(&Model::parse(FURNACE).unwrap(), recording).answer;
-    assert!(answer.notes.iter().any(|n| n.contains("'off' is read in 2 pieces")), "{:?}", answer.notes);
-    assert!(!answer.notes.iter().any(|n| n.contains("are not compared")), "{:?}", answer.notes);
-    answer
+    diagnosed(&Model::parse(FURNACE).unwrap(), recording).answer
 }
 
 #[test]
@@ -52,4 +59,14 @@ fn what_follows_a_gap_of_the_logger_is_compared() {
     let answer = told(|t| t - 2e-3 * t * t);
     let found = named(&answer);
     assert!(matches!(found[..], [("output-square", "probe", a)] if (a + 2e-3).abs() < 2e-4), "{found:?}");
+}
+
+#[test]
+fn what_goes_with_time_is_found_beside_a_gap_of_the_logger() {
+    // a sensor that drifts by 0.02 K/s: the pieces share a clock
+    let answer = told_with_time(2200..2350, |time, t| t + 0.02 * time);
+    assert!(matches!(answer.verdict, Verdict::Named | Verdict::Tie), "{}", answer.says);
+    assert_eq!(answer.findings[0].code, "output-drift", "{}", answer.says);
+    let drift = &answer.findings[0].parameters[0];
+    assert!(drift.low < 0.02 && 0.02 < drift.high && drift.high < 0.03, "{}", answer.says);
 }

@@ -44,7 +44,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let angles: Vec<&Signal> = scene.headings();
     let mut all: Vec<Proposal> = angles.iter().filter_map(|h| at(scene, h)).collect();
     let round = angles.iter().filter(|h| h.spread > ROUND);
-    all.extend(round.flat_map(|h| [1, 2].map(|n| deviating(scene, h, n))).flatten());
+    all.extend(round.flat_map(|h| [&[1][..], &[2], &[1, 2]].map(|n| deviating(scene, h, n))).flatten());
     let small = |s: &&Signal| scene.is_angle(&s.name) && !s.is_heading();
     for angle in scene.moving(&[SignalKind::Channel]).filter(small) {
         let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());
@@ -73,15 +73,25 @@ fn at(scene: &Scene, h: &Signal) -> Option<Proposal> {
     d.done(&format!("{} is off by {{0}}: the instrument stands turned", scene.words(&h.name)))
 }
 
-/// An error of the angle that goes with the angle itself.
-fn deviating(scene: &Scene, h: &Signal, n: u32) -> Option<Proposal> {
+/// An error of the angle that goes with some harmonics of the angle itself; with several, a constant stands beside them.
+fn deviating(scene: &Scene, h: &Signal, harmonics: &[u32]) -> Option<Proposal> {
     let mut d = Draft::new(scene, "misalignment", SiteKind::Input, &h.name);
-    let mut part = |name, which| d.amplitude(name, &h.unit, (-1.0, 1.0), &format!("{which} part of the deviation"));
-    let (a, b) = (part("A_sin", "sine"), part("A_cos", "cosine"));
-    let angle = if n == 1 { h.name.clone() } else { format!("{n}*{}", h.name) };
-    d.replace(&h.name, &format!("({} + {a}*sin({angle}) + {b}*cos({angle}))", h.name), |_| true);
-    d.start(&[0.05, 0.05]);
-    let often = if n == 1 { "once" } else { "twice" };
-    let heading = scene.words(&h.name);
-    d.done(&format!("{heading} is off by {{0}} and {{1}} (sine and cosine) {often} in its own turn: its deviation"))
+    let part = |d: &mut Draft, name: &str, which: &str| {
+        d.amplitude(name, &h.unit, (-1.0, 1.0), &format!("{which} part of the deviation"))
+    };
+    let (mut sum, mut says) = (h.name.clone(), Vec::new());
+    for n in harmonics {
+        let (a, b) = (part(&mut d, "A_sin", "sine"), part(&mut d, "A_cos", "cosine"));
+        let angle = if *n == 1 { h.name.clone() } else { format!("{n}*{}", h.name) };
+        sum += &format!(" + {a}*sin({angle}) + {b}*cos({angle})");
+        let (k, of) = (2 * says.len(), if *n == 1 { "itself" } else { "twice itself" });
+        says.push(format!("{{{k}}} times the sine and {{{}}} times the cosine of {of}", k + 1));
+    }
+    if harmonics.len() > 1 {
+        sum += &format!(" + {}", part(&mut d, "delta", "constant"));
+        says.push(format!("{{{}}}", 2 * harmonics.len()));
+    }
+    d.replace(&h.name, &format!("({sum})"), |_| true);
+    d.start(&vec![0.05; 2 * harmonics.len() + usize::from(harmonics.len() > 1)]);
+    d.done(&format!("{} is off by {}: its deviation", scene.words(&h.name), says.join(" and ")))
 }

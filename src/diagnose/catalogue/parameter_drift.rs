@@ -43,29 +43,30 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 }
 
 /// How it drifts: along a straight line, by the same share in the same time, or as one over a straight line.
+#[derive(Clone, Copy)]
 enum Form {
     Straight,
     Decays,
     Resists,
 }
 
-/// Limits of a drift that is one over a straight line, in lengths of the fitted part, between which the line stays above
-/// zero over that part and over a held-out part after it of two thirds of its length.
-const ABOVE_ZERO: (f64, f64) = (-0.8, 1.8);
+/// Share of the way to zero that the line of a drift that is one over it may go in all that was recorded.
+const ABOVE_ZERO: f64 = 0.9;
 
 fn at(scene: &Scene, p: &str, form: Form) -> Option<Proposal> {
     let second = Unit::parse("s").ok()?;
     let mut d = Draft::new(scene, "parameter-drift", SiteKind::Parameter, p);
+    let mid = 0.5 * (scene.from + scene.to);
     let limits = match form {
-        Form::Resists => (ABOVE_ZERO.0 / scene.length(), ABOVE_ZERO.1 / scene.length()),
+        Form::Resists => (-ABOVE_ZERO / (scene.whole.1 - mid), ABOVE_ZERO / (mid - scene.whole.0)),
         _ => ANY,
     };
     let a = d.amplitude("a", &Unit::one().over(&second), limits, "relative drift of the parameter");
-    let middle = d.constant("t_mid", &second, 0.5 * (scene.from + scene.to), "middle of the fitted part");
+    let middle = d.constant("t_mid", &second, mid, "middle of the fitted part");
     let (law, how) = match form {
         Form::Straight => (format!("({p}*(1 + {a}*(t - {middle})))"), ""),
         Form::Decays => (format!("({p}*exp({a}*(t - {middle})))"), " by equal shares in equal times"),
-        Form::Resists => (format!("({p}/(1 + {a}*(t - {middle})))"), ": what is in its denominator grows"),
+        Form::Resists => (format!("({p}/(1 + {a}*(t - {middle})))"), " as one over a straight line"),
     };
     d.replace(p, &law, |_| true);
     d.start(&[1.0 / scene.length()]);
