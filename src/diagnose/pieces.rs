@@ -65,8 +65,8 @@ pub fn cut(request: &Request<'_>) -> Option<Pieces> {
         }
         recordings.extend(pieces);
     }
-    if request.recordings.len() > 1 {
-        recordings.iter_mut().for_each(|r| r.is_piece = false);
+    for r in &mut recordings {
+        r.is_piece = request.recordings.len() == 1;
     }
     (!notes.is_empty()).then(|| Pieces { model: starting_anywhere(model), recordings, notes })
 }
@@ -130,7 +130,6 @@ fn pieces(model: &Model, recording: &Recording, places: &[(f64, f64)]) -> Vec<Re
 /// What a recording holds between two times, both with it.
 fn piece(recording: &Recording, k: usize, (from, to): (f64, f64)) -> Recording {
     let mut own = recording.clone();
-    own.is_piece = true;
     own.name = format!("{}, piece {}", recording.name, k + 1);
     if k > 0 {
         own.sources.clear();
