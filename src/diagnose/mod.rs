@@ -144,42 +144,47 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
 /// goes with time if the pieces miss nothing: a moment of change is looked for in the first of them.
 fn in_pieces(request: &Request<'_>) -> Result<Diagnosis> {
     let begin = Instant::now();
-    let in_time = |request: &Request<'_>| {
+    let in_time = |request: &Request<'_>, gaps: &[DataFault]| {
         let time_limit = request.time_limit.map(|t| t.saturating_sub(begin.elapsed()));
-        both_ways(&Request { time_limit, ..*request })
+        both_ways(&Request { time_limit, ..*request }, gaps)
     };
-    let cut = pieces::cut(request).and_then(|Pieces { model, recordings, notes }| {
-        let mut cut = in_time(&Request { model: &model, recordings: &recordings, ..*request }).ok()?;
+    let cut = pieces::cut(request).and_then(|Pieces { model, recordings, notes, gaps }| {
+        let mut cut = in_time(&Request { model: &model, recordings: &recordings, ..*request }, &gaps).ok()?;
         cut.answer.notes.extend(notes);
         Some(cut)
     });
-    let Some(cut) = cut else { return in_time(request) };
+    let Some(cut) = cut else { return in_time(request, &[]) };
     let is_named = |d: &Diagnosis| matches!(d.answer.verdict, Verdict::Named | Verdict::Tie);
     if is_named(&cut) {
         return Ok(cut);
     }
-    let misses_nothing = cut.answer.verdict == Verdict::NothingMissing;
+    let misses_nothing = matches!(cut.answer.verdict, Verdict::NothingMissing | Verdict::DataFault);
     let is_more = |whole: &Diagnosis| {
         is_named(whole) && (!misses_nothing || whole.answer.findings.iter().any(pieces::goes_with_time))
     };
-    Ok(in_time(request).ok().filter(is_more).unwrap_or(cut))
+    Ok(in_time(request, &[]).ok().filter(is_more).unwrap_or(cut))
 }
 
 /// The diagnosis as fit and proof stand, or with both exchanged.
-fn both_ways(request: &Request<'_>) -> Result<Diagnosis> {
+fn both_ways(request: &Request<'_>, gaps: &[DataFault]) -> Result<Diagnosis> {
     let begin = Instant::now();
-    let first = as_it_stands(request)?;
+    let first = as_it_stands(request, gaps)?;
     let Some(recordings) = exchanged::asked(request, &first) else { return Ok(first) };
     request.progress.report("once more, with fit and proof in each other's place", None);
     let time_limit = request.time_limit.map(|t| t.saturating_sub(begin.elapsed()));
-    let second = as_it_stands(&Request { recordings: &recordings, time_limit, ..*request });
+    let second = as_it_stands(&Request { recordings: &recordings, time_limit, ..*request }, gaps);
     Ok(second.ok().and_then(exchanged::proven).unwrap_or(first))
 }
 
-/// The diagnosis with fit and proof where they stand.
-fn as_it_stands(request: &Request<'_>) -> Result<Diagnosis> {
+/// The diagnosis with fit and proof where they stand, beside gaps of what these recordings were cut from.
+fn as_it_stands(request: &Request<'_>, gaps: &[DataFault]) -> Result<Diagnosis> {
     request.progress.report("looking for faults in the data", None);
-    let Cleaned { spoiled, told, recordings, separate } = faults::clean(request);
+    let Cleaned { spoiled, mut told, recordings, separate } = faults::clean(request);
+    let of_whole = |f: &DataFault| {
+        gaps.iter().any(|g| g.finding.code == f.finding.code && g.finding.site.name == f.finding.site.name)
+    };
+    told.retain(|f| !of_whole(f));
+    told.extend(gaps.iter().cloned());
     let (left, recordings, separate) = Left::of(request, recordings, separate);
     let asked = Request { model: &left.model, ..*request };
     let Cut { fitted, separate, notes } =

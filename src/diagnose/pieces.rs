@@ -9,7 +9,7 @@
 //! samples and more, the recording is cut there: parameters are shared, and initial states are each piece's own.
 
 use super::Request;
-use super::answer::Finding;
+use super::answer::{DataFault, Finding};
 use super::bench::Bench;
 use super::faults::{Cleaned, clean};
 use super::forgotten::{has_gaps, traces};
@@ -34,6 +34,8 @@ pub struct Pieces {
     pub recordings: Vec<Recording>,
     /// What was cut.
     pub notes: Vec<String>,
+    /// The gaps of the whole, which no piece shows.
+    pub gaps: Vec<DataFault>,
 }
 
 /// Recordings cut at gaps of inputs that a model shows for long; none where there are no such, where the spans are chosen,
@@ -48,7 +50,7 @@ pub fn cut(request: &Request<'_>) -> Option<Pieces> {
     if model.states.is_empty() || is_steady || !request.recordings.iter().any(may) {
         return None;
     }
-    let Cleaned { recordings: clean, .. } = clean(request);
+    let Cleaned { recordings: clean, told, .. } = clean(request);
     let mut bench = Bench::new(model, clean, !request.separate.is_empty(), request.seed);
     bench.budget = Budget::new(bench.budget.most(), request.time_limit);
     let base = bench.full_fit(model).ok()?;
@@ -68,7 +70,8 @@ pub fn cut(request: &Request<'_>) -> Option<Pieces> {
     for r in &mut recordings {
         r.is_piece = request.recordings.len() == 1;
     }
-    (!notes.is_empty()).then(|| Pieces { model: starting_anywhere(model), recordings, notes })
+    let gaps = told.into_iter().filter(|f| f.finding.code == "gap").collect();
+    (!notes.is_empty()).then(|| Pieces { model: starting_anywhere(model), recordings, notes, gaps })
 }
 
 /// Whether a finding goes with the time of one recording.

@@ -52,7 +52,9 @@ fn told_with_time(lacks: Range<usize>, shows: impl Fn(f64, f64) -> f64) -> Answe
 #[test]
 fn what_follows_a_gap_of_the_logger_is_compared() {
     let answer = told(|t| t);
-    assert_eq!(answer.verdict, Verdict::NothingMissing, "{}", answer.says);
+    assert_eq!(answer.verdict, Verdict::DataFault, "{}", answer.says);
+    assert!(answer.says.contains("Beside that nothing is missing"), "{}", answer.says);
+    assert!(answer.faults.iter().all(|f| f.finding.code == "gap" && f.masked), "{}", answer.says);
     assert!((answer.parameters[0].after - 2.0).abs() < 0.01, "{:?}", answer.parameters[0].after);
     assert!((answer.proof[0].holdout_after - 0.02).abs() < 0.002, "{}", answer.proof[0].holdout_after);
 

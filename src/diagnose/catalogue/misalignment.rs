@@ -25,7 +25,9 @@
 //! A gyrocompass stand turned by three degrees against the keel; a wind turbine that does not face the wind; dead
 //! reckoning by a magnetic compass whose deviation nobody took out; an encoder that is not centred on its shaft.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
+use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit};
+use crate::expression::{Expr, Function};
+use crate::model::Model;
 use crate::units::Unit;
 
 /// An angle used by the model is off.
@@ -43,7 +45,7 @@ const ROUND: f64 = 0.5;
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let angles: Vec<&Signal> = scene.headings();
     let mut all: Vec<Proposal> = angles.iter().filter_map(|h| at(scene, h)).collect();
-    let round = angles.iter().filter(|h| h.spread > ROUND);
+    let round = angles.iter().filter(|h| h.spread > ROUND && turns(scene.model, &h.name));
     all.extend(round.flat_map(|h| [&[1][..], &[2], &[1, 2]].map(|n| deviating(scene, h, n))).flatten());
     let small = |s: &&Signal| scene.is_angle(&s.name) && !s.is_heading();
     for angle in scene.moving(&[SignalKind::Channel]).filter(small) {
@@ -71,6 +73,15 @@ fn at(scene: &Scene, h: &Signal) -> Option<Proposal> {
     d.replace(&h.name, &format!("({} + {delta})", h.name), |_| true);
     d.start(&[0.3]);
     d.done(&format!("{} is off by {{0}}: the instrument stands turned", scene.words(&h.name)))
+}
+
+/// Whether a rate takes the sine or cosine of an angle; where none does, the angle's own error is one of what shows it.
+fn turns(model: &Model, angle: &str) -> bool {
+    let is_turn = |e: &Expr| match e {
+        Expr::Call(Function::Sin | Function::Cos, a) => a[0].mentions(angle),
+        _ => false,
+    };
+    model.states.iter().any(|s| edit::find(&edit::opened(model, &s.rate), &is_turn).is_some())
 }
 
 /// An error of the angle that goes with some harmonics of the angle itself; with several, a constant stands beside them.
