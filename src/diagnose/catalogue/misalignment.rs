@@ -81,7 +81,7 @@ fn turns(model: &Model, angle: &str) -> bool {
         Expr::Call(Function::Sin | Function::Cos, a) => a[0].mentions(angle),
         _ => false,
     };
-    model.states.iter().any(|s| edit::find(&edit::opened(model, &s.rate), &is_turn).is_some())
+    model.states.iter().any(|s| edit::find(edit::opened(model, &s.rate), &is_turn).is_some())
 }
 
 /// An error of the angle that goes with some harmonics of the angle itself; with several, a constant stands beside them.
