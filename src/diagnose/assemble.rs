@@ -1,32 +1,28 @@
 //! From the outcome of the search to the answer.
 
 use super::answer::{
-    Answer, DataFault, Detection, Finding, InputFile, Made, ParameterChange, Proof, SCHEMA, Value, Verdict,
-    Visible,
+    Answer, DataFault, Detection, InputFile, Made, ParameterChange, Proof, SCHEMA, Verdict, Visible,
 };
 use super::bench::Bench;
 use super::carried::{settled, together};
-use super::catalogue::{ANY, Added};
 use super::faults::{self, Spoiled};
 use super::feedback;
 use super::few::Few;
 use super::innovations::Unlike;
 use super::located::{Mismatch, site_name};
+use super::nameless::Nameless;
 use super::paragraph::Paragraph;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
-use super::search::{Found, Taken};
+use super::search::Found;
 use super::verdict::{Evidence, Proven, in_a_loop, missed, settle, with_faults, with_noise, with_patches};
 use super::view::View;
-use super::{
-    Diagnosis, Request, answer, backward, inert, innovations, locate, next, pictures, wandering, words,
-};
+use super::{Diagnosis, Request, answer, inert, innovations, locate, next, pictures, wandering};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::noise::NoiseModel;
 use crate::record::Recording;
 use crate::simulate::Early;
-use rayon::prelude::*;
 use std::sync::OnceLock;
 
 /// Share of what a mechanism moves up to which the fitted parameters take it up: what is left of it then is that of runs.
@@ -89,23 +85,9 @@ impl Assembly<'_> {
         let mut findings = self.findings(smaller, &before, &after);
         findings.sort_by(|a, b| b.share.total_cmp(&a.share));
         let proof = self.proof(&before, &after);
-        // Without a name a sure step in time leads farther than a signal that follows it.
-        let unlike = match evidence.verdict() {
-            Verdict::NothingMissing => self.unlike_noise(),
-            Verdict::Unknown if self.found.taken.is_empty() && self.found.fallen.is_none() => {
-                self.unlike_noise().filter(Unlike::is_step)
-            }
-            _ => None,
-        };
-        let is_nameless = findings.is_empty() && self.is_left && self.few.is_none();
-        let wanders = is_nameless.then(|| wandering::told(&self.bench, &self.found.last)).flatten();
-        let is_trace = evidence.verdict() == Verdict::NothingMissing && self.found.is_sure_trace();
-        let is_told = unlike.is_some() || !self.faults.iter().all(answer::DataFault::is_reading);
-        let is_all = is_trace && !is_told && self.ended_early.is_none();
-        let driven = wanders.as_ref().filter(|w| is_all && w.driven.is_some());
-        let odd = unlike.as_ref().map(|u| u.says(&self.request.model.outputs, &self.found.last.rmse));
-        let odd = odd.or_else(|| driven.map(wandering::Wanders::acts));
-        let physics = with_noise(evidence.verdict(), unlike.as_ref(), driven.is_some());
+        let nameless = self.nameless(evidence.verdict());
+        let odd = nameless.says(&self.request.model.outputs, &self.found.last.rmse);
+        let physics = with_noise(evidence.verdict(), nameless.unlike.as_ref(), nameless.driven().is_some());
         let physics = settle(physics, &findings, &self.found);
         let held_out: usize = before.iter().map(Held::samples).sum();
         let coloured =
@@ -129,11 +111,9 @@ impl Assembly<'_> {
         let reason = unfinished.as_deref().or(blind.as_deref()).or(odd.as_deref());
         let verdict = with_faults(physics, &self.faults, self.is_open(physics, &proof));
         let next = || next::experiment(self.request.model, &self.bench, &self.found, verdict, reason);
-        let is_said = driven.is_some() && verdict == Verdict::Unknown;
-        let unrecorded = driven.and_then(|w| w.driven.as_deref()).filter(|_| is_said);
-        let next_experiment = match (&unlike, &self.found.fallen) {
+        let next_experiment = match (&nameless.unlike, &self.found.fallen) {
             _ if unfinished.is_some() => Some(next::PATIENCE.to_string()),
-            (None, None) if unrecorded.is_some() => unrecorded.map(next::still),
+            (None, None) if nameless.driven().is_some() => nameless.driven().map(next::still),
             (_, Some(fallen)) if verdict == Verdict::Unknown => Some(next::wider(fallen)),
             (Some(Unlike::Steps(k, _) | Unlike::Strays(k, _)), _) => {
                 Some(next::second_sensor(&self.request.model.outputs[*k].name))
@@ -152,22 +132,21 @@ impl Assembly<'_> {
             odd: odd.as_deref(),
             is_cut: self.ended_early.is_some(),
             law: rest.laws.first().filter(|_| left),
-            wanders: wanders.is_some(),
+            wanders: nameless.wanders.is_some(),
         };
         let says = paragraph.text();
-        let beside = wanders.as_ref().filter(|_| !is_said).map(|w| w.says.clone());
         let mismatch = Mismatch {
             model: self.request.model,
             found: &self.found,
             rest: first_rest.as_ref().unwrap_or(&rest),
             left: Some(&rest).filter(|_| left),
-            stepping: unlike.as_ref().and_then(Unlike::output),
+            stepping: nameless.unlike.as_ref().and_then(Unlike::output),
             faults: &self.faults,
             spoiled: &self.spoiled,
             recordings: self.given(),
         };
         let mut located = mismatch.located(physics, verdict);
-        if let Some(state) = unrecorded {
+        if let Some(state) = nameless.driven() {
             located.sites = vec![answer::SiteName { kind: "state".into(), name: state.into() }];
         }
         if verdict == Verdict::DataFault {
@@ -177,14 +156,14 @@ impl Assembly<'_> {
             schema: SCHEMA,
             verdict,
             says,
-            detection: self.detection(unlike.as_ref().map_or(1.0, Unlike::p_value)),
+            detection: self.detection(nameless.unlike.as_ref().map_or(1.0, Unlike::p_value)),
             located,
             findings,
             faults: self.faults.clone(),
             unexplained: if left { rest.unexplained() } else { None },
             notes: self.notes(
                 held_out,
-                missed(verdict, &proof).into_iter().chain(beside).chain(closed.map(|l| l.says())),
+                missed(verdict, &proof).into_iter().chain(nameless.beside()).chain(closed.map(|l| l.says())),
             ),
             proof,
             next_experiment,
@@ -202,6 +181,24 @@ impl Assembly<'_> {
             held: (before, after),
             recordings: self.bench.recordings,
         })
+    }
+
+    /// What of what is left no law explains, for the verdict of the laws alone.
+    fn nameless(&self, verdict: Verdict) -> Nameless {
+        let found = &self.found;
+        // Without a name a sure step in time leads farther than a signal that follows it.
+        let unlike = match verdict {
+            Verdict::NothingMissing => self.unlike_noise(),
+            Verdict::Unknown if found.taken.is_empty() && found.fallen.is_none() => {
+                self.unlike_noise().filter(Unlike::is_step)
+            }
+            _ => None,
+        };
+        let is_bare = found.taken.is_empty() && self.is_left && self.few.is_none();
+        let wanders = is_bare.then(|| wandering::told(&self.bench, &found.last)).flatten();
+        let is_all = verdict == Verdict::NothingMissing && found.is_sure_trace() && unlike.is_none();
+        let is_clean = self.faults.iter().all(DataFault::is_reading) && self.ended_early.is_none();
+        Nameless { unlike, wanders, is_all: is_all && is_clean }
     }
 
     /// Whether the model as given, fitted, misses an output by more than that moves.
@@ -287,74 +284,6 @@ impl Assembly<'_> {
         let (first, last) =
             rayon::join(|| look(&self.found.base, "before"), || look(&self.found.last, "after"));
         Ok((Some(first?), last?))
-    }
-
-    /// The last model without each finding in turn, where there are several: refitted, or all as they stand where the
-    /// time did not do for that.
-    fn smaller(&self) -> Vec<Option<Fit>> {
-        let Found { taken, last, without, .. } = &self.found;
-        if taken.len() < 2 {
-            return vec![None; taken.len()];
-        }
-        if !without.is_empty() {
-            return without.iter().map(|w| w.as_ref().map(|w| w.0.clone())).collect();
-        }
-        self.bench.budget.lift_time();
-        taken.iter().map(|t| backward::without(&self.bench, last, &t.proposal, 0)).collect()
-    }
-
-    fn findings(&self, smaller: Vec<Option<Fit>>, before: &[Held], after: &[Held]) -> Vec<Finding> {
-        let loss = |fit: Option<Fit>| self.loss_without(fit, before, after);
-        let gains: Vec<f64> = smaller.into_par_iter().with_max_len(1).map(loss).collect();
-        let total: f64 = gains.iter().sum();
-        let even = 1.0 / gains.len().max(1) as f64;
-        let share = |g: f64| if total > 0.0 { g / total } else { even };
-        let told = self.found.taken.iter().zip(backward::evidence(&self.found));
-        told.zip(gains).map(|((t, evidence), g)| self.finding(t, evidence, share(g))).collect()
-    }
-
-    /// How much the held-out error grows, relative to the improvement, when one finding is taken away.
-    fn loss_without(&self, smaller: Option<Fit>, before: &[Held], after: &[Held]) -> f64 {
-        let held = smaller.and_then(|f| prove::held_out(&self.bench, &f, &self.separate).ok());
-        let relative = |held: &[Held]| -> f64 {
-            held.iter()
-                .zip(before)
-                .map(|(h, b)| (h.rmse() / b.rmse()).min(1e3))
-                .filter(|x| x.is_finite())
-                .sum()
-        };
-        held.map_or(1.0, |h| (relative(&h) - relative(after)).max(1e-6))
-    }
-
-    fn finding(&self, taken: &Taken, evidence: Option<answer::Evidence>, share: f64) -> Finding {
-        let fit = &self.found.last;
-        let p = &taken.proposal;
-        // Without an interval a time or a level lies within its limits all the same.
-        let value = |(i, a): (usize, &Added)| {
-            let limits = if p.amplitudes.contains(&i) { ANY } else { p.limits[i] };
-            let e = fit.parameters.iter().find(|e| e.name == a.name);
-            let of = |x: Option<f64>| x.map_or(f64::NAN, |x| a.unit.difference_from_si(x));
-            let or = |x: f64, limit: f64| if x.is_nan() && limit.is_finite() { limit } else { x };
-            Value {
-                name: a.name.clone(),
-                value: of(e.map(|e| e.value)),
-                low: of(e.map(|e| or(e.low, limits.0))),
-                high: of(e.map(|e| or(e.high, limits.1))),
-                unit: a.unit.text().to_string(),
-            }
-        };
-        Finding {
-            code: p.code.to_string(),
-            site: site_name(&p.site),
-            term: p.term.clone(),
-            says: words::sentence(p, fit),
-            parameters: p.added.iter().enumerate().map(value).collect(),
-            p_value: taken.p_value,
-            share,
-            ties: taken.ties.iter().map(|t| t.code.to_string()).collect(),
-            resembles: false,
-            evidence: evidence.map(|e| answer::Evidence { holdout_share: share, ..e }),
-        }
     }
 
     fn proof(&self, before: &[Held], after: &[Held]) -> Vec<Proof> {

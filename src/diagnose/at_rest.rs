@@ -32,6 +32,13 @@ pub struct Moving {
     pub says: String,
 }
 
+/// A model whose states are fitted where a recording begins.
+pub fn starting_anywhere(model: &Model) -> Model {
+    let mut model = model.clone();
+    model.states.iter_mut().for_each(|s| s.initial = Initial::Fit);
+    model
+}
+
 /// The model with the beginnings fitted that it says to be steady, where the recordings surely begin otherwise.
 pub fn moving(bench: &Bench, base: &Fit) -> Option<Moving> {
     let mut model = base.model.clone();

@@ -179,7 +179,7 @@ pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit) -> Resul
     let names = fitted.iter().chain(&apart).map(|r| &r.name);
     let notes = names.zip(&before).filter(|(_, lost)| **lost > 0).map(|(name, lost)| {
         format!(
-            "{lost} samples of '{name}' are not compared: what an input was in its gap before them still shows there.. Give the parts before and after the gap as two files: each then has a start of its own"
+            "{lost} samples of '{name}' are not compared: what an input was in its gap before them still shows there. Give the parts before and after the gap as two files: each then has a start of its own"
         )
     });
     let samples = |all: &[Recording]| {

@@ -1,21 +1,44 @@
 //! Fit and proof in each other's place, once, where the later part shows what the earlier does not.
 
 use super::answer::Verdict;
+use super::at_rest::starting_anywhere;
+use super::prove::Held;
 use super::{Diagnosis, Request, locate};
+use crate::estimate::Fit;
 use crate::estimate::fit::{FitOptions, setup};
+use crate::estimate::noise::NoiseModel;
 use crate::model::Model;
 use crate::record::{Kind, Recording, Spans};
 
-/// The recordings with what was held out to be fitted and what was fitted to be held out, where a diagnosis asks
-/// for that: its fitted part is explained with nothing added, what was held out is not, and nobody chose the spans.
-pub fn asked(request: &Request<'_>, first: &Diagnosis) -> Option<Vec<Recording>> {
+/// The recordings with what was held out to be fitted and what was fitted to be held out, and the model that starts anywhere,
+/// where a diagnosis asks for that: its fitted part is explained with nothing added, what was held out is not, and nobody
+/// chose the spans.
+pub fn asked(request: &Request<'_>, first: &Diagnosis) -> Option<(Model, Vec<Recording>)> {
     let answer = &first.answer;
-    let is_blind = answer.verdict == Verdict::NotIdentifiable && answer.findings.is_empty();
+    let fails = match answer.verdict {
+        Verdict::NotIdentifiable => locate::astray(&first.before, &first.held.1).is_some(),
+        Verdict::NothingMissing => is_more(&first.before, &first.held.1),
+        _ => false,
+    };
     let of_default = |r: &Recording| !r.spans.given && r.kind != Kind::Trials;
     let ours = request.separate.is_empty() && request.recordings.iter().all(of_default);
-    let is_asked = is_blind && ours && answer.made.ended_early.is_none();
-    let is_asked = is_asked && locate::astray(&first.before, &first.held.1).is_some();
-    is_asked.then(|| request.recordings.iter().map(|r| exchanged(request.model, r)).collect())
+    let is_asked = fails && answer.findings.is_empty() && ours && answer.made.ended_early.is_none();
+    let recordings = || request.recordings.iter().map(|r| exchanged(request.model, r)).collect();
+    is_asked.then(|| (starting_anywhere(request.model), recordings()))
+}
+
+/// Times the innovations of the fit from which on what is held out holds more than noise.
+const MORE: f64 = 1.3;
+/// Samples held out that tell.
+const ENOUGH: usize = 50;
+
+/// Whether an output leaves more than noise where it was held out: a step of the noise foretold by its past is none.
+fn is_more(fit: &Fit, held: &[Held]) -> bool {
+    let exceeds = |(h, n): (&Held, &NoiseModel)| {
+        let innovations = h.whitened(n);
+        innovations.samples() >= ENOUGH && innovations.rmse() > MORE
+    };
+    held.iter().zip(&fit.noise).any(exceeds)
 }
 
 /// A recording whose default spans have changed places.

@@ -7,7 +7,8 @@
 //! # Method
 //! An input holds no more noise than what its own past does not foretell: the innovations of an autoregression. They are
 //! added to it once more, reversed in time so that they are independent of what they stand beside, and the model is run.
-//! An input of steps or of noise may hold as much as it is itself; then nothing is said.
+//! An input of steps or of noise may hold as much as it is itself; then nothing is said. The noise is that between samples
+//! as they were written: what is slower than these, or filled by lines, is taken for the input's own course.
 //!
 //! # References
 //! T. Söderström, Errors-in-Variables Methods in System Identification (2018), 1.2.

@@ -21,6 +21,7 @@ mod exchanged;
 mod faults;
 mod feedback;
 mod few;
+mod findings;
 mod foretold;
 mod forgotten;
 mod free_law;
@@ -35,6 +36,7 @@ mod lines;
 mod locate;
 mod located;
 mod measure;
+mod nameless;
 mod namesakes;
 mod next;
 mod paragraph;
@@ -148,8 +150,8 @@ fn in_pieces(request: &Request<'_>) -> Result<Diagnosis> {
         let time_limit = request.time_limit.map(|t| t.saturating_sub(begin.elapsed()));
         both_ways(&Request { time_limit, ..*request }, gaps)
     };
-    let cut = pieces::cut(request).and_then(|Pieces { model, recordings, notes, gaps }| {
-        let mut cut = in_time(&Request { model: &model, recordings: &recordings, ..*request }, &gaps).ok()?;
+    let cut = pieces::cut(request).and_then(|Pieces { model, recordings, notes, told }| {
+        let mut cut = in_time(&Request { model: &model, recordings: &recordings, ..*request }, &told).ok()?;
         cut.answer.notes.extend(notes);
         Some(cut)
     });
@@ -169,10 +171,11 @@ fn in_pieces(request: &Request<'_>) -> Result<Diagnosis> {
 fn both_ways(request: &Request<'_>, gaps: &[DataFault]) -> Result<Diagnosis> {
     let begin = Instant::now();
     let first = as_it_stands(request, gaps)?;
-    let Some(recordings) = exchanged::asked(request, &first) else { return Ok(first) };
+    let Some((model, recordings)) = exchanged::asked(request, &first) else { return Ok(first) };
     request.progress.report("once more, with fit and proof in each other's place", None);
     let time_limit = request.time_limit.map(|t| t.saturating_sub(begin.elapsed()));
-    let second = as_it_stands(&Request { recordings: &recordings, time_limit, ..*request }, gaps);
+    let second =
+        as_it_stands(&Request { model: &model, recordings: &recordings, time_limit, ..*request }, gaps);
     Ok(second.ok().and_then(exchanged::proven).unwrap_or(first))
 }
 

@@ -10,9 +10,10 @@
 
 use super::Request;
 use super::answer::{DataFault, Finding};
+use super::at_rest::starting_anywhere;
 use super::bench::Bench;
 use super::faults::{Cleaned, clean};
-use super::forgotten::{has_gaps, traces};
+use super::forgotten::traces;
 use crate::estimate::Fit;
 use crate::expression::Expr;
 use crate::model::{Initial, Model};
@@ -34,8 +35,8 @@ pub struct Pieces {
     pub recordings: Vec<Recording>,
     /// What was cut.
     pub notes: Vec<String>,
-    /// The gaps of the whole, which no piece shows.
-    pub gaps: Vec<DataFault>,
+    /// The gaps of the whole as they are told, which no piece shows.
+    pub told: Vec<DataFault>,
 }
 
 /// Recordings cut at gaps of inputs that a model shows for long; none where there are no such, where the spans are chosen,
@@ -43,8 +44,7 @@ pub struct Pieces {
 pub fn cut(request: &Request<'_>) -> Option<Pieces> {
     let model = request.model;
     let may = |r: &Recording| {
-        let count = gaps(model, r).len();
-        r.kind != Kind::Trials && !r.spans.given && has_gaps(model, r) && count <= MOST
+        r.kind != Kind::Trials && !r.spans.given && (1..=MOST).contains(&gaps(model, r).len())
     };
     let is_steady = model.states.iter().any(|s| s.initial == Initial::Steady);
     if model.states.is_empty() || is_steady || !request.recordings.iter().any(may) {
@@ -70,8 +70,8 @@ pub fn cut(request: &Request<'_>) -> Option<Pieces> {
     for r in &mut recordings {
         r.is_piece = request.recordings.len() == 1;
     }
-    let gaps = told.into_iter().filter(|f| f.finding.code == "gap").collect();
-    (!notes.is_empty()).then(|| Pieces { model: starting_anywhere(model), recordings, notes, gaps })
+    let told = told.into_iter().filter(|f| f.finding.code == "gap").collect();
+    (!notes.is_empty()).then(|| Pieces { model: starting_anywhere(model), recordings, notes, told })
 }
 
 /// Whether a finding goes with the time of one recording.
@@ -143,11 +143,4 @@ fn piece(recording: &Recording, k: usize, (from, to): (f64, f64)) -> Recording {
         c.time = c.time[inside].into();
     }
     own
-}
-
-/// A model whose states are fitted where a recording begins.
-fn starting_anywhere(model: &Model) -> Model {
-    let mut model = model.clone();
-    model.states.iter_mut().for_each(|s| s.initial = Initial::Fit);
-    model
 }

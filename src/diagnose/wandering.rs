@@ -51,8 +51,7 @@ pub struct Wanders {
 
 impl Wanders {
     /// What is missing, where it drives a state.
-    pub fn acts(&self) -> String {
-        let state = self.driven.as_deref().unwrap_or_default();
+    pub fn acts(&self, state: &str) -> String {
         format!("a disturbance that nobody recorded acts on {state}; {}", self.says)
     }
 }
@@ -87,11 +86,14 @@ fn pushed(model: &Model) -> Vec<usize> {
     (0..model.states.len()).filter(|j| !edit::is_kinematic(model, rate(j))).collect()
 }
 
-/// The time that an output spans, and the step of its samples.
+/// The longest time that a recording of an output spans, and the step of its samples.
 fn span(view: &View, output: usize) -> Option<(f64, f64)> {
-    let time = &view.tracks.iter().find(|t| t.output == output)?.time;
-    let length = time.last()? - time.first()?;
-    Some((length, length / time.len() as f64))
+    let of = |time: &[f64]| {
+        let length = time.last()? - time.first()?;
+        Some((length, length / time.len() as f64))
+    };
+    let own = view.tracks.iter().filter(|t| t.output == output).filter_map(|t| of(&t.time));
+    own.max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 /// The likeliest memory and size.

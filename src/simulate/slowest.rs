@@ -34,19 +34,20 @@ impl Simulator {
             let slowest = roots.iter().map(|r| r.norm()).fold(f64::INFINITY, f64::min);
             (slowest.is_finite() && slowest > 0.0).then(|| 1.0 / slowest)
         };
-        let (roots, _) = self.roots_at_start(parameters, initials)?;
+        let (roots, _) = self.roots(parameters, initials, None)?;
         let (from, to) = self.span();
         let Some(at_rest) = longest(&roots).filter(|t| *t > to - from) else { return Ok(longest(&roots)) };
         let went = self.swings(parameters, initials).ok().flatten().unwrap_or_default();
         let ends = [went.iter().map(|s| s.0).collect::<Vec<f64>>(), went.iter().map(|s| s.1).collect()];
-        let moving = ends.iter().filter_map(|x| longest(&self.roots_at(parameters, x)));
+        let roots = |x: &Vec<f64>| Some(self.roots(parameters, initials, Some(x)).ok()?.0);
+        let moving = ends.iter().filter_map(roots).filter_map(|r| longest(&r));
         Ok(Some(moving.fold(at_rest, f64::min)))
     }
 
     /// How long the model remembers, near the start of the run: the longest 1/|Re λ|, s; infinite where it never
     /// forgets, none where it has no dynamics.
     pub(super) fn memory(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {
-        let (roots, states) = self.roots_at_start(parameters, initials).ok()?;
+        let (roots, states) = self.roots(parameters, initials, None).ok()?;
         let fading = |r: &Complex64| if r.re < -NONE * r.norm() { -1.0 / r.re } else { f64::INFINITY };
         let integrates = roots.len() < states;
         let longest = roots.iter().map(fading).fold(0.0, f64::max);
@@ -55,36 +56,30 @@ impl Simulator {
 
     /// The shortest time constant near the start, s; none where the model has no dynamics.
     pub(super) fn fastest_time(&self, parameters: &[f64], initials: &[f64]) -> Option<f64> {
-        let (roots, _) = self.roots_at_start(parameters, initials).ok()?;
+        let (roots, _) = self.roots(parameters, initials, None).ok()?;
         let fastest = roots.iter().map(|r| r.norm()).fold(0.0, f64::max);
         (fastest.is_finite() && fastest > 0.0).then(|| 1.0 / fastest)
     }
 
-    /// The eigenvalues at the start that are not 0, 1/s, and the number of all.
-    fn roots_at_start(&self, parameters: &[f64], initials: &[f64]) -> Result<(Vec<Complex64>, usize)> {
+    /// The eigenvalues that are not 0 at the start, or with the states at `moved` and all else as there, 1/s; and the
+    /// number of all.
+    fn roots(
+        &self,
+        parameters: &[f64],
+        initials: &[f64],
+        moved: Option<&[f64]>,
+    ) -> Result<(Vec<Complex64>, usize)> {
         let parameters = self.with_constants(parameters);
         let mesh = self.mesh_at(&parameters);
         let mut m = Machine::<f64>::new(&self.program, &mesh, &parameters);
         let (given, steady) = self.starts(initials);
         let x = start(&mut m, mesh.time[0], &given, &steady)?;
-        Ok((roots_of(&mut m, mesh.time[0], &x), x.len()))
+        let n = x.len();
+        let (mut jacobian, mut explicit) = (vec![0.0; n * n], vec![0.0; n]);
+        m.load(mesh.time[0], moved.unwrap_or(&x));
+        m.slopes(&mut jacobian, &mut explicit);
+        Ok((roots(&jacobian, n), n))
     }
-
-    /// The eigenvalues that are not 0 with the states at `x` and the inputs of the start, 1/s.
-    fn roots_at(&self, parameters: &[f64], x: &[f64]) -> Vec<Complex64> {
-        let parameters = self.with_constants(parameters);
-        let mesh = self.mesh_at(&parameters);
-        roots_of(&mut Machine::<f64>::new(&self.program, &mesh, &parameters), mesh.time[0], x)
-    }
-}
-
-/// The eigenvalues of the Jacobian that are not 0, 1/s.
-fn roots_of(m: &mut Machine<'_, f64>, time: f64, x: &[f64]) -> Vec<Complex64> {
-    let n = x.len();
-    let (mut jacobian, mut explicit) = (vec![0.0; n * n], vec![0.0; n]);
-    m.load(time, x);
-    m.slopes(&mut jacobian, &mut explicit);
-    roots(&jacobian, n)
 }
 
 /// The eigenvalues that are not 0.

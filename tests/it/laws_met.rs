@@ -114,7 +114,8 @@ fn a_load_behind_an_elastic_joint_of_a_speed() {
     assert!((answer.findings[0].parameters[1].value - both).abs() < 0.25, "{}", answer.says);
 }
 
-const FURNACE: &str = r#"
+/// What a heated body loses to a room.
+pub const FURNACE: &str = r#"
     name = "furnace"
     [inputs]
     power = { unit = "W" }

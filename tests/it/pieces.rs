@@ -1,27 +1,12 @@
 //! A logger that was off for a while before a thing that remembers for longer: what follows has a start of its own.
 
 use crate::diagnose::{diagnosed, noise};
-use crate::laws_met::{inputs, named, run};
+use crate::laws_met::{FURNACE, inputs, named, run};
 use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};
 use gyrospec::units::Unit;
 use std::ops::Range;
-
-/// A furnace with a time constant of some 20 s in a recording of 60 s.
-const FURNACE: &str = r#"
-    name = "furnace"
-    [inputs]
-    power = { unit = "W" }
-    [parameters]
-    C = { value = 1.3, unit = "J/K", fit = true, min = 0.1, max = 20 }
-    H = { value = 0.08, unit = "W/K", fit = true, min = 0.005, max = 1 }
-    room = { value = 20, unit = "degC" }
-    [states]
-    T = { rate = "(power - H*(T - room))/C", unit = "K", initial = 293.15 }
-    [outputs]
-    probe = { equals = "T", unit = "degC" }
-"#;
 
 /// What is told where no row was written for 3 s, and the probe shows so much at so many degrees.
 fn told(shows: impl Fn(f64) -> f64) -> Answer {
@@ -33,6 +18,7 @@ fn told(shows: impl Fn(f64) -> f64) -> Answer {
 
 /// What is told where some rows were not written, and the probe shows so much at a time and so many degrees.
 fn told_with_time(lacks: Range<usize>, shows: impl Fn(f64, f64) -> f64) -> Answer {
+    // a time constant of 20 s in a recording of 60 s
     let states = run(|[x], u| [(u + 3.0 - 0.1 * x) / 2.0]);
     let kept: Vec<usize> = (0..states.len()).filter(|i| !lacks.contains(i)).collect();
     let time: Vec<f64> = kept.iter().map(|i| 0.02 * *i as f64).collect();

@@ -12,7 +12,7 @@
 use super::along::Along;
 use super::{Response, Track};
 
-/// Points of the mesh at most, from the beginning.
+/// Points of the meshes at most, from the beginning of the first recording.
 const LONGEST: usize = 3000;
 /// Share of the points at the beginning, before which the states are not known, that are not counted.
 const BEGINNING: f64 = 0.1;
@@ -30,11 +30,10 @@ pub struct Driven {
     pub size: f64,
 }
 
-/// What is left of an output along the first recording, and where a process may drive it.
+/// What is left of an output along the recordings, and where a process may drive it.
 pub struct Drive<'a> {
-    along: &'a Along,
-    /// What is left where a sample lies on the mesh.
-    residual: Vec<Option<f64>>,
+    /// Recordings, each with what is left where a sample lies on its mesh.
+    runs: Vec<(&'a Along, Vec<Option<f64>>)>,
     /// States of the model that take part: none where the output itself is driven.
     states: usize,
     /// Number of the rate.
@@ -44,14 +43,23 @@ pub struct Drive<'a> {
 }
 
 impl Response {
-    /// What is left of an output along the first recording, driven at a state, or at the output where none is given. `None`
-    /// where fewer than ten samples lie on the mesh.
+    /// What is left of an output along the recordings, driven at a state, or at the output where none is given; without
+    /// those of which fewer than ten samples lie on the mesh, and `None` where no other is there.
     pub fn drive(&self, tracks: &[Track], output: usize, state: Option<usize>) -> Option<Drive<'_>> {
-        let along = self.runs.first()?;
-        let number = along.tracks.iter().position(|t| t.0 == output)?;
-        let residual = on_mesh(along, number, &tracks.get(number)?.residual)?;
+        let (mut first, mut points, mut runs) = (0, LONGEST, Vec::new());
+        for along in &self.runs {
+            let own = tracks.get(first..first + along.tracks.len())?;
+            first += along.tracks.len();
+            let number = along.tracks.iter().position(|t| t.0 == output);
+            if let Some(mut residual) = number.and_then(|k| on_mesh(along, k, &own[k].residual)) {
+                residual.truncate(points);
+                points -= residual.len();
+                runs.push((along, residual));
+            }
+        }
         let (states, rate) = state.map_or((0, 0), |j| (self.model.states.len(), j));
-        Some(Drive { along, residual, states, rate, output, outputs: self.model.outputs.len() })
+        let outputs = self.model.outputs.len();
+        (!runs.is_empty()).then_some(Drive { runs, states, rate, output, outputs })
     }
 }
 
@@ -67,15 +75,15 @@ struct Passed {
 }
 
 impl Drive<'_> {
-    /// The standard deviation of what the output shows, at the end of the recording, of a process of deviation 1 and memory
+    /// The standard deviation of what the output shows, at the end of a recording, of a process of deviation 1 and memory
     /// `tau`, in s.
     pub fn shows(&self, tau: f64) -> f64 {
-        self.pass(tau, 1.0, None).shown.sqrt()
+        self.pass((tau, 1.0), false).shown.sqrt()
     }
 
     /// How likely a process of memory `tau`, in s, makes what is left, `size` times as large as the white noise beside it.
     pub fn driven(&self, tau: f64, size: f64) -> Option<Driven> {
-        let passed = self.pass(tau, size, Some(&self.residual));
+        let passed = self.pass((tau, size), true);
         let n = passed.samples as f64;
         let noise = (passed.squares / n).sqrt();
         let likelihood = -0.5 * (n * noise.powi(2).ln() + passed.logs);
@@ -88,21 +96,33 @@ impl Drive<'_> {
         self.driven(1.0, 0.0).map(|d| d.likelihood)
     }
 
-    /// Filters a residual, or follows the variances alone where there is none.
-    fn pass(&self, tau: f64, size: f64, residual: Option<&[Option<f64>]>) -> Passed {
-        let n = self.states + 1;
-        let count = self.along.time.len().min(LONGEST);
-        let (mut z, mut p) = (vec![0.0; n], vec![0.0; n * n]);
-        p[n * n - 1] = size * size;
+    /// Filters what is left by a process of some memory and size, or follows the variances alone; the sums of all recordings.
+    fn pass(&self, process: (f64, f64), is_filtered: bool) -> Passed {
         let mut sum = Passed { squares: 0.0, logs: 0.0, samples: 0, shown: 0.0 };
-        let mut seen = vec![0.0; n];
+        for (along, residual) in &self.runs {
+            self.pass_one(along, (residual, is_filtered), process, &mut sum);
+        }
+        sum
+    }
+
+    fn pass_one(
+        &self,
+        along: &Along,
+        (residual, is_filtered): (&[Option<f64>], bool),
+        process: (f64, f64),
+        sum: &mut Passed,
+    ) {
+        let (n, count) = (self.states + 1, residual.len());
+        let (mut z, mut p) = (vec![0.0; n], vec![0.0; n * n]);
+        p[n * n - 1] = process.1.powi(2);
+        let (mut seen, mut shown) = (vec![0.0; n], 0.0);
         for i in 0..count {
-            self.look(i, &mut seen);
+            self.look(along, i, &mut seen);
             // P C'
             let pc: Vec<f64> = (0..n).map(|r| dot(&p[r * n..][..n], &seen)).collect();
-            sum.shown = dot(&pc, &seen);
-            if let Some(e) = residual.and_then(|e| e[i]) {
-                let (v, s) = (e - dot(&z, &seen), sum.shown + 1.0);
+            shown = dot(&pc, &seen);
+            if let Some(e) = residual[i].filter(|_| is_filtered) {
+                let (v, s) = (e - dot(&z, &seen), shown + 1.0);
                 if i as f64 >= BEGINNING * count as f64 {
                     sum.squares += v * v / s;
                     sum.logs += s.ln();
@@ -116,29 +136,29 @@ impl Drive<'_> {
                 }
             }
             if i + 1 < count {
-                self.step(i, (tau, size), &mut z, &mut p);
+                self.step((along, i), process, &mut z, &mut p);
             }
         }
-        sum
+        sum.shown = sum.shown.max(shown);
     }
 
     /// What the output shows of the states and the process at a time.
-    fn look(&self, i: usize, seen: &mut [f64]) {
+    fn look(&self, along: &Along, i: usize, seen: &mut [f64]) {
         let n = self.states;
-        let row = &self.along.shown[(i * self.outputs + self.output) * n..];
+        let row = &along.shown[(i * self.outputs + self.output) * n..];
         seen[..n].copy_from_slice(&row[..n]);
         seen[n] = if n == 0 { 1.0 } else { 0.0 };
     }
 
     /// z₊ = T z and P₊ = T P T' + s²(1 − φ²) Γ Γ', with f₊ = φ f + w in both ends of the step.
-    fn step(&self, i: usize, (tau, size): (f64, f64), z: &mut Vec<f64>, p: &mut Vec<f64>) {
+    fn step(&self, (along, i): (&Along, usize), (tau, size): (f64, f64), z: &mut Vec<f64>, p: &mut Vec<f64>) {
         let (n, m) = (self.states, self.states + 1);
-        let keeps = (-(self.along.time[i + 1] - self.along.time[i]) / tau).exp();
+        let keeps = (-(along.time[i + 1] - along.time[i]) / tau).exp();
         let mut t = vec![0.0; m * m];
         let mut push = vec![1.0; m];
         for r in 0..n {
-            t[r * m..][..n].copy_from_slice(&self.along.forward[(i * n + r) * n..][..n]);
-            push[r] = self.along.force[(i * n + r) * n + self.rate];
+            t[r * m..][..n].copy_from_slice(&along.forward[(i * n + r) * n..][..n]);
+            push[r] = along.force[(i * n + r) * n + self.rate];
             t[r * m + n] = push[r] * (1.0 + keeps);
         }
         t[m * m - 1] = keeps;

@@ -258,6 +258,13 @@ fn the_gyrosphere_agrees_with_another_integrator() {
     assert!(worst < 1e-8, "{worst}");
 }
 
+/// The slowest time of a model with one output y that is recorded for so long, s.
+fn slowest_time(model: &str, unit: &str, length: f64) -> f64 {
+    let r = recording(vec![channel("y", unit, &times(length, 0.1), |_| 0.0)]);
+    let s = simulator(model, &r);
+    s.slowest_time(&s.parameters(), &s.initials()).unwrap().unwrap()
+}
+
 #[test]
 fn the_slowest_time_is_that_of_the_slowest_root() {
     // Roots: a double 0 of the position, -0.5 of a lag of 2 s, -10 of one of 0.1 s.
@@ -274,9 +281,7 @@ fn the_slowest_time_is_that_of_the_slowest_root() {
         [outputs]
         y = { equals = "x", unit = "m" }
     "#;
-    let r = recording(vec![channel("y", "m", &times(1.0, 0.1), |_| 0.0)]);
-    let s = simulator(model, &r);
-    let slowest = s.slowest_time(&s.parameters(), &s.initials()).unwrap().unwrap();
+    let slowest = slowest_time(model, "m", 1.0);
     assert!((slowest - 2.0).abs() < 1e-6, "{slowest}");
 }
 
@@ -293,9 +298,7 @@ fn the_slowest_time_of_what_starts_at_rest_is_that_of_its_run() {
         [outputs]
         y = { equals = "v", unit = "m/s" }
     "#;
-    let r = recording(vec![channel("y", "m/s", &times(10.0, 0.1), |_| 0.0)]);
-    let s = simulator(model, &r);
-    let slowest = s.slowest_time(&s.parameters(), &s.initials()).unwrap().unwrap();
+    let slowest = slowest_time(model, "m/s", 10.0);
     assert!((slowest - 0.5).abs() < 1e-4, "{slowest}");
 }
 
