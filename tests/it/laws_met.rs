@@ -280,3 +280,33 @@ fn a_model_that_divides_by_a_state_starts_where_that_is_measured() {
     assert_eq!(answer.verdict, Verdict::NothingMissing, "{}", answer.says);
     assert!((answer.parameters[0].after - 0.1).abs() < 1e-3, "{}", answer.parameters[0].after);
 }
+
+#[test]
+fn a_compass_that_feels_the_acceleration_to_the_north() {
+    // alpha'' = -w^2 (alpha + k v) - 2 d w alpha', and alpha is thrown by 0.13 v' beside that: its ballistic deflection
+    let model = r#"
+        name = "gyrocompass, in a hurry"
+        [inputs]
+        north = { unit = "m/s" }
+        [parameters]
+        w = { value = 0.5, unit = "rad/s", fit = true, min = 0.05, max = 5 }
+        d = { value = 0.4, unit = "1", fit = true, min = 0.01, max = 3 }
+        k = { value = 0.2, unit = "deg*s/m" }
+        [states]
+        alpha = { rate = "turn", unit = "deg", initial = 0 }
+        turn = { rate = "-w^2*(alpha + k*north) - 2*d*w*turn", unit = "deg/s", initial = 0 }
+        [outputs]
+        off = { equals = "alpha", unit = "deg" }
+    "#;
+    let accelerates = |t: f64| (input(t + 1e-4) - input(t - 1e-4)) / 2e-4;
+    let (w, d, throws) = (0.6, 0.3, 0.13);
+    let states = runge_kutta(
+        (STEP, COUNT, 10),
+        |t| [input(t), accelerates(t)],
+        |[a, b], [v, by]| [b + throws * by, -w * w * (a + 0.2 * v) - 2.0 * d * w * b],
+    );
+    let off = states.iter().map(|x| x[0]).collect();
+    let answer = told(model, &[("north", "m/s", inputs(), 0.0), ("off", "deg", off, 0.01)]);
+    let found = named(&answer);
+    assert!(matches!(found[..], [("rate-coupling", "alpha", c)] if (c - throws).abs() < 0.003), "{found:?}");
+}

@@ -286,6 +286,13 @@ impl<'a> Draft<'a> {
         name
     }
 
+    /// A state begins where the recording shows it, unless it begins at rest.
+    pub fn begins_anywhere(&mut self, state: &str) {
+        for s in self.proposal.model.states.iter_mut().filter(|s| s.name == state) {
+            s.initial = if s.initial == Initial::Steady { s.initial } else { Initial::Fit };
+        }
+    }
+
     /// Brings a recorded channel into the model as an input, if it is not there yet.
     pub fn uses(&mut self, signal: &str) {
         use super::SignalKind;

@@ -133,7 +133,7 @@ mechanisms! {
     neglected_inertia, extra_lag, extra_resonance, memory, product_coupling,
     rectified_motion,
     square_root_flow, overflow, exchange, radiation, saturable_rate,
-    cross_coupling, parameter_dependence, parameter_change, parameter_drift, parameter_value,
+    cross_coupling, rate_coupling, parameter_dependence, parameter_change, parameter_drift, parameter_value,
     input_delay, input_lag, input_square, input_saturation, input_dead_zone, input_rate_limit,
     input_offset, misalignment,
     output_offset, output_scale, output_square, output_delay, output_lag, output_drift, output_saturation,
