@@ -39,6 +39,18 @@ fn is_ignorable(c: char) -> bool {
     )
 }
 
+/// Whether a written number is read as 0 and is none: it is smaller than the smallest double.
+///
+/// ```
+/// use gyrospec::text::is_lost;
+/// assert!(is_lost("1e-400") && is_lost("-0.002E-330"));
+/// assert!(!is_lost("0e-400") && !is_lost("-0.0") && !is_lost("5e-324") && !is_lost("1e"));
+/// ```
+pub fn is_lost(number: &str) -> bool {
+    let digits = number.split(['e', 'E']).next().unwrap_or_default();
+    digits.contains(|c| ('1'..='9').contains(&c)) && number.parse() == Ok(0.0)
+}
+
 /// A text of one or more lines as it may be shown.
 ///
 /// ```

@@ -5,7 +5,7 @@ use super::{Outcome, output};
 use crate::estimate::fit::Progress;
 use crate::integral::crosscheck::{Crosscheck, crosscheck};
 use crate::integral::{Integral, Integrand, evaluate};
-use crate::text::in_quotes;
+use crate::text::{in_quotes, is_lost};
 use crate::units::counted;
 use crate::{Error, ErrorKind, Result};
 use clap::Args;
@@ -107,6 +107,10 @@ impl Case {
         }
     }
 
+    fn has_zero(&self) -> bool {
+        [Some(&self.h), self.g.as_ref(), self.c.as_ref()].into_iter().flatten().flatten().any(|x| *x == 0.0)
+    }
+
     fn reply(&self, check: bool) -> Reply {
         match self.integrand() {
             Ok(p) => Reply::new(evaluate(&p), || check.then(|| Box::new(crosscheck(&p)))),
@@ -173,7 +177,10 @@ fn numbers(text: &str) -> Result<Vec<f64>> {
         };
         e.with_hint("write 1 2.5 -3e-4 …")
     };
-    let number = |word: &str| word.parse().map_err(|_| wrong(word));
+    let number = |word: &str| match word.parse() {
+        Ok(_) if is_lost(word) => Err(lost(word)),
+        read => read.map_err(|_| wrong(word)),
+    };
     if text.trim().is_empty() {
         return Ok(Vec::new());
     }
@@ -192,6 +199,18 @@ fn numbers(text: &str) -> Result<Vec<f64>> {
         }
     }
     Ok(all)
+}
+
+/// That a number is too small.
+fn lost(word: &str) -> Error {
+    Error::bad_input(format!("`{word}` is smaller than the smallest double, 4.9e-324"))
+        .with_hint("multiply all coefficients of h, and of g, by a power of ten; I_n goes with g/h^2")
+}
+
+/// A number of a line of JSON that would be read as 0.
+fn lost_in(line: &[u8]) -> Option<&str> {
+    let is_apart = |c: char| c.is_whitespace() || ",:[]{}".contains(c);
+    std::str::from_utf8(line).ok()?.split(is_apart).find(|word| is_lost(word))
 }
 
 /// A word with a comma between digits where blanks separate numbers too.
@@ -268,7 +287,10 @@ fn answer_line(number: usize, line: &[u8], check: bool) -> Reply {
     };
     match serde_json::from_slice::<Case>(line) {
         // A list of lists would be read field by field.
-        Ok(case) if line.starts_with(b"{") => case.reply(check),
+        Ok(case) if line.starts_with(b"{") => match lost_in(line).filter(|_| case.has_zero()) {
+            Some(word) => Reply::BadInput { message: format!("line {number}: {}", lost(word).message()) },
+            None => case.reply(check),
+        },
         Err(e) if line.starts_with(b"{") || e.is_syntax() || e.is_eof() => Reply::BadInput {
             message: format!("line {number}, column {}: {}", e.column(), reason(&e.to_string())),
         },

@@ -1,6 +1,7 @@
 //! Quantities as options take them: `3m`, `3 m` or `3`.
 
 use crate::gyro::range::Range;
+use crate::text::is_lost;
 use crate::units::{Dimension, Unit, significant};
 use crate::{Error, Result};
 use std::f64::consts::TAU;
@@ -20,7 +21,7 @@ fn parted<'a>(option: &str, text: &'a str, si: &str) -> Result<(f64, Option<&'a 
             .with_hint(format!("write it with a point: {}", text.replacen(',', ".", 1))));
     }
     let value: f64 = number.trim().parse().map_err(|_| wrong())?;
-    if !value.is_finite() {
+    if !value.is_finite() || is_lost(number.trim()) {
         return Err(wrong());
     }
     Ok((value, Some(unit.trim()).filter(|u| !u.is_empty())))

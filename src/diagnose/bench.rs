@@ -30,6 +30,8 @@ pub struct Bench {
     pub seed: u64,
     /// Number of the given model's own parameters.
     pub own_parameters: usize,
+    /// The same of states.
+    pub own_states: usize,
     /// Number of its own inputs; the other inputs are channels that mechanisms use.
     pub own_inputs: usize,
     /// The simulator's tolerance, as a share of an output's spread.
@@ -153,6 +155,7 @@ impl Bench {
             separate,
             seed,
             own_parameters: model.parameters.len(),
+            own_states: model.states.len(),
             own_inputs: model.inputs.len(),
             waits: true,
         }
@@ -340,6 +343,7 @@ impl Bench {
             lines: std::collections::BTreeMap::new(),
             shifts: Vec::new(),
             own_parameters: self.own_parameters,
+            own_states: self.own_states,
         })
     }
 

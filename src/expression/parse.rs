@@ -11,6 +11,7 @@
 use super::foreign;
 use super::{BinaryOp, Expr, Foreign, Function};
 use crate::error::nearest;
+use crate::text::is_lost;
 use crate::{Error, Result};
 
 /// Nesting and length beyond this are refused, so that no later walk runs out of stack.
@@ -209,7 +210,7 @@ impl Reader<'_> {
         }
         let text: String = self.chars[start..self.at].iter().collect();
         let length = self.at - start;
-        let value: Option<f64> = text.parse().ok().filter(|v: &f64| v.is_finite());
+        let value: Option<f64> = text.parse().ok().filter(|v: &f64| v.is_finite() && !is_lost(&text));
         let value = value.ok_or_else(|| self.error(start, length, format!("{text} is no number")))?;
         let span = Span { start, end: self.at, children: Vec::new() };
         self.spaces();

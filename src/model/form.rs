@@ -2,6 +2,7 @@
 
 use super::places::Text;
 use crate::error::nearest;
+use crate::text::is_lost;
 use crate::{Error, Result};
 use std::ops::Range;
 use toml::Spanned;
@@ -126,6 +127,9 @@ impl<'a> Form<'a> {
         let Some(f) = self.field(key) else { return Ok(None) };
         let value = match f.value {
             DeValue::Integer(i) => i64::from_str_radix(i.as_str(), i.radix()).ok().map(|i| i as f64),
+            DeValue::Float(x) if is_lost(x.as_str()) => {
+                return Err(self.wrong(f, "0 or a number that is not as near to it"));
+            }
             DeValue::Float(x) => x.as_str().parse().ok(),
             _ => None,
         };

@@ -35,6 +35,8 @@ fn single_answers_have_the_fixed_form() {
         // a decimal comma, or two numbers
         (vec!["--h", "1,5 2 3", "--g", "0 1"], "bad-input", 2),
         (vec!["--h", "1, 2, 3", "--g", "0 1"], "ok", 0),
+        // read as 0, which it is not
+        (vec!["--h", "1 2 3", "--g", "1e-400 1"], "bad-input", 2),
     ];
     for (arguments, status, code) in cases {
         let output = program(&[&["integral", "--json"], &arguments[..]].concat(), b"");
@@ -53,12 +55,12 @@ fn single_answers_have_the_fixed_form() {
 
 #[test]
 fn a_batch_answers_line_by_line_and_survives_broken_lines() {
-    let input = b"\xef\xbb\xbf{\"h\":[1,2,3],\"g\":[0,1],\"id\":7}\r\n\n{\"h\":[1,2\n{\"h\":[1,1],\"g\":[NaN]}\n{\"h\":[1,0.1],\"c\":[1]}\n";
+    let input = b"\xef\xbb\xbf{\"h\":[1,2,3],\"g\":[0,1],\"id\":7}\r\n\n{\"h\":[1,2\n{\"h\":[1,1],\"g\":[NaN]}\n{\"h\":[1,0.1],\"c\":[1]}\n{\"h\":[1,2,3],\"g\":[1E-400,1]}\n{\"h\":[1,2,3],\"g\":[0e-400,1]}\n";
     let output = program(&["integral", "--batch", "-"], input);
     assert_eq!(output.status.code(), Some(0));
     let answers = lines(&output);
     let status: Vec<&str> = answers.iter().map(|a| a["status"].as_str().unwrap()).collect();
-    assert_eq!(status, ["ok", "bad-input", "bad-input", "ok"]);
+    assert_eq!(status, ["ok", "bad-input", "bad-input", "ok", "bad-input", "ok"]);
     assert!(answers[1]["message"].as_str().unwrap().contains("line 3"));
 }
 

@@ -1,6 +1,7 @@
 //! The values that `gyrospec formula` is given.
 
 use crate::symbolic::{Derivation, Formula, LAPLACE, Simplifier, Values, completed, known_letter, symbols};
+use crate::text::is_lost;
 use crate::{Error, ErrorKind, Result};
 use std::collections::BTreeSet;
 
@@ -23,9 +24,10 @@ pub fn read(text: &str, known: &BTreeSet<String>) -> Result<Values> {
         let wrong =
             || Error::usage(format!("--values: '{part}' is no value")).with_hint("write T=0.44, mu=0.1");
         let (name, number) = part.split_once('=').ok_or_else(wrong)?;
-        let (name, number): (_, f64) = (name.trim(), number.trim().parse().map_err(|_| wrong())?);
-        if !number.is_finite() {
-            return Err(Error::usage(format!("--values: {part} is not finite")));
+        let (name, written) = (name.trim(), number.trim());
+        let number: f64 = written.parse().map_err(|_| wrong())?;
+        if !number.is_finite() || is_lost(written) {
+            return Err(Error::usage(format!("--values: {part} is beyond what a double holds")));
         }
         known_letter(name, known)?;
         if values.insert(name.to_owned(), number).is_some() {

@@ -42,7 +42,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let turns = |s: &Signal| s.is_heading() && s.spread > 0.3;
     let signals: Vec<&Signal> =
         scene.moving(&[SignalKind::Channel, SignalKind::Input]).filter(|s| !turns(s)).collect();
-    let states = scene.model.states.iter().filter(|x| is_felt(scene, x));
+    let states = scene.model.states[..scene.own_states].iter().filter(|x| is_felt(scene, x));
     states.flat_map(|x| signals.iter().filter_map(|u| at(scene, x, u))).collect()
 }
 

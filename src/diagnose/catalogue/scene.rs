@@ -139,6 +139,8 @@ pub struct Scene<'a> {
     pub shifts: Vec<Shift>,
     /// How many of the parameters are the given model's own; mechanisms added theirs behind.
     pub own_parameters: usize,
+    /// The same of states.
+    pub own_states: usize,
 }
 
 impl Scene<'_> {

@@ -284,6 +284,7 @@ fn copy<'a>(scene: &Scene<'a>) -> Scene<'a> {
         lines: scene.lines.clone(),
         shifts: scene.shifts.clone(),
         own_parameters: scene.own_parameters,
+        own_states: scene.own_states,
         companions: scene.companions.clone(),
     }
 }
