@@ -66,6 +66,10 @@ fn syntax_errors_point_at_the_column() {
     assert!(Expr::parse(&"(".repeat(100_000)).is_err());
     assert!(Expr::parse(&vec!["a"; 100_000].join("+")).is_err());
     assert!(Expr::parse(" ").is_err());
+    // beyond what a double holds, at either end
+    assert!(
+        Expr::parse("1e400").is_err() && Expr::parse("2*1e-400").is_err() && Expr::parse("0e-400").is_ok()
+    );
 }
 
 #[test]

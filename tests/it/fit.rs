@@ -193,6 +193,41 @@ fn a_wrapped_output_is_compared_modulo_a_turn() {
 }
 
 #[test]
+fn a_state_that_an_output_shows_beside_an_input_starts_from_the_difference() {
+    // a compass that swings by 3 deg about a heading of 112 deg, for five periods, its frequency 20 % off
+    let model = Model::parse(
+        r#"
+        name = "compass"
+        [inputs]
+        heading = { unit = "deg" }
+        [parameters]
+        w = { value = 0.8, unit = "mrad/s", fit = true, min = 0.2, max = 5 }
+        c = { value = 0.02, unit = "mrad/s", fit = true, min = 0, max = 1 }
+        declination = { value = 2, unit = "deg" }
+        [definitions]
+        shown = { equals = "heading + azimuth - declination", unit = "deg" }
+        [states]
+        azimuth = { rate = "turn", unit = "deg", initial = "fit" }
+        turn = { rate = "-w^2*azimuth - 2*c*turn", unit = "deg/s", initial = "fit" }
+        [outputs]
+        compass = { equals = "shown", unit = "deg" }
+        "#,
+    )
+    .unwrap();
+    let (w, c, time) = (1e-3f64, 5e-5f64, clock(3000, 10.0));
+    let swing = |t: f64| (-c * t).exp() * 3.0 * ((w * w - c * c).sqrt() * t).cos();
+    let measured =
+        time.iter().zip(noise(3000, 0.1, 0.0, 4)).map(|(t, e)| (110.0 + swing(*t) + e).to_radians());
+    let mut compass = Channel::new("compass", unit("deg"), time.clone(), measured.collect());
+    compass.wraps = true;
+    let heading = Channel::new("heading", unit("deg"), time.clone(), vec![112f64.to_radians(); time.len()]);
+    let recording = Recording::from_channels("made", vec![heading, compass]).unwrap();
+    let fitted = fit(&model, &[recording], &FitOptions::default()).unwrap();
+    assert!((value(&fitted, "w").0 - w).abs() < 2e-6, "{:?}", value(&fitted, "w"));
+    assert!((fitted.rmse[0].to_degrees() - 0.1).abs() < 0.01, "{}", fitted.rmse[0].to_degrees());
+}
+
+#[test]
 fn a_short_recording_and_a_start_that_blows_up_are_warned_of() {
     let slow = Model::parse(&DECAY.replace("value = 2.0", "value = 0.12")).unwrap();
     let recording = decay("short", (0.12, 0.01, 1.0), &noise(400, 1e-4, 0.0, 7));

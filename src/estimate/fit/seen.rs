@@ -5,7 +5,7 @@ use crate::estimate::coordinates::Range;
 use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
 use crate::model::{Initial, Input, Model};
-use crate::record::Recording;
+use crate::record::{Channel, Recording, principal};
 use crate::units::Unit;
 
 /// How a state is seen: as so many derivatives of an output's signal.
@@ -86,6 +86,12 @@ fn guess(model: &Model, recording: &Recording, tracks: &[Track], start: f64) -> 
             }
         })
         .collect();
+    for (k, s) in seen.iter().enumerate().filter_map(|(k, s)| Some((k, (*s)?))).filter(|(_, s)| s.order == 0)
+    {
+        let wraps = tracks.iter().any(|t| t.output == s.output && t.wraps);
+        let own = |y: f64| shifted(model, recording, (k, s.output), (y, wraps), start).unwrap_or(y);
+        values[k] = values[k].map(own);
+    }
     for i in 0..values.len() {
         let alike = |k: &usize| {
             values[*k].is_some()
@@ -100,11 +106,57 @@ fn guess(model: &Model, recording: &Recording, tracks: &[Track], start: f64) -> 
     values.into_iter().map(|v| v.filter(|v| v.is_finite()).unwrap_or(0.0)).collect()
 }
 
+/// The state x of which an output y = e₀ + s x shows a value at a time, where all else in it is known.
+fn shifted(
+    model: &Model,
+    recording: &Recording,
+    (state, output): (usize, usize),
+    (y, wraps): (f64, bool),
+    start: f64,
+) -> Option<f64> {
+    let own = &model.states[state].name;
+    let shown =
+        |x: f64| Known { model, recording, start, own: (own, x) }.value(&model.outputs[output].equals);
+    let (none, slope) = (shown(0.0)?, shown(1.0)? - shown(0.0)?);
+    let is_straight = slope != 0.0 && (shown(2.0)? - none - 2.0 * slope).abs() <= 1e-9 * slope.abs();
+    let above = if wraps { principal(y - none) } else { y - none };
+    Some(above / slope).filter(|x| is_straight && x.is_finite())
+}
+
+/// What names stand for where a recording starts, with a value of one state.
+struct Known<'a> {
+    model: &'a Model,
+    recording: &'a Recording,
+    start: f64,
+    own: (&'a str, f64),
+}
+
+impl Known<'_> {
+    fn value(&self, e: &Expr) -> Option<f64> {
+        e.value(&|name| self.of(name))
+    }
+
+    fn of(&self, name: &str) -> Option<f64> {
+        if name == self.own.0 {
+            return Some(self.own.1);
+        }
+        let defined = || self.value(&self.model.definitions.iter().find(|d| d.name == name)?.equals);
+        let parameter = || Some(self.model.parameters.iter().find(|p| p.name == name)?.value);
+        let is_input = self.model.inputs.iter().any(|i| i.name == name);
+        let input = || at(self.recording.find(name).filter(|_| is_input)?, self.start);
+        self.recording.constant(name).or_else(parameter).or_else(input).or_else(defined)
+    }
+}
+
+/// What a channel holds at a time.
+fn at(channel: &Channel, time: f64) -> Option<f64> {
+    channel.samples().take_while(|s| s.0 <= time).last().map(|s| s.1)
+}
+
 /// What the first input of a dimension is at a time: a lag begins near what it follows, a temperature near another.
 fn driven(model: &Model, recording: &Recording, unit: &Unit, start: f64) -> Option<f64> {
     let alike = |i: &&Input| i.unit.dimension() == unit.dimension() && !unit.dimension().is_none();
-    let input = recording.find(&model.inputs.iter().find(alike)?.name)?;
-    input.samples().take_while(|s| s.0 <= start).last().map(|s| s.1)
+    at(recording.find(&model.inputs.iter().find(alike)?.name)?, start)
 }
 
 /// How many times as far as what is seen a hidden state may start from it.
