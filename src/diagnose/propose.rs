@@ -371,7 +371,11 @@ fn finer(bench: &Bench, view: &View, s: &Screened) -> Vec<Screened> {
     likeliest.into_iter().chain(largest).cloned().collect()
 }
 
-/// Starts of the added parameters: the scored size, and parts of the term's own size.
+/// Share of the scored size at which a start is as good as the model without it: where every larger one is worse, since the
+/// model's own parameters stay behind, the first step moves all together.
+const WEAK: f64 = 0.02;
+
+/// Starts of the added parameters: the scored size, parts of the term's own size, and a weak one.
 fn sizes(s: &Screened) -> Vec<Vec<f64>> {
     let p = &s.proposal;
     if p.amplitudes.is_empty() {
@@ -384,7 +388,8 @@ fn sizes(s: &Screened) -> Vec<Vec<f64>> {
         s.weights.iter().zip(&natural).map(|(w, n)| w.clamp(-10.0 * n.abs(), 10.0 * n.abs())).collect();
     let part =
         |f: f64| -> Vec<f64> { scored.iter().zip(&natural).map(|(w, n)| f * n.abs() * w.signum()).collect() };
-    [scored.clone(), in_free_run, part(0.3), part(1.0)]
+    let weak = scored.iter().map(|w| WEAK * w).collect();
+    [scored.clone(), in_free_run, part(0.3), part(1.0), weak]
         .iter()
         .map(|a| p.with_amplitudes(&s.start, a))
         .collect()
