@@ -62,6 +62,7 @@ fn forty_dialects_of_one_recording_mean_the_same() {
         ("milliseconds", "t_ms,Kraft_N\n0,1.5\n500,-1234.5\n1000,0.25\n"),
         ("words for units", "Time (sec),Kraft [Newton]\n0,1.5\n0.5,-1234.5\n1,0.25\n"),
         ("a row of units", "t;Kraft\ns;N\n0;1,5\n0,5;-1234,5\n1;0,25\n"),
+        ("a row of units of which one is 1", "t;Kraft;n\ns;N;1\n0;1,5;1\n0,5;-1234,5;2\n1;0,25;3\n"),
         ("a row of units in brackets", "t,Kraft,n\n[s],[N],[-]\n0,1.5,1\n0.5,-1234.5,2\n1,0.25,3\n"),
         ("comments above", "# made by hand\n# in May\nt [s],Kraft [N]\n0,1.5\n0.5,-1234.5\n1,0.25\n"),
         ("a commented header", "% t [s] Kraft [N]\n0 1.5\n0.5 -1234.5\n1 0.25\n"),

@@ -110,8 +110,10 @@ pub(super) struct Names {
 
 /// The line of names above the rows, the nearest whose labels all differ, and the units that stand below it.
 pub(super) fn names(above: &[Line], width: usize) -> Option<Names> {
-    let fits =
-        |l: &Line| l.fields.len() == width && l.forms().all(|k| matches!(k, Kind::Words | Kind::Missing));
+    // what has no unit may stand as 1 in a row of units
+    let is_label = |f: &(usize, String)| matches!(Kind::of(&f.1), Kind::Words | Kind::Missing) || f.1 == "1";
+    let has_words = |l: &Line| l.forms().any(|k| k == Kind::Words) || l.forms().all(|k| k == Kind::Missing);
+    let fits = |l: &Line| l.fields.len() == width && l.fields.iter().all(is_label) && has_words(l);
     let nearest = (0..above.len()).rev().find(|at| fits(&above[*at]))?;
     let block = (0..=nearest).rev().take_while(|at| fits(&above[*at]));
     let labels = |at: usize| above[at].fields.iter().map(|f| f.1.as_str());
