@@ -40,7 +40,7 @@ fn gives_the_force(name: &str, bytes: &[u8], label: &str) {
 fn forty_dialects_of_one_recording_mean_the_same() {
     let german = "Zeit [s];Kraft [N];Weg [mm]\r\n0,0;1,5;10\r\n0,5;-1234,5;11\r\n1,0;0,25;12\r\n";
     let plain = "t [s],Kraft [N]\n0,1.5\n0.5,-1234.5\n1,0.25\n";
-    let clean: [(&str, &str); 55] = [
+    let clean: [(&str, &str); 56] = [
         ("plain", plain),
         ("spreadsheet, German", german),
         ("byte-order mark", "\u{feff}Zeit [s];Kraft [N]\r\n0;1,5\r\n0,5;-1234,5\r\n1;0,25\r\n"),

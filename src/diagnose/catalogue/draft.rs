@@ -309,10 +309,7 @@ impl<'a> Draft<'a> {
 
     /// A signal as a coupling feels it: about its mean where that outweighs its motion.
     pub fn centred(&mut self, signal: &Signal) -> String {
-        if signal.mean.abs() < 2.0 * signal.spread {
-            return signal.name.clone();
-        }
-        self.about_mean(signal)
+        if signal.is_off_zero() { self.about_mean(signal) } else { signal.name.clone() }
     }
 
     /// A signal as what turns with a heading feels it: from its own zero, as a ship without speed has no error of speed;

@@ -21,6 +21,7 @@
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit};
 use crate::expression::Expr;
 use crate::model::Output;
+use crate::units::Dimension;
 
 /// A sensor that feels another motion.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -41,8 +42,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     for o in &scene.model.outputs {
         for s in &signals {
             for factor in scene.factors(s) {
-                all.extend(at(scene, &o.name, s, &factor));
+                all.extend(at(scene, &o.name, s, &factor, false));
             }
+            all.extend(at(scene, &o.name, s, "", true).filter(|_| is_component(o, s)));
         }
         all.extend(scene.model.outputs.iter().filter_map(|other| beside(scene, o, other)));
     }
@@ -70,7 +72,15 @@ fn beside(scene: &Scene, o: &Output, other: &Output) -> Option<Proposal> {
     d.done(&format!("the sensor of {own} also feels what that of {felt} feels, {{0}}"))
 }
 
-fn at(scene: &Scene, output: &str, s: &Signal, factor: &str) -> Option<Proposal> {
+/// Whether a signal is one that a twisted sensor feels from its own zero, and far from it.
+fn is_component(o: &Output, s: &Signal) -> bool {
+    let dimension = o.unit.of_differences().dimension();
+    let is_alike = s.unit.of_differences().dimension() == dimension && dimension != Dimension::TEMPERATURE;
+    is_alike && s.is_off_zero()
+}
+
+/// What the sensor feels of a signal, as couplings feel it or as it is.
+fn at(scene: &Scene, output: &str, s: &Signal, factor: &str, is_whole: bool) -> Option<Proposal> {
     let own = scene.model.outputs.iter().find(|o| o.name == output)?;
     if factor.is_empty() && edit::is_multiple_of(&own.equals, &s.name) || s.is_heading() && s.spread > 0.3 {
         return None;
@@ -78,7 +88,7 @@ fn at(scene: &Scene, output: &str, s: &Signal, factor: &str) -> Option<Proposal>
     let mut d = Draft::new(scene, "output-cross-axis", SiteKind::Output, output);
     let c = d.amplitude("c", &scene.unit(output).over(&s.unit), ANY, "part of the other motion");
     d.uses(&s.name);
-    let part = d.turned(s, factor);
+    let part = if is_whole { s.name.clone() } else { d.turned(s, factor) };
     d.output(output, &format!("{{}} + {c}*{part}{factor}"));
     d.start(&[scene.signal(output)?.spread / s.spread]);
     d.done(&format!(

@@ -8,7 +8,7 @@
 //! # Equation
 //! ```text
 //!     c x -> c x |x/r|^p      where c x stands in a rate, or c x |x|, c x², c sqrt(x); at p = 0 it is that law, r is a scale
-//!     s' = … - c x |x/r|^p    where no law of the speed or the level x stands
+//!     s' = … - c x |x/r|^p    where no law of the speed or the level x stands, or beside one
 //! ```
 //!
 //! # What else looks like this
@@ -39,7 +39,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 /// Powers: below them it is dry friction.
-const POWERS: Limits = (0.3, 4.0);
+const POWERS: Limits = (0.3, 6.0);
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
@@ -47,11 +47,10 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         let rate = scene.model.states.iter().find(|s| s.name == m.state).map(|s| &s.rate);
         let own = m.speed.as_ref().unwrap_or(&m.state);
         let terms = rate.map(|r| terms(scene, own, r)).unwrap_or_default();
-        for term in &terms {
-            let driver = driver(scene, own, term);
-            all.extend(driver.and_then(|x| at(scene, &m, term, &x)));
-        }
-        if !terms.iter().any(|t| t.mentions(own)) {
+        let drivers: Vec<(&Expr, Driver)> =
+            terms.iter().filter_map(|t| Some((t, driver(scene, own, t)?))).collect();
+        all.extend(drivers.iter().filter_map(|(term, x)| at(scene, &m, term, x)));
+        if !drivers.is_empty() || !terms.iter().any(|t| t.mentions(own)) {
             all.extend(alone(scene, &m, own));
         }
     }
@@ -177,7 +176,7 @@ fn at(scene: &Scene, m: &Motion, term: &Expr, driver: &Driver) -> Option<Proposa
     d.done(&format!("{term} goes with a power of {words}, {{0}} beside {beside}"))
 }
 
-/// A law of its own where the model has none.
+/// A law of its own where the model has none, or beside one of another power.
 fn alone(scene: &Scene, m: &Motion, x: &str) -> Option<Proposal> {
     let size = scene.size(x);
     let mut d = Draft::at(scene, "power-law", m);
@@ -186,7 +185,7 @@ fn alone(scene: &Scene, m: &Motion, x: &str) -> Option<Proposal> {
     let scale = d.constant("r_ref", &scene.unit(x), size, "scale of the power law, not fitted");
     d.uses(x);
     d.force(&m.state, &format!("-{c}*{x}*(abs({x}/{scale}) + 1e-6)^{p}"));
-    for start in [-0.5, 0.0, 1.0] {
+    for start in [-0.5, 0.0, 1.0, 3.0] {
         d.start(&[m.size / size, start]);
     }
     d.done(&format!(

@@ -64,6 +64,11 @@ impl Signal {
         angle && (self.is_turned || self.min.abs().max(self.max.abs()) > 1.6)
     }
 
+    /// Whether its mean outweighs its motion.
+    pub fn is_off_zero(&self) -> bool {
+        self.mean.abs() >= 2.0 * self.spread
+    }
+
     /// Whether it moves at all.
     pub fn varies(&self) -> bool {
         self.spread > 1e-9 * self.size() && self.levels > 1
