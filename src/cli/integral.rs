@@ -210,7 +210,8 @@ fn lost(word: &str) -> Error {
 /// A number of a line of JSON that would be read as 0.
 fn lost_in(line: &[u8]) -> Option<&str> {
     let is_apart = |c: char| c.is_whitespace() || ",:[]{}".contains(c);
-    std::str::from_utf8(line).ok()?.split(is_apart).find(|word| is_lost(word))
+    let outside = std::str::from_utf8(line).ok()?.split('"').step_by(2);
+    outside.flat_map(|part| part.split(is_apart)).find(|word| is_lost(word))
 }
 
 /// A word with a comma between digits where blanks separate numbers too.

@@ -57,4 +57,4 @@ pub fn proven(mut second: Diagnosis) -> Option<Diagnosis> {
 }
 
 /// That the parts have changed places.
-const EXCHANGED: &str = "fit and proof have changed places: the earlier part alone is explained without anything added, so that the later part was fitted and the earlier one held out for the proof";
+const EXCHANGED: &str = "fit and proof have changed places: the earlier part alone is explained without anything added, so that the later part was fitted and the earlier one held out for the proof; states start where the parts show them, whatever `initial` says";

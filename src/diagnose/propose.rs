@@ -315,7 +315,11 @@ pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened, scale: &S
         let tried = own.iter().map(|a| base.extended(&p.model, a));
         let tried = tried.chain(anew.map(|a| from_given.extended(&p.model, a)));
         let scored = tried.map(|stand| (squares(&stand), stand)).filter(|s| s.0.is_finite());
-        stands.extend(scored.min_by(|a, b| a.0.total_cmp(&b.0)));
+        let best = scored.min_by(|a, b| a.0.total_cmp(&b.0));
+        let weak = weak(s).filter(|_| i == 0).map(|a| base.extended(&p.model, &a));
+        let weak = weak.map(|stand| (squares(&stand), stand));
+        let is_far = |w: &(f64, Stand)| best.as_ref().is_none_or(|b| b.0 > FAR_OFF * w.0);
+        stands.extend(weak.filter(is_far).or(best));
     }
     stands.sort_by(|a, b| a.0.total_cmp(&b.0));
     let near = stands.first().map_or(0.0, |s| NEAR * s.0);
@@ -371,11 +375,21 @@ fn finer(bench: &Bench, view: &View, s: &Screened) -> Vec<Screened> {
     likeliest.into_iter().chain(largest).cloned().collect()
 }
 
-/// Share of the scored size at which a start is as good as the model without it: where every larger one is worse, since the
-/// model's own parameters stay behind, the first step moves all together.
+/// Share of the scored size at which a start is as good as the model without it, and times what that leaves from which on
+/// every larger one is far off: the model's own parameters stay behind, and the first step from a weak one moves all together.
 const WEAK: f64 = 0.02;
+const FAR_OFF: f64 = 4.0;
+/// Share of what is left that it must explain to first order.
+const MOST: f64 = 0.8;
 
-/// Starts of the added parameters: the scored size, parts of the term's own size, and a weak one.
+/// A weak start of the scored size, where it may explain nearly all.
+fn weak(s: &Screened) -> Option<Vec<f64>> {
+    let weights: Vec<f64> = s.score.weights.iter().map(|w| WEAK * w).collect();
+    (!s.proposal.amplitudes.is_empty() && s.explained > MOST)
+        .then(|| s.proposal.with_amplitudes(&s.start, &weights))
+}
+
+/// Starts of the added parameters: the scored size, and parts of the term's own size.
 fn sizes(s: &Screened) -> Vec<Vec<f64>> {
     let p = &s.proposal;
     if p.amplitudes.is_empty() {
@@ -388,8 +402,7 @@ fn sizes(s: &Screened) -> Vec<Vec<f64>> {
         s.weights.iter().zip(&natural).map(|(w, n)| w.clamp(-10.0 * n.abs(), 10.0 * n.abs())).collect();
     let part =
         |f: f64| -> Vec<f64> { scored.iter().zip(&natural).map(|(w, n)| f * n.abs() * w.signum()).collect() };
-    let weak = scored.iter().map(|w| WEAK * w).collect();
-    [scored.clone(), in_free_run, part(0.3), part(1.0), weak]
+    [scored.clone(), in_free_run, part(0.3), part(1.0)]
         .iter()
         .map(|a| p.with_amplitudes(&s.start, a))
         .collect()

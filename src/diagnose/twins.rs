@@ -6,9 +6,7 @@
 //!
 //! # Method
 //! Where the likeliest of a round is a law of a parameter, those of the same law at other parameters whose score is
-//! of its size are fitted too, and the same parameter with another form of the law. Whether they fit as well is then told by
-//! their likelihoods. So are laws of the same signals at the same site with fewer parameters and a score as large: a power
-//! that is fitted beside the root that it comes to.
+//! of its size are fitted too, and the same parameter with another form of the law. Whether they fit as well is then told by their likelihoods.
 //! Where a law has a finer form, such as friction that turns over within a range of speeds, or one of which it is the special
 //! case has, that is fitted too: what the coarse one leaves would be taken for something else.
 
@@ -23,34 +21,25 @@ use super::view::View;
 const NEAR: f64 = 0.5;
 /// How many at most.
 const MOST: usize = 9;
-/// Share of its score from which on one with fewer parameters is fitted too, and how many of these at most: what it is a
-/// richer form of may have fallen behind it on the way.
-const SAME: f64 = 0.9;
-const SIMPLER: usize = 3;
 
 /// The proposals that may be twins of the likeliest of those fitted, and were not fitted.
 pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Screened> {
     let Some(best) = likeliest(fitted) else { return Vec::new() };
-    let is_of_parameter = best.site.kind == SiteKind::Parameter;
+    if best.site.kind != SiteKind::Parameter {
+        return Vec::new();
+    }
     let is = |a: &Proposal, b: &Proposal| {
         a.code == b.code && a.site == b.site && a.depends == b.depends && a.term == b.term
     };
     let own = screening.screened.iter().find(|s| is(&s.proposal, best)).map_or(0.0, |s| s.score.chi2);
     let alike = |s: &&Screened| {
         let p = &s.proposal;
-        is_of_parameter && p.code == best.code && s.score.chi2 >= NEAR * own
+        p.code == best.code
+            && p.depends == best.depends
+            && s.score.chi2 >= NEAR * own
+            && !fitted.iter().any(|r| is(&r.proposal, p))
     };
-    let simpler = |s: &&Screened| {
-        let p = &s.proposal;
-        p.site == best.site && p.added.len() < best.added.len() && s.score.chi2 >= SAME * own
-    };
-    let is_new = |s: &&Screened| {
-        s.proposal.depends == best.depends && !fitted.iter().any(|r| is(&r.proposal, &s.proposal))
-    };
-    let new = || screening.screened.iter().filter(is_new);
-    let simpler: Vec<&Screened> = new().filter(simpler).take(SIMPLER).collect();
-    let alike = new().filter(|s| alike(s) && !simpler.iter().any(|o| std::ptr::eq(*o, *s)));
-    simpler.iter().copied().chain(alike.take(MOST)).collect()
+    screening.screened.iter().filter(alike).take(MOST).collect()
 }
 
 /// The finer forms of the likeliest of those fitted, or of its special case, at its site, in the order of the catalogue: the

@@ -122,7 +122,8 @@ impl Walk<'_> {
         let scale = Scale::of(&self.current, bench.is_trials());
         let now = Measure::of(&self.current, &scale);
         let found = patiently(bench, || {
-            let is_last = self.taken.len() >= MOST || is_over(bench);
+            let ends = self.taken.len() >= MOST || self.taken.iter().any(|t| t.proposal.ends);
+            let is_last = ends || is_over(bench);
             let avoids = self.avoids.filter(|_| self.taken.is_empty());
             let state =
                 State { now: &now, scale: &scale, gains: self.gains, taken: &self.taken, is_last, avoids };

@@ -228,6 +228,45 @@ fn a_state_that_an_output_shows_beside_an_input_starts_from_the_difference() {
 }
 
 #[test]
+fn a_heading_that_is_a_state_starts_on_the_turn_of_its_order() {
+    // a ship that follows an ordered heading about 220 deg with a lag of 20 s
+    let model = Model::parse(
+        r#"
+        name = "heading"
+        [inputs]
+        ordered = { unit = "deg" }
+        [parameters]
+        T = { value = 12, unit = "s", fit = true, min = 1, max = 200 }
+        [states]
+        psi = { rate = "(ordered - psi)/T", unit = "deg", initial = "fit" }
+        [outputs]
+        heading = { equals = "psi", unit = "deg" }
+        "#,
+    )
+    .unwrap();
+    let time = clock(1500, 1.0);
+    let order = |t: f64| 220.0 + 15.0 * (0.02 * t).sin();
+    // psi = 220 + the response of the lag to the sine, from 190 deg
+    let (w, lag) = (0.02f64, 20.0f64);
+    let size = 15.0 / (1.0 + (w * lag).powi(2));
+    let psi = |t: f64| {
+        220.0 + size * ((w * t).sin() - w * lag * (w * t).cos()) + (-30.0 + size * w * lag) * (-t / lag).exp()
+    };
+    let measured = time.iter().zip(noise(1500, 0.3, 0.0, 4)).map(|(t, e)| (psi(*t) + e).to_radians());
+    let mut heading = Channel::new("heading", unit("deg"), time.clone(), measured.collect());
+    let mut ordered = Channel::new(
+        "ordered",
+        unit("deg"),
+        time.clone(),
+        time.iter().map(|t| order(*t).to_radians()).collect(),
+    );
+    (heading.wraps, ordered.wraps) = (true, true);
+    let recording = Recording::from_channels("made", vec![ordered, heading]).unwrap();
+    let fitted = fit(&model, &[recording], &FitOptions::default()).unwrap();
+    assert!((value(&fitted, "T").0 - 20.0).abs() < 0.3, "{:?}", value(&fitted, "T"));
+}
+
+#[test]
 fn a_short_recording_and_a_start_that_blows_up_are_warned_of() {
     let slow = Model::parse(&DECAY.replace("value = 2.0", "value = 0.12")).unwrap();
     let recording = decay("short", (0.12, 0.01, 1.0), &noise(400, 1e-4, 0.0, 7));

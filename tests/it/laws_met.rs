@@ -293,7 +293,7 @@ fn a_compass_that_feels_the_acceleration_to_the_north() {
         d = { value = 0.4, unit = "1", fit = true, min = 0.01, max = 3 }
         k = { value = 0.2, unit = "deg*s/m" }
         [states]
-        alpha = { rate = "turn", unit = "deg", initial = 0 }
+        alpha = { rate = "turn", unit = "deg", initial = "fit" }
         turn = { rate = "-w^2*(alpha + k*north) - 2*d*w*turn", unit = "deg/s", initial = 0 }
         [outputs]
         off = { equals = "alpha", unit = "deg" }

@@ -26,8 +26,11 @@ pub fn read(text: &str, known: &BTreeSet<String>) -> Result<Values> {
         let (name, number) = part.split_once('=').ok_or_else(wrong)?;
         let (name, written) = (name.trim(), number.trim());
         let number: f64 = written.parse().map_err(|_| wrong())?;
-        if !number.is_finite() || is_lost(written) {
-            return Err(Error::usage(format!("--values: {part} is beyond what a double holds")));
+        if is_lost(written) {
+            return Err(Error::usage(format!("--values: {part} is smaller than any number here")));
+        }
+        if !number.is_finite() {
+            return Err(Error::usage(format!("--values: {part} is not finite")));
         }
         known_letter(name, known)?;
         if values.insert(name.to_owned(), number).is_some() {

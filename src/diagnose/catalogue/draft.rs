@@ -86,6 +86,8 @@ pub struct Proposal {
     pub makes_up: Option<(String, f64)>,
     /// Whether it is asked for only in the place of what was found, as a finer form of it.
     pub refines: bool,
+    /// Whether a state of the model is no longer what it was, so that no law is added beside it.
+    pub ends: bool,
     /// What it puts in the place of what: new and old.
     pub replaced: Vec<(Expr, Expr)>,
 }
@@ -104,7 +106,8 @@ impl Proposal {
 
     /// States and inputs that its term is a law of, not only turned by them; none where it remembers.
     pub fn law_of(&self) -> Vec<String> {
-        let Ok(term) = Expr::parse(&self.term) else { return Vec::new() };
+        // a term with a derivative is no expression
+        let Ok(term) = Expr::parse(&self.term) else { return self.depends.clone() };
         if edit::find(&term, &|e| matches!(e, Expr::Call(f, _) if f.has_memory())).is_some() {
             return Vec::new();
         }
@@ -204,6 +207,7 @@ impl<'a> Draft<'a> {
             neutral: None,
             limits: Vec::new(),
             makes_up: None,
+            ends: false,
             refines: false,
             replaced: Vec::new(),
         };
@@ -286,11 +290,9 @@ impl<'a> Draft<'a> {
         name
     }
 
-    /// A state begins where the recording shows it, unless it begins at rest.
-    pub fn begins_anywhere(&mut self, state: &str) {
-        for s in self.proposal.model.states.iter_mut().filter(|s| s.name == state) {
-            s.initial = if s.initial == Initial::Steady { s.initial } else { Initial::Fit };
-        }
+    /// A state is no longer what it was: laws that are added later would be laws of something else.
+    pub fn ends(&mut self) {
+        self.proposal.ends = true;
     }
 
     /// Brings a recorded channel into the model as an input, if it is not there yet.

@@ -76,7 +76,7 @@ fn beside(scene: &Scene, o: &Output, other: &Output) -> Option<Proposal> {
 fn is_component(o: &Output, s: &Signal) -> bool {
     let dimension = o.unit.of_differences().dimension();
     let is_alike = s.unit.of_differences().dimension() == dimension && dimension != Dimension::TEMPERATURE;
-    is_alike && s.is_off_zero()
+    is_alike && s.is_off_zero() && !s.is_heading()
 }
 
 /// What the sensor feels of a signal, as couplings feel it or as it is.

@@ -50,7 +50,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         let drivers: Vec<(&Expr, Driver)> =
             terms.iter().filter_map(|t| Some((t, driver(scene, own, t)?))).collect();
         all.extend(drivers.iter().filter_map(|(term, x)| at(scene, &m, term, x)));
-        if !drivers.is_empty() || !terms.iter().any(|t| t.mentions(own)) {
+        let is_own = |(_, d): &(&Expr, Driver)| d.x == Expr::name(own);
+        if drivers.iter().any(is_own) || !terms.iter().any(|t| t.mentions(own)) {
             all.extend(alone(scene, &m, own));
         }
     }

@@ -9,6 +9,8 @@
 //! ```text
 //!     x' = f(x) + c u':  with x = z + c u,  z' = f(z + c u), and z + c u wherever x stands
 //! ```
+//! It is looked for where x begins anywhere (`initial = "fit"`) or at rest. The state of the model is z then: nothing more is
+//! added beside it.
 //!
 //! # What else looks like this
 //! output-cross-axis: where a fitted gain of u and the state's own decay take up the rest, both are one law, and only a
@@ -24,7 +26,7 @@
 
 use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, felt};
 use crate::expression::Expr;
-use crate::model::State;
+use crate::model::{Initial, State};
 
 /// The change of a signal acts.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -42,7 +44,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let turns = |s: &Signal| s.is_heading() && s.spread > 0.3;
     let signals: Vec<&Signal> =
         scene.moving(&[SignalKind::Channel, SignalKind::Input]).filter(|s| !turns(s)).collect();
-    let states = scene.model.states[..scene.own_states].iter().filter(|x| is_felt(scene, x));
+    // where it begins at a number that stands, that of x - c u does not
+    let may = |x: &&State| !matches!(x.initial, Initial::Number(_)) && is_felt(scene, x);
+    let states = scene.model.states[..scene.own_states].iter().filter(may);
     states.flat_map(|x| signals.iter().filter_map(|u| at(scene, x, u))).collect()
 }
 
@@ -60,8 +64,9 @@ fn at(scene: &Scene, x: &State, u: &Signal) -> Option<Proposal> {
     let c = d.amplitude("c", &scene.unit(&x.name).over(&u.unit), ANY, "part of the change");
     d.uses(&u.name);
     d.term(&format!("{c}*{}'", u.name));
-    d.replace(&x.name, &format!("({} + {c}*{})", x.name, u.name), |_| true);
-    d.begins_anywhere(&x.name);
+    let change = d.centred(u);
+    d.replace(&x.name, &format!("({} + {c}*{change})", x.name), |_| true);
+    d.ends();
     d.start(&[own.spread / u.spread]);
     d.done(&format!("{} moves with each change of {}, by {{0}}", scene.words(&x.name), scene.words(&u.name)))
 }

@@ -12,7 +12,7 @@
 use super::along::Along;
 use super::{Response, Track};
 
-/// Points of the meshes at most, from the beginning of the first recording.
+/// Points of the meshes at most, each recording's share from its beginning.
 const LONGEST: usize = 3000;
 /// Share of the points at the beginning, before which the states are not known, that are not counted.
 const BEGINNING: f64 = 0.1;
@@ -46,16 +46,12 @@ impl Response {
     /// What is left of an output along the recordings, driven at a state, or at the output where none is given; without
     /// those of which fewer than ten samples lie on the mesh, and `None` where no other is there.
     pub fn drive(&self, tracks: &[Track], output: usize, state: Option<usize>) -> Option<Drive<'_>> {
-        let (mut first, mut points, mut runs) = (0, LONGEST, Vec::new());
+        let (mut first, mut runs, each) = (0, Vec::new(), LONGEST / self.runs.len().max(1));
         for along in &self.runs {
             let own = tracks.get(first..first + along.tracks.len())?;
             first += along.tracks.len();
             let number = along.tracks.iter().position(|t| t.0 == output);
-            if let Some(mut residual) = number.and_then(|k| on_mesh(along, k, &own[k].residual)) {
-                residual.truncate(points);
-                points -= residual.len();
-                runs.push((along, residual));
-            }
+            runs.extend(number.and_then(|k| Some((along, on_mesh(along, (k, each), &own[k].residual)?))));
         }
         let (states, rate) = state.map_or((0, 0), |j| (self.model.states.len(), j));
         let outputs = self.model.outputs.len();
@@ -178,8 +174,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// The residual at the points of the mesh that samples lie on.
-fn on_mesh(along: &Along, track: usize, residual: &[f64]) -> Option<Vec<Option<f64>>> {
+/// The residual at the first points of the mesh, where samples lie on them.
+fn on_mesh(along: &Along, (track, most): (usize, usize), residual: &[f64]) -> Option<Vec<Option<f64>>> {
     let times = &along.tracks[track].2;
     let mut next = 0;
     let place = |(i, t): (usize, &f64)| {
@@ -190,6 +186,6 @@ fn on_mesh(along: &Along, track: usize, residual: &[f64]) -> Option<Vec<Option<f
         let is_here = times.get(next).is_some_and(|s| (s - t).abs() <= BESIDE * step);
         is_here.then(|| residual.get(next).copied()).flatten()
     };
-    let all: Vec<Option<f64>> = along.time.iter().enumerate().map(place).collect();
+    let all: Vec<Option<f64>> = along.time.iter().enumerate().take(most).map(place).collect();
     (all.iter().flatten().count() >= 10).then_some(all)
 }

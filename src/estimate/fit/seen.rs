@@ -86,10 +86,10 @@ fn guess(model: &Model, recording: &Recording, tracks: &[Track], start: f64) -> 
             }
         })
         .collect();
-    for (k, s) in seen.iter().enumerate().filter_map(|(k, s)| Some((k, (*s)?))).filter(|(_, s)| s.order == 0)
-    {
-        let wraps = tracks.iter().any(|t| t.output == s.output && t.wraps);
-        let own = |y: f64| shifted(model, recording, (k, s.output), (y, wraps), start).unwrap_or(y);
+    for (k, s) in seen.iter().enumerate().filter_map(|(k, s)| Some((k, s.filter(|s| s.order == 0)?))) {
+        let Some(track) = tracks.iter().find(|t| t.output == s.output) else { continue };
+        let time = track.time.iter().copied().find(|t| *t >= start).unwrap_or(start);
+        let own = |y: f64| shifted(model, recording, (k, s.output), (y, track.wraps), time).unwrap_or(y);
         values[k] = values[k].map(own);
     }
     for i in 0..values.len() {
@@ -119,8 +119,16 @@ fn shifted(
         |x: f64| Known { model, recording, start, own: (own, x) }.value(&model.outputs[output].equals);
     let (none, slope) = (shown(0.0)?, shown(1.0)? - shown(0.0)?);
     let is_straight = slope != 0.0 && (shown(2.0)? - none - 2.0 * slope).abs() <= 1e-9 * slope.abs();
-    let above = if wraps { principal(y - none) } else { y - none };
+    // the turn is that of the input; without one, that of the output
+    let is_beside = model.inputs.iter().any(|i| reaches(model, &model.outputs[output].equals, &i.name));
+    let above = if wraps && is_beside { principal(y - none) } else { y - none };
     Some(above / slope).filter(|x| is_straight && x.is_finite())
+}
+
+/// Whether an expression depends on a name, perhaps through definitions.
+fn reaches(model: &Model, e: &Expr, name: &str) -> bool {
+    e.mentions(name)
+        || model.definitions.iter().any(|d| e.mentions(&d.name) && reaches(model, &d.equals, name))
 }
 
 /// What names stand for where a recording starts, with a value of one state.
