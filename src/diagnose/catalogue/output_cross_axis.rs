@@ -72,11 +72,11 @@ fn beside(scene: &Scene, o: &Output, other: &Output) -> Option<Proposal> {
     d.done(&format!("the sensor of {own} also feels what that of {felt} feels, {{0}}"))
 }
 
-/// Whether a signal is one that a twisted sensor feels from its own zero, and far from it.
+/// Whether a signal is another component of what a twisted instrument shows, which it feels from its zero, and far from that.
 fn is_component(o: &Output, s: &Signal) -> bool {
     let dimension = o.unit.of_differences().dimension();
     let is_alike = s.unit.of_differences().dimension() == dimension && dimension != Dimension::TEMPERATURE;
-    is_alike && s.is_off_zero() && !s.is_heading()
+    is_alike && s.kind == SignalKind::State && s.is_off_zero() && !s.is_heading()
 }
 
 /// What the sensor feels of a signal, as couplings feel it or as it is.

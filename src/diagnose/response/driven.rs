@@ -112,12 +112,12 @@ impl Drive<'_> {
         let (mut z, mut p) = (vec![0.0; n], vec![0.0; n * n]);
         p[n * n - 1] = process.1.powi(2);
         let (mut seen, mut shown) = (vec![0.0; n], 0.0);
-        for i in 0..count {
+        for (i, left) in residual.iter().enumerate() {
             self.look(along, i, &mut seen);
             // P C'
             let pc: Vec<f64> = (0..n).map(|r| dot(&p[r * n..][..n], &seen)).collect();
             shown = dot(&pc, &seen);
-            if let Some(e) = residual[i].filter(|_| is_filtered) {
+            if let Some(e) = left.filter(|_| is_filtered) {
                 let (v, s) = (e - dot(&z, &seen), shown + 1.0);
                 if i as f64 >= BEGINNING * count as f64 {
                     sum.squares += v * v / s;
