@@ -8,7 +8,7 @@
 //! # Equation
 //! ```text
 //!     c x -> c x |x/r|^p      where c x stands in a rate, or c x |x|, c x², c sqrt(x); at p = 0 it is that law, r is a scale
-//!     s' = … - c x |x/r|^p    where no law of the speed or the level x stands, or beside one
+//!     s' = … - c x |x/r|^p    where no law of the speed or the level x stands, or beside a steep one
 //! ```
 //!
 //! # What else looks like this
@@ -50,8 +50,9 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         let drivers: Vec<(&Expr, Driver)> =
             terms.iter().filter_map(|t| Some((t, driver(scene, own, t)?))).collect();
         all.extend(drivers.iter().filter_map(|(term, x)| at(scene, &m, term, x)));
-        let is_own = |(_, d): &(&Expr, Driver)| d.x == Expr::name(own);
-        if drivers.iter().any(is_own) || !terms.iter().any(|t| t.mentions(own)) {
+        // beside what is in proportion the laws of whole powers have fewer parameters
+        let is_steep = |(_, d): &(&Expr, Driver)| d.x == Expr::name(own) && d.power > 1.0;
+        if drivers.iter().any(is_steep) || !terms.iter().any(|t| t.mentions(own)) {
             all.extend(alone(scene, &m, own));
         }
     }
@@ -177,7 +178,7 @@ fn at(scene: &Scene, m: &Motion, term: &Expr, driver: &Driver) -> Option<Proposa
     d.done(&format!("{term} goes with a power of {words}, {{0}} beside {beside}"))
 }
 
-/// A law of its own where the model has none, or beside one of another power.
+/// A law of its own where the model has none, or beside one of another power above 1.
 fn alone(scene: &Scene, m: &Motion, x: &str) -> Option<Proposal> {
     let size = scene.size(x);
     let mut d = Draft::at(scene, "power-law", m);
