@@ -288,7 +288,7 @@ fn answer_line(number: usize, line: &[u8], check: bool) -> Reply {
     };
     match serde_json::from_slice::<Case>(line) {
         // A list of lists would be read field by field.
-        Ok(case) if line.starts_with(b"{") => match lost_in(line).filter(|_| case.has_zero()) {
+        Ok(case) if line.starts_with(b"{") => match case.has_zero().then(|| lost_in(line)).flatten() {
             Some(word) => Reply::BadInput { message: format!("line {number}: {}", lost(word).message()) },
             None => case.reply(check),
         },

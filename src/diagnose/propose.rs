@@ -316,7 +316,7 @@ pub fn starts(bench: &Bench, view: &View, given: &[f64], s: &Screened, scale: &S
         let tried = tried.chain(anew.map(|a| from_given.extended(&p.model, a)));
         let scored = tried.map(|stand| (squares(&stand), stand)).filter(|s| s.0.is_finite());
         let best = scored.min_by(|a, b| a.0.total_cmp(&b.0));
-        let weak = weak(s).filter(|_| i == 0).map(|a| base.extended(&p.model, &a));
+        let weak = if i == 0 { weak(s).map(|a| base.extended(&p.model, &a)) } else { None };
         let weak = weak.map(|stand| (squares(&stand), stand));
         let is_far = |w: &(f64, Stand)| best.as_ref().is_none_or(|b| b.0 > FAR_OFF * w.0);
         stands.extend(weak.filter(is_far).or(best));

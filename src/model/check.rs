@@ -108,6 +108,11 @@ impl Model {
         Ok(walk.done)
     }
 
+    /// Whether a name occurs in an expression or in a definition that it uses.
+    pub(crate) fn reaches(&self, e: &Expr, name: &str) -> bool {
+        e.mentions(name) || self.used_by(e).iter().any(|d| d.equals.mentions(name))
+    }
+
     /// The definitions that an expression uses, by itself or through others, each once however often it stands.
     pub(crate) fn used_by<'a>(&'a self, e: &'a Expr) -> Vec<&'a Definition> {
         let (mut used, mut left) = (Vec::new(), vec![e]);

@@ -192,6 +192,14 @@ fn a_wrapped_output_is_compared_modulo_a_turn() {
     assert!((value(&fitted, "b").0 - 0.1).abs() < 1e-9);
 }
 
+/// An angle in deg by rows, compared modulo a turn.
+fn wrapped(name: &str, time: &[f64], degrees: impl Fn(usize) -> f64) -> Channel {
+    let values = (0..time.len()).map(|i| degrees(i).to_radians()).collect();
+    let mut angle = Channel::new(name, unit("deg"), time.to_vec(), values);
+    angle.wraps = true;
+    angle
+}
+
 #[test]
 fn a_state_that_an_output_shows_beside_an_input_starts_from_the_difference() {
     // a compass that swings by 3 deg about a heading of 112 deg, for five periods, its frequency 20 % off
@@ -216,10 +224,8 @@ fn a_state_that_an_output_shows_beside_an_input_starts_from_the_difference() {
     .unwrap();
     let (w, c, time) = (1e-3f64, 5e-5f64, clock(3000, 10.0));
     let swing = |t: f64| (-c * t).exp() * 3.0 * ((w * w - c * c).sqrt() * t).cos();
-    let measured =
-        time.iter().zip(noise(3000, 0.1, 0.0, 4)).map(|(t, e)| (110.0 + swing(*t) + e).to_radians());
-    let mut compass = Channel::new("compass", unit("deg"), time.clone(), measured.collect());
-    compass.wraps = true;
+    let e = noise(3000, 0.1, 0.0, 4);
+    let compass = wrapped("compass", &time, |i| 110.0 + swing(time[i]) + e[i]);
     let heading = Channel::new("heading", unit("deg"), time.clone(), vec![112f64.to_radians(); time.len()]);
     let recording = Recording::from_channels("made", vec![heading, compass]).unwrap();
     let fitted = fit(&model, &[recording], &FitOptions::default()).unwrap();
@@ -252,15 +258,9 @@ fn a_heading_that_is_a_state_starts_on_the_turn_of_its_order() {
     let psi = |t: f64| {
         220.0 + size * ((w * t).sin() - w * lag * (w * t).cos()) + (-30.0 + size * w * lag) * (-t / lag).exp()
     };
-    let measured = time.iter().zip(noise(1500, 0.3, 0.0, 4)).map(|(t, e)| (psi(*t) + e).to_radians());
-    let mut heading = Channel::new("heading", unit("deg"), time.clone(), measured.collect());
-    let mut ordered = Channel::new(
-        "ordered",
-        unit("deg"),
-        time.clone(),
-        time.iter().map(|t| order(*t).to_radians()).collect(),
-    );
-    (heading.wraps, ordered.wraps) = (true, true);
+    let e = noise(1500, 0.3, 0.0, 4);
+    let heading = wrapped("heading", &time, |i| psi(time[i]) + e[i]);
+    let ordered = wrapped("ordered", &time, |i| order(time[i]));
     let recording = Recording::from_channels("made", vec![ordered, heading]).unwrap();
     let fitted = fit(&model, &[recording], &FitOptions::default()).unwrap();
     assert!((value(&fitted, "T").0 - 20.0).abs() < 0.3, "{:?}", value(&fitted, "T"));

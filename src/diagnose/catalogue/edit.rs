@@ -316,7 +316,7 @@ pub enum Place<'a> {
 
 /// Whether a name occurs in an expression or in a definition that it uses.
 pub fn reaches(model: &Model, e: &Expr, name: &str) -> bool {
-    e.mentions(name) || model.used_by(e).iter().any(|d| d.equals.mentions(name))
+    model.reaches(e, name)
 }
 
 /// Whether a name stands in an expression outside its sines and cosines.

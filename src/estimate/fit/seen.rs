@@ -120,15 +120,9 @@ fn shifted(
     let (none, slope) = (shown(0.0)?, shown(1.0)? - shown(0.0)?);
     let is_straight = slope != 0.0 && (shown(2.0)? - none - 2.0 * slope).abs() <= 1e-9 * slope.abs();
     // the turn is that of the input; without one, that of the output
-    let is_beside = model.inputs.iter().any(|i| reaches(model, &model.outputs[output].equals, &i.name));
+    let is_beside = model.inputs.iter().any(|i| model.reaches(&model.outputs[output].equals, &i.name));
     let above = if wraps && is_beside { principal(y - none) } else { y - none };
     Some(above / slope).filter(|x| is_straight && x.is_finite())
-}
-
-/// Whether an expression depends on a name, perhaps through definitions.
-fn reaches(model: &Model, e: &Expr, name: &str) -> bool {
-    e.mentions(name)
-        || model.definitions.iter().any(|d| e.mentions(&d.name) && reaches(model, &d.equals, name))
 }
 
 /// What names stand for where a recording starts, with a value of one state.
