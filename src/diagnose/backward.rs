@@ -77,7 +77,10 @@ fn drop_needless(bench: &Bench, separate: &[Recording], found: &mut Found) {
             w.is_some_and(|w| ahead(bench, separate, &w.0).is_some())
         };
         let Some(i) = failing.into_iter().find(runs) else { return };
-        found.taken.remove(i);
+        let needless = found.taken.remove(i);
+        // what stands for it may be a look-alike of what was found in its place
+        let alike = [&[needless.proposal][..], &needless.ties, &needless.others].concat();
+        found.taken[i..].iter_mut().for_each(|later| later.others.extend(alike.iter().cloned()));
         if let Some(w) = found.without.swap_remove(i) {
             bench.budget.tell(w.0.ended_early);
             found.last = w.0;

@@ -1,6 +1,7 @@
 //! A room whose loss goes with a power of the wind, and one with a small second gain beside a large one.
 
 use crate::diagnose::diagnosed;
+use crate::fields::{Plant, first, value};
 use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Hold, Recording};
@@ -89,4 +90,63 @@ fn what_is_sure_and_small_beside_a_finding_is_told() {
         let small = told.notes.iter().find(|n| n.starts_with("something small is left for sure"));
         assert_eq!(small.is_some_and(|n| n.contains("people")), is_told, "{:?}", told.notes);
     }
+}
+
+const CABINET: Plant<'_> = Plant {
+    step: 20.0,
+    start: &[9.0],
+    inputs: &[("steam", "1"), ("dryer", "1"), ("outside", "g/m^3")],
+    states: &[("x", "g/m^3")],
+    sizes: &[(0.4, 0.3), (0.5, 0.25), (8.0, 2.5)],
+    noise: 0.01,
+    measured: 1,
+};
+const CABINET_MODEL: &str = r#"
+    name = "cabinet"
+    [inputs]
+    steam = { unit = "1" }
+    dryer = { unit = "1" }
+    [parameters]
+    gain = { value = 0.015, unit = "g/m^3/s", fit = true, min = 0 }
+    dry = { value = 0.001, unit = "1/s", fit = true, min = 0 }
+    [states]
+    x = { rate = "gain*steam - dry*dryer*x", unit = "g/m^3", initial = "fit" }
+    [outputs]
+    x_meas = { equals = "x", unit = "g/m^3" }
+"#;
+
+/// A leak to the air outside, whose humidity is recorded, is one law of one size; one into nothing is a loss.
+#[test]
+fn a_loss_goes_to_surroundings_that_are_recorded() {
+    let of = |leak: f64, share: f64, power: f64| {
+        CABINET.diagnosed(CABINET_MODEL, |x, u| {
+            let apart = x[0] - share * u[2];
+            vec![0.02 * u[0] - 0.0015 * u[1] * x[0] - leak * apart.signum() * apart.abs().powf(power)]
+        })
+    };
+    for (power, term) in [(1.0, "-c*(x - outside)"), (0.5, "sqrt")] {
+        let leaking = of(4e-4, 1.0, power);
+        assert_eq!((leaking.verdict, leaking.findings.len()), (Verdict::Named, 1), "{}", leaking.says);
+        let finding = &leaking.findings[0];
+        assert!(finding.code == "exchange" && finding.term.contains(term), "{}", leaking.says);
+    }
+    let [low, _, high] = value(&of(4e-4, 1.0, 1.0), "c");
+    assert!(low < 4e-4 && 4e-4 < high && high - low < 4e-5, "{low} to {high}");
+    let lost = of(4e-4, 0.0, 1.0);
+    assert_eq!((lost.verdict, first(&lost)), (Verdict::Named, "linear-damping"), "{}", lost.says);
+    assert_eq!(of(0.0, 0.0, 1.0).verdict, Verdict::NothingMissing);
+}
+
+/// Where the model's own loss is fitted, a loss more to surroundings is what a coupling to them is.
+#[test]
+fn what_a_fitted_loss_takes_up_is_a_coupling_as_well() {
+    let outside = stairs(&mut ChaCha8Rng::seed_from_u64(4), (2.0, 22.0), 53);
+    let told = found(&[("Ta", "K", outside.clone())], |i| (60.0 + 25.0, 25.0 * outside[i]), 0.1);
+    let [only] = &told.findings[..] else { panic!("{}", told.says) };
+    let mut names = [&[only.code.clone()][..], &only.ties].concat();
+    names.sort();
+    assert_eq!(
+        (told.verdict, &names[..]),
+        (Verdict::Tie, &["cross-coupling", "exchange"].map(String::from)[..])
+    );
 }

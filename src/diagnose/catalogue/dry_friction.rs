@@ -41,6 +41,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let mut all: Vec<Proposal> = Vec::new();
     for m in scene.motions() {
         all.extend(at(scene, &m).into_iter().chain(ROUNDED.iter().filter_map(|r| rounded(scene, &m, *r))));
+        all.extend(gradual(scene, &m));
     }
     all.extend(between::all(scene, Of::Speeds).iter().filter_map(|b| rubs(scene, b)));
     all.extend(scene.richer_lag("dry-friction").and_then(|(mut d, lag)| {
@@ -73,13 +74,26 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
 /// steps, and stands alone.
 const ROUNDED: [((f64, f64), f64); 2] = [((5e-3, 0.1), 0.02), ((5e-4, 6e-3), 3e-3)];
 
+/// The same of friction of which much of the motion sees the turn.
+const GRADUAL: ((f64, f64), f64) = ((0.08, 1.0), 0.25);
+
 /// Friction that turns over within a range of speeds, small beside those of the recording.
-fn rounded(scene: &Scene, m: &Motion, (within, first): ((f64, f64), f64)) -> Option<Proposal> {
+fn rounded(scene: &Scene, m: &Motion, range: ((f64, f64), f64)) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "dry-friction", m);
+    d.refines();
+    turning(scene, d, m, range)
+}
+
+/// Friction that turns over within speeds that are many of the recording's, as that of a wet seal does.
+fn gradual(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    turning(scene, Draft::at(scene, "dry-friction", m), m, GRADUAL)
+}
+
+/// Friction that turns over within a range of speeds, as shares of their spread.
+fn turning(scene: &Scene, mut d: Draft, m: &Motion, (within, first): ((f64, f64), f64)) -> Option<Proposal> {
     let v = m.speed.as_ref()?;
     let spread = scene.signal(v)?.spread;
-    let mut d = Draft::at(scene, "dry-friction", m);
     let f = d.amplitude("Fc", &m.force, POSITIVE, "dry friction");
-    d.refines();
     let within = (within.0 * spread, within.1 * spread);
     let vs = d.parameter("vs", &scene.unit(v), within, "speed within which it turns over");
     d.force(&m.state, &format!("-{f}*tanh({v}/{vs})"));

@@ -1,9 +1,10 @@
 //! # What it is
 //! A flow from one store to another that neither balance knows: heat through a wall, a liquid through a pipe, gas
-//! through a leak, a substance between two compartments. What leaves one enters the other.
+//! through a leak, a substance between two compartments. What leaves one enters the other, or surroundings whose level
+//! is recorded and which do not feel it.
 //!
 //! # Signature in a recording
-//! Both residuals follow the difference of the two, with opposite signs.
+//! Both residuals follow the difference of the two, with opposite signs; to surroundings, the one that there is.
 //!
 //! # Equation
 //! ```text
@@ -11,6 +12,7 @@
 //!     or with c (x - y)/sqrt(|x - y|/r) in place of c (x - y), where the flow goes with a root;  r is only a scale
 //!     or with c (max(x, e) - max(y, e)), where it flows through an opening at the level e
 //!     x' = … - c (x - y)        y' = … + cy (x - y)     where the balances do not show their capacities
+//!     A x' = … - c (x - u),  straight or with the root,  to surroundings u that are recorded
 //! ```
 //!
 //! # What else looks like this
@@ -22,9 +24,9 @@
 //! 6th ed. (2006), ch. 3.
 //!
 //! # Example
-//! Two rooms with a wall between them, modelled each for itself.
+//! Two rooms with a wall between them, modelled each for itself; a cabinet that leaks to a room whose humidity is logged.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, draft::POSITIVE};
 use crate::units::Dimension;
 
 /// What leaves one balance and enters another.
@@ -53,7 +55,39 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             all.extend(forms.filter_map(|form| at(scene, [m, n], form)));
         }
     }
+    for m in motions.iter().filter(|m| m.speed.is_none()) {
+        let around = scene.moving(&[SignalKind::Channel, SignalKind::Input]);
+        let alike = around.filter(|u| u.unit.dimension() == scene.unit(&m.state).dimension());
+        all.extend(alike.flat_map(|u| [false, true].map(|root| surroundings(scene, m, u, root))).flatten());
+    }
     all
+}
+
+/// A flow to surroundings that are recorded.
+fn surroundings(scene: &Scene, m: &Motion, u: &Signal, root: bool) -> Option<Proposal> {
+    let (x, y) = (&m.state, &u.name);
+    let mut d = Draft::at(scene, "exchange", m);
+    let c = d.amplitude("c", &m.force.over(&scene.unit(x)), POSITIVE, "flow for a unit of the difference");
+    let apart = apart([scene.signal(x)?, u]);
+    let flow = if root { rooted(scene, &mut d, &c, [x, y], apart) } else { format!("{c}*({x} - {y})") };
+    d.uses(x);
+    d.uses(y);
+    d.force(x, &format!("-{flow}"));
+    d.start(&[m.size / apart]);
+    let how = if root { "with the root of" } else { "in proportion to" };
+    d.done(&format!("a flow from {} to {} {how} their difference, {{0}}", scene.words(x), scene.words(y)))
+}
+
+/// Root mean square of what two levels differ by, if they move apart.
+fn apart([a, b]: [&Signal; 2]) -> f64 {
+    (a.mean - b.mean).hypot(a.spread).hypot(b.spread)
+}
+
+/// A flow with the root of a difference.
+fn rooted(scene: &Scene, d: &mut Draft, c: &str, [x, y]: [&str; 2], apart: f64) -> String {
+    let scale =
+        d.constant(&format!("{x}_{y}_ref"), &scene.unit(x), apart, "scale of the difference, not fitted");
+    format!("{c}*({x} - {y})/sqrt(abs({x} - {y})/{scale} + {ROUND})")
 }
 
 /// How a flow goes with the two levels.
@@ -85,15 +119,11 @@ fn at(scene: &Scene, [m, n]: [&Motion; 2], form: Form) -> Option<Proposal> {
     let mut d = Draft::at(scene, "exchange", m);
     let c = d.amplitude("c", &m.force.over(&unit), POSITIVE, "flow for a unit of the difference");
     let (a, b) = (scene.signal(x)?, scene.signal(y)?);
-    let apart = (a.mean - b.mean).hypot(a.spread).hypot(b.spread);
+    let apart = apart([a, b]);
     let (low, high) = (a.min.min(b.min), a.max.max(b.max));
     let flow = match form {
         Form::Proportional | Form::Shared => format!("{c}*({x} - {y})"),
-        Form::Root => {
-            let scale =
-                d.constant(&format!("{x}_{y}_ref"), &unit, apart, "scale of the difference, not fitted");
-            format!("{c}*({x} - {y})/sqrt(abs({x} - {y})/{scale} + {ROUND})")
-        }
+        Form::Root => rooted(scene, &mut d, &c, [x, y], apart),
         Form::Above => {
             let limits = (low + INSIDE * (high - low), high);
             let edge = d.parameter("e", &a.unit, limits, "level of the opening");
