@@ -34,6 +34,7 @@ use super::view::own_tracks;
 use crate::Result;
 use crate::estimate::Fit;
 use crate::model::Model;
+use crate::record::quality::wrapped_angle;
 use crate::record::{Channel, Hold, Recording, looks_held, may_be_held};
 
 /// How far a weight may lie from 1, and its standard deviation: a delay has any weight, and what leaves it so open
@@ -148,7 +149,10 @@ fn refitted(bench: &Bench, base: &Fit, given: Option<&Model>) -> Result<Fit> {
 pub fn held_inputs(fit: &Fit, recordings: &[Recording], separate_holdout: bool, seed: u64) -> Vec<String> {
     let mut bench = Bench::new(&fit.model, recordings.to_vec(), separate_holdout, seed);
     let settled = settle(&mut bench, &mut [], fit.clone(), None).ok();
-    settled.into_iter().flat_map(|s| s.held).map(|h| h.finding.site.name).collect()
+    // an angle that jumps by a turn runs straight through all of it, which looks like nothing
+    let jumps = |n: &String| recordings.iter().filter_map(|r| r.find(n)).any(|c| wrapped_angle(c).is_some());
+    let held = settled.into_iter().flat_map(|s| s.held).map(|h| h.finding.site.name);
+    held.filter(|name| !jumps(name)).collect()
 }
 
 /// Inputs that are held, by how good the model is with them and with straight ones.

@@ -13,7 +13,12 @@ use std::fmt::Write;
 /// Keywords, what the standard library and compilers define, and the names of the file itself.
 const RESERVED: &str = "auto break case char const continue default do double else enum extern float for goto if inline \
     int long register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while \
-    asm typeof linux unix NULL NAN INFINITY isnan isinf errno stdin stdout stderr bool true false main size_t t x u p m to \
+    asm typeof linux unix NULL NAN INFINITY isnan isinf errno stdin stdout stderr bool true false main \
+    M_E M_LOG2E M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2 MAXFLOAT HUGE_VAL HUGE_VALF \
+    HUGE_VALL FP_NAN FP_INFINITE FP_ZERO FP_SUBNORMAL FP_NORMAL FP_ILOGB0 FP_ILOGBNAN FP_FAST_FMA FP_FAST_FMAF FP_FAST_FMAL \
+    MATH_ERRNO MATH_ERREXCEPT math_errhandling DOMAIN SING OVERFLOW UNDERFLOW TLOSS PLOSS X_TLOSS fpclassify isfinite isnormal \
+    isgreater isgreaterequal isless islessequal islessgreater isunordered offsetof EOF BUFSIZ RAND_MAX EXIT_SUCCESS EXIT_FAILURE \
+    SEEK_SET SEEK_CUR SEEK_END FILENAME_MAX FOPEN_MAX L_tmpnam TMP_MAX MB_CUR_MAX P_tmpdir size_t t x u p m to \
     first fabs fmin fmax pow sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt ceil signbit div abs min max \
     model_parameters model_defaults model_start model_memory model_derivatives model_outputs model_update model_switches \
     model_delays model_relay model_play model_limit model_sign model_settle model_rank model_past model_keep model_chord \

@@ -92,10 +92,19 @@ pub(super) fn plain(name: &str) -> String {
             _ if c.is_ascii() => out.push(c),
             Some((_, word)) if small == c => out.push_str(word),
             Some((_, word)) => out.extend(word[..1].to_uppercase().chars().chain(word[1..].chars())),
-            None => out.push_str(&format!("u{:x}", u32::from(c))),
+            None => match digit(c) {
+                Some(digit) => out.push(digit),
+                None => out.push_str(&format!("u{:x}", u32::from(c))),
+            },
         }
     }
     if out.chars().all(|c| c == '_') { format!("u{out}") } else { out }
+}
+
+/// The digit that a raised or lowered one is.
+fn digit(c: char) -> Option<char> {
+    let number = "⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉".chars().position(|d| d == c)?;
+    char::from_digit(number as u32 % 10, 10)
 }
 
 /// A name for the model in letters and digits that nothing in it has.

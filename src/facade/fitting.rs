@@ -78,7 +78,8 @@ impl<'a> Fitting<'a> {
             estimate::ascertain(&mut fit, &recordings, &options)?;
         }
         let held_out = estimate::holdout(&fit, &recordings, &separate, &options.without_limit())?;
-        let seen = strays(model, &recordings).chain(turns(model, &recordings));
+        let turned = turns(model, &recordings).map(|message| Warning { message });
+        let seen = strays(model, &recordings).chain(turned);
         let more: Vec<Warning> = seen.chain(says_nothing(&fit, &recordings)).collect();
         fit.warnings.extend(more);
         let spectra = residual_spectra(&fit);
@@ -114,20 +115,19 @@ fn strays<'a>(model: &'a Model, recordings: &'a [Recording]) -> impl Iterator<It
     })
 }
 
-/// Angles that jump by a turn: a fit takes the jumps for motion.
-fn turns<'a>(model: &'a Model, recordings: &'a [Recording]) -> impl Iterator<Item = Warning> + 'a {
+/// Angles that jump by a turn: a fit takes the jumps for motion, and an input runs back through all of it.
+pub(super) fn turns<'a>(model: &'a Model, recordings: &'a [Recording]) -> impl Iterator<Item = String> + 'a {
     let named = model.inputs.iter().map(|i| &i.name).chain(model.outputs.iter().map(|o| &o.name));
     let each = named.flat_map(|name| recordings.iter().map(move |r| (r, r.find(name))));
     each.filter_map(|(r, channel)| {
         let fault = wrapped_angle(channel.filter(|_| r.kind == Kind::Time)?)?;
-        let message = format!(
+        Some(format!(
             "`{}` in '{}' jumps by a turn, first at {} s, and is read as it stands: mark its channel `wraps = true`; \
              `gyrospec diagnose` mends that by itself",
             fault.channel,
             r.name,
             fault.spans.first()?.to
-        );
-        Some(Warning { message })
+        ))
     })
 }
 

@@ -1,5 +1,6 @@
 //! A model run on a recording.
 
+use super::fitting::turns;
 use crate::diagnose::read_held;
 use crate::estimate::fit::{FitOptions, begun_on};
 use crate::model::{Initial, Model};
@@ -58,6 +59,7 @@ impl Simulating<'_> {
     pub fn run(self) -> Result<Simulated> {
         let mut ran = self.plain()?;
         ran.held = self.held(&ran);
+        ran.turned = turns(self.model, std::slice::from_ref(self.recording)).collect();
         Ok(ran)
     }
 
@@ -75,7 +77,8 @@ impl Simulating<'_> {
         let fitted = simulator.model().states.iter().zip(&initials);
         let fitted = fitted.filter(|(s, _)| matches!(s.initial, Initial::Fit));
         let begins = fitted.map(|(s, x)| (s.name.clone(), s.unit.from_si(*x), s.unit.to_string())).collect();
-        Ok(Simulated { simulator, ran, kind: self.recording.kind, begins, held: Vec::new() })
+        let (held, turned) = (Vec::new(), Vec::new());
+        Ok(Simulated { simulator, ran, kind: self.recording.kind, begins, held, turned })
     }
 
     /// Inputs that stay and leap and are read as straight lines, where the run comes nearer to what was measured with all of
@@ -120,6 +123,8 @@ pub struct Simulated {
     begins: Vec<(String, f64, String)>,
     /// Inputs that should be read as held.
     held: Vec<String>,
+    /// What is said of angles that jump by a turn.
+    turned: Vec<String>,
 }
 
 /// One output of a run, in the unit of the model file.
@@ -192,7 +197,8 @@ impl Simulated {
                  write `hold = \"previous\"` at its channel in the recording's TOML file"
             )
         };
-        self.held.iter().map(held).chain(warnings(&self.simulator, &self.ran)).collect()
+        let turned = self.turned.iter().cloned();
+        turned.chain(self.held.iter().map(held)).chain(warnings(&self.simulator, &self.ran)).collect()
     }
 
     /// The run in words.

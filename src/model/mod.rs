@@ -25,6 +25,7 @@ mod check;
 mod clocks;
 mod form;
 mod free;
+mod kelvins;
 mod knots;
 #[cfg(feature = "fmu")]
 mod mockup;

@@ -100,7 +100,7 @@ impl Model {
 
     /// What a user should know of what the model begins with.
     pub(crate) fn cautions(&self) -> Vec<String> {
-        self.unit_notes().into_iter().chain(self.free_note()).collect()
+        self.unit_notes().into_iter().chain(self.free_note()).chain(self.kelvin_notes()).collect()
     }
 
     /// What a user should know of a recording beside what the model begins with.

@@ -33,6 +33,10 @@ pub(crate) fn label(text: &str) -> Label {
     {
         return of(name, Some(unit), false);
     }
+    // what people write so is a temperature, whose unit is told to be unknown
+    if let Some((name, unit)) = last.filter(|(_, unit)| is_fahrenheit(unit)) {
+        return of(name, Some(unit.trim().to_owned()), false);
+    }
     // `Q in m³/h` and `v / m/s`: the unit is the last word, stroke and all
     let stroked = text.rsplit_once(' ').filter(|(_, w)| w.contains('/') && !w.starts_with('/'));
     if let Some((name, unit)) = stroked.and_then(|(name, word)| Some((name, self::unit(word)?))) {
@@ -59,6 +63,12 @@ pub(crate) fn label(text: &str) -> Label {
         _ if text.eq_ignore_ascii_case("rpm") => of(text, Some("rpm".into()), true),
         _ => of(text, None, false),
     }
+}
+
+/// Whether a text says degrees Fahrenheit, which the list of units does not have.
+fn is_fahrenheit(text: &str) -> bool {
+    let word: String = text.to_lowercase().chars().filter(|c| !c.is_whitespace()).collect();
+    ["°f", "ºf", "℉", "degf", "fahrenheit"].contains(&word.as_str())
 }
 
 /// The unit of a name that ends with two of them, `v_m_s`, `rate_deg_s`, `rate_deg_per_s`: a length or an angle over a
@@ -157,6 +167,7 @@ mod tests {
             ("ratio [-]", "ratio", Some("1"), false),
             ("Load (kg)", "Load", Some("kg"), false),
             ("Temp (°C)", "Temp", Some("°C"), false),
+            ("Temp (°F)", "Temp", Some("°F"), false),
             ("Roll (port)", "Roll (port)", None, false),
             ("Kraft / N", "Kraft", Some("N"), false),
             ("v/(m/s)", "v", Some("m/s"), false),

@@ -377,7 +377,10 @@ impl Recording {
             if let Some(left_out) = self.left_out.iter().find(|l| l.is_named(name)) {
                 return left_out.error();
             }
-            let names: Vec<&str> = self.channels.iter().map(|c| c.name.as_str()).collect();
+            // a channel of gaps alone is what a model would predict
+            let is_recorded = |c: &&Channel| c.values.is_empty() || !c.values.iter().all(|v| v.is_nan());
+            let names: Vec<&str> =
+                self.channels.iter().filter(is_recorded).map(|c| c.name.as_str()).collect();
             let meant = nearest(name, names.iter().copied()).map(|n| format!("did you mean `{n}`? "));
             let e = Error::bad_input(format!("the recording `{}` has no channel `{name}`", self.name));
             match (names.is_empty(), meant) {

@@ -92,7 +92,8 @@ pub fn identification(table: &Recording, compass: &Compass) -> Result<Identifica
     let left_out = columns.error.len() - trials.len();
     let rows = numbers.into_iter().zip(trials).map(row).collect();
     let names = table.channels.iter().map(|c| &c.name);
-    let unused = names.filter(|n| !NAMES.contains(&n.as_str())).cloned().collect();
+    let unused =
+        names.filter(|n| !NAMES.iter().any(|known| known.eq_ignore_ascii_case(n))).cloned().collect();
     Ok(Identification { found, rows, left_out, unused })
 }
 
@@ -108,6 +109,11 @@ fn fitted(t: &Trial, found: &Identified, compass: &Compass) -> f64 {
     regular_error(&sphere, &Regular { amplitude: 1.0, frequency: t.frequency }, t.heading)
 }
 
+/// The column of a name, in whatever letters.
+fn named<'a>(table: &'a Recording, name: &str) -> Option<&'a Channel> {
+    table.find(name).or_else(|| table.channels.iter().find(|c| c.name.eq_ignore_ascii_case(name)))
+}
+
 /// The columns of a table.
 struct Columns<'a> {
     heading: &'a Channel,
@@ -120,8 +126,9 @@ struct Columns<'a> {
 
 impl<'a> Columns<'a> {
     fn of(table: &'a Recording) -> Result<Self> {
+        let find = |name: &str| named(table, name);
         let needed = |name: &str| {
-            table.find(name).ok_or_else(|| {
+            find(name).ok_or_else(|| {
                 let there: Vec<&str> = table.channels.iter().map(|c| c.name.as_str()).collect();
                 Error::bad_input(format!("the table has no column `{name}`")).with_hint(format!(
                     "it needs heading, amplitude, period (or frequency) and error, and has {}",
@@ -129,14 +136,14 @@ impl<'a> Columns<'a> {
                 ))
             })
         };
-        let swing = match (table.find("period"), table.find("frequency")) {
+        let swing = match (find("period"), find("frequency")) {
             (Some(_), Some(_)) => {
                 return Err(Error::bad_input("period and frequency say the same: give one of them"));
             }
             (None, Some(frequency)) => frequency,
             _ => needed("period")?,
         };
-        let latitude = table.find("latitude");
+        let latitude = find("latitude");
         Ok(Self {
             heading: needed("heading")?,
             amplitude: needed("amplitude")?,

@@ -333,7 +333,8 @@ impl Simulator {
     fn add<T: Scalar>(&self, case: &Case<'_>, out: &mut Trajectory) -> Result<()> {
         let (ran, plan) = self.ran::<T>(case)?;
         (out.blew_up, out.events) = (ran.blew_up, ran.events);
-        out.solver_error = plan.foretold(ran.roughness);
+        // towards a pole no step is short enough
+        out.solver_error = if ran.blew_up.is_some() { f64::NAN } else { plan.foretold(ran.roughness) };
         let take = |o: usize, f: &dyn Fn(T) -> f64| -> Vec<f64> {
             let (clock, column) = self.places[o];
             let width = self.clocks[clock].registers.len();

@@ -130,6 +130,10 @@ impl<'a> Reader<'a> {
         if closed && !self.takes(')') {
             return Err(self.error("a ) is missing"));
         }
+        if top == 0.0 {
+            let message = "a power of 0 leaves no unit: write 1 for none".to_string();
+            return Err(self.error_at(start, self.at - start, message));
+        }
         let ratio =
             Ratio::from_f64(top / bottom).filter(|r| r.denominator() <= 2 && r.to_f64().abs() <= 24.0);
         ratio.ok_or_else(|| {

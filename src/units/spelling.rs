@@ -2,7 +2,12 @@
 
 /// The same text in the plain spelling that the parser reads; other texts are left as they are.
 pub(super) fn plain(text: &str) -> String {
-    let joined = text.trim().replace('℃', "degC").replace(['°', 'º'], "deg").replace(['·', '⋅', '×'], "*");
+    let joined = text
+        .trim()
+        .replace('℃', "degC")
+        .replace('℉', "degF")
+        .replace(['°', 'º'], "deg")
+        .replace(['·', '⋅', '×'], "*");
     let mut out = String::with_capacity(joined.len());
     for word in joined.split_inclusive(|c: char| !c.is_alphabetic()) {
         let name = word.trim_end_matches(|c: char| !c.is_alphabetic());

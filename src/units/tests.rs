@@ -68,10 +68,10 @@ fn errors_name_the_nearest() {
         assert!(e.hint().unwrap().ends_with(&format!(" {near}")), "{text}: {e}");
     }
     assert_eq!(Unit::parse("m/foo").unwrap_err().column(), Some(3));
-    for warm in ["°F", "degF", "Fahrenheit"] {
+    for warm in ["°F", "℉", "degF", "Fahrenheit"] {
         assert!(Unit::parse(warm).unwrap_err().hint().unwrap().contains("(x - 32)/1.8"), "{warm}");
     }
-    for bad in ["", "m^", "m^0.3", "m**s", "(m", "m s", "/s", "m^1/0"] {
+    for bad in ["", "m^", "m^0.3", "m**s", "(m", "m s", "/s", "m^1/0", "g^0", "m^-0", "m^(0/2)"] {
         assert!(Unit::parse(bad).is_err(), "{bad}");
     }
 }

@@ -25,6 +25,7 @@ mod diagnose_rough;
 mod dialects;
 mod echoes;
 mod endings;
+mod everyday;
 mod evidence;
 mod exchanged;
 mod export;

@@ -43,7 +43,8 @@ impl Elastic for Relaxing {
     }
 
     fn system(&self, s: &Gyrosphere, _: &StateSpace) -> Result<StateSpace> {
-        positive(&[("T", s.lag), ("C0", s.stiffness), ("T2", self.time)])?;
+        // at rest the whole gives by 1 + κ of the spring's part
+        positive(&[("T", s.lag), ("C0", s.stiffness), ("T2", self.time), ("1 + kappa", 1.0 + self.share)])?;
         let give = s.weight / (s.gravity * s.stiffness);
         let spring = TransferFunction::new(&[give], &[s.lag, 1.0])?;
         let liquid = TransferFunction::new(&[self.share * give], &[self.time, 1.0])?;

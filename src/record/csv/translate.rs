@@ -6,7 +6,7 @@ use super::field::{self, Field};
 use super::figures::{self, Form, ONE_WAY, two_ways};
 use super::header::Cell;
 use super::sample::is_comment;
-use crate::record::label::label;
+use crate::record::label::{label, unit};
 use crate::record::zero::Zero;
 use crate::{Error, Result};
 
@@ -70,7 +70,7 @@ impl Translator {
                 cell = Cell {
                     at: *at,
                     name: text.clone(),
-                    unit: crate::record::label::unit(unit),
+                    unit: of_row(unit),
                     whole: text.clone(),
                     is_guessed: false,
                 };
@@ -137,6 +137,13 @@ impl Translator {
 
 /// A field with a decimal point; what is no number stays as it is, in quotes. The first number that tells the decimal
 /// sign settles it for all that follow.
+/// A unit in a row of its own, as it stands where the list does not have it, so that it is told; loggers number records and
+/// times there by two letters.
+fn of_row(text: &str) -> Option<String> {
+    let is_none = ["TS", "RN"].contains(&text);
+    unit(text).or_else(|| (!is_none).then(|| text.to_owned()))
+}
+
 fn put(field: &Field, dialect: &mut Dialect, out: &mut Vec<u8>) -> Result<()> {
     let Dialect { comma, is_grouped, .. } = dialect;
     let text = String::from_utf8_lossy(field.text.trim_ascii()).into_owned();

@@ -7,9 +7,11 @@
 //! that, the sample must stand out by as much from both neighbours, and these must agree among
 //! themselves: the top of a smooth peak stands two fifths of that distance above its neighbours.
 //!
+//! A number that loggers write where nothing was measured, far off all others, is one at any share.
+//!
 //! References: P. J. Huber, E. M. Ronchetti, Robust Statistics, 2nd ed. (2009).
 
-use super::{Fault, FaultKind, Samples, quantile, quantum};
+use super::{Fault, FaultKind, Samples, ends, quantile, quantum};
 use crate::record::{Channel, Span};
 
 const FAR: f64 = 12.0;
@@ -32,6 +34,9 @@ pub fn outliers(channel: &Channel) -> Option<Fault> {
     let Samples { time, values } = Samples::of(channel);
     if values.len() < FEWEST_SAMPLES {
         return None;
+    }
+    if let Some(coded) = CODES.iter().find_map(|code| coded(channel, (&time, &values), *code)) {
+        return Some(coded);
     }
     let sizes = || values.windows(5).map(|w| distance(w).abs());
     let spread = (quantile(sizes(), 0.5)? / NORMAL_MEDIAN)
@@ -57,6 +62,33 @@ pub fn outliers(channel: &Channel) -> Option<Fault> {
     let size = found.iter().map(|f| f.1.abs()).fold(0.0, f64::max);
     let spans = found.iter().map(|f| Span::new(f.0, f.0)).collect();
     Some(Fault { samples: found.len(), size, ..Fault::of(FaultKind::Outliers, channel, spans) })
+}
+
+/// Numbers that loggers write where nothing was measured.
+const CODES: [f64; 11] =
+    [-9999.0, -999.0, -999.25, -99_999.0, -999_999.0, 9999.0, 99_999.0, 999_999.0, -32_768.0, 1e30, -1e30];
+/// Times the range of all other samples that such a number lies off it.
+const OFF: f64 = 10.0;
+/// Share of the samples that must be others.
+const OTHERS: f64 = 0.1;
+
+/// The samples that have such a number, at any share, far off all others.
+fn coded(channel: &Channel, (time, values): (&[f64], &[f64]), code: f64) -> Option<Fault> {
+    let is_code = |v: &f64| (channel.unit.from_si(*v) - code).abs() <= 1e-9 * code.abs();
+    if !values.iter().any(is_code) {
+        return None;
+    }
+    let others: Vec<f64> = values.iter().copied().filter(|v| !is_code(v)).collect();
+    let (low, high) = ends(&others);
+    let at = channel.unit.to_si(code);
+    let off = (low - at).max(at - high);
+    let is_off = high > low && off > OFF * (high - low);
+    if !is_off || (others.len() as f64) < OTHERS * values.len() as f64 {
+        return None;
+    }
+    let coded = time.iter().zip(values).filter(|(_, v)| is_code(v));
+    let spans: Vec<Span> = coded.map(|(t, _)| Span::new(*t, *t)).collect();
+    Some(Fault { samples: spans.len(), size: off, ..Fault::of(FaultKind::Outliers, channel, spans) })
 }
 
 /// The usual distance near the window that begins at a sample.

@@ -1,0 +1,146 @@
+//! Temperatures in degC that are differences: a difference has no zero, and 273.15 K would be taken off it.
+
+use super::Model;
+use crate::expression::{BinaryOp, Expr};
+use crate::units::Unit;
+
+/// How many times a sum holds the zero of the scale of degC: T once, T − T₀ not at all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Zeros {
+    Times(f64),
+    /// Some times, by a factor that is no number.
+    Some,
+}
+
+impl Zeros {
+    fn plus(self, other: Self) -> Option<Self> {
+        match (self, other) {
+            (Self::Times(a), Self::Times(b)) => Some(Self::Times(a + b)),
+            (Self::Some, Self::Times(0.0)) | (Self::Times(0.0), Self::Some) => Some(Self::Some),
+            // two unknown factors may be one
+            _ => None,
+        }
+    }
+
+    fn by(self, factor: f64) -> Self {
+        if let Self::Times(a) = self { Self::Times(a * factor) } else { self }
+    }
+}
+
+fn has_zero(unit: &Unit) -> bool {
+    unit.to_si(0.0) != 0.0
+}
+
+impl Model {
+    /// What a user should know of what is given in degC and is a difference, or decays towards no other temperature.
+    pub(super) fn kelvin_notes(&self) -> Vec<String> {
+        let outputs = self.outputs.iter().map(|o| (&o.name, &o.unit, &o.equals));
+        let named = outputs.chain(self.definitions.iter().map(|d| (&d.name, &d.unit, &d.equals)));
+        let is_difference = |e: &Expr| self.mentions_zero(e) && self.zeros(e) == Some(Zeros::Times(0.0));
+        let differs = named.filter(|(_, unit, e)| has_zero(unit) && is_difference(e)).map(|(name, unit, _)| {
+            format!("`{name}` is a difference of temperatures, and {unit} takes 273.15 off it: give it the unit K")
+        });
+        let states = self.states.iter().filter(|s| has_zero(&s.unit));
+        let falls = states.filter(|s| self.zeros(&s.rate).is_some_and(|z| z != Zeros::Times(0.0)));
+        let falls = falls.map(|s| {
+            format!(
+                "the rate of `{}` goes with a temperature in kelvins, against no other: where that is a difference, give it the unit K instead of {}",
+                s.name, s.unit
+            )
+        });
+        differs.chain(falls).collect()
+    }
+
+    fn unit_of_name(&self, name: &str) -> Option<&Unit> {
+        let inputs = self.inputs.iter().map(|i| (&i.name, &i.unit));
+        let states = self.states.iter().map(|s| (&s.name, &s.unit));
+        let parameters = self.parameters.iter().map(|p| (&p.name, &p.unit));
+        let definitions = self.definitions.iter().map(|d| (&d.name, &d.unit));
+        let mut all = inputs.chain(states).chain(parameters).chain(definitions);
+        all.find(|(n, _)| *n == name).map(|(_, unit)| unit)
+    }
+
+    fn mentions_zero(&self, e: &Expr) -> bool {
+        let mut found = false;
+        e.visit(&mut |x| {
+            if let Expr::Name(n) = x {
+                found |= self.unit_of_name(n).is_some_and(has_zero);
+            }
+        });
+        found
+    }
+
+    /// `None` where that is not known.
+    fn zeros(&self, e: &Expr) -> Option<Zeros> {
+        let none = Zeros::Times(0.0);
+        let of = |x: &Expr| self.zeros(x);
+        match e {
+            Expr::Number(_) => Some(none),
+            Expr::Name(n) => self.zeros_of_name(n),
+            Expr::Neg(a) => Some(of(a)?.by(-1.0)),
+            Expr::Binary(BinaryOp::Add, a, b) => of(a)?.plus(of(b)?),
+            Expr::Binary(BinaryOp::Sub, a, b) => of(a)?.plus(of(b)?.by(-1.0)),
+            Expr::Binary(BinaryOp::Mul, a, b) => match (of(a)?, of(b)?) {
+                (x, y) if y == none => Some(scaled(x, b, false)),
+                (x, y) if x == none => Some(scaled(y, a, false)),
+                _ => None,
+            },
+            Expr::Binary(BinaryOp::Div, a, b) => {
+                (of(b)? == none).then(|| of(a)).flatten().map(|x| scaled(x, b, true))
+            }
+            Expr::Binary(_, a, b) => (of(a)? == none && of(b)? == none).then_some(none),
+            Expr::Call(_, all) => all.iter().all(|x| of(x) == Some(none)).then_some(none),
+        }
+    }
+
+    fn zeros_of_name(&self, name: &str) -> Option<Zeros> {
+        let Some(unit) = self.unit_of_name(name) else { return Some(Zeros::Times(0.0)) };
+        let is_temperature = Unit::parse("K").is_ok_and(|k| k.dimension() == unit.dimension());
+        match self.definitions.iter().find(|d| d.name == name) {
+            _ if has_zero(unit) => Some(Zeros::Times(1.0)),
+            Some(d) => self.zeros(&d.equals),
+            // kelvins may be either
+            None => (!is_temperature).then_some(Zeros::Times(0.0)),
+        }
+    }
+}
+
+/// What a factor or a divisor makes of it.
+fn scaled(zeros: Zeros, by: &Expr, divides: bool) -> Zeros {
+    match (zeros, by) {
+        (Zeros::Times(0.0), _) => zeros,
+        (_, Expr::Number(x)) => zeros.by(if divides { 1.0 / x } else { *x }),
+        _ => Zeros::Some,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_difference_in_degc_is_told_and_a_temperature_is_not() {
+        let of = |rate: &str, output: &str| {
+            let text = format!(
+                "name = \"room\"\n[inputs]\nTa = {{ unit = \"degC\" }}\nP = {{ unit = \"W\" }}\n[parameters]\n\
+                 C = {{ value = 1, unit = \"kJ/K\" }}\nh = {{ value = 1, unit = \"W/K\" }}\n[states]\n\
+                 T = {{ rate = \"{rate}\", unit = \"degC\", initial = 20 }}\n[outputs]\n\
+                 y = {{ equals = \"{output}\", unit = \"degC\" }}\n"
+            );
+            Model::parse(&text).unwrap().kelvin_notes().len()
+        };
+        let good = "(P - h*(T - Ta))/C";
+        for (rate, output, told) in [
+            (good, "T", 0),
+            (good, "0.3*T + 0.7*Ta", 0),
+            (good, "T + P/h", 0),
+            (good, "Ta + (T - Ta)*exp(-P*t/C/(T - Ta))", 0),
+            (good, "T - Ta", 1),
+            (good, "2*(T - Ta)", 1),
+            ("(P - h*T)/C", "T", 1),
+            ("(P - h*T + h*Ta)/C", "T", 0),
+        ] {
+            assert_eq!(of(rate, output), told, "{rate}; {output}");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! What stands in files as people have them: headings that pass north unmarked, degrees Fahrenheit, codes for what was not
+//! measured, capital letters, names that a language has taken.
+
+use gyrospec::record::quality::{self, FaultKind};
+use gyrospec::{Model, Recording, fit, simulate};
+use std::fmt::Write as _;
+
+fn recording(table: &str) -> gyrospec::Result<Recording> {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("table.csv");
+    std::fs::write(&file, table).unwrap();
+    Recording::read(&file)
+}
+
+const RECKONING: &str = "name = \"dead reckoning\"\n[inputs]\nheading = { unit = \"deg\" }\n[parameters]\n\
+    v = { value = 4.5, unit = \"m/s\", fit = true }\n[states]\n\
+    n = { rate = \"v*cos(heading)\", unit = \"m\", initial = 0 }\n[outputs]\nnorth = { equals = \"n\", unit = \"m\" }\n";
+
+/// A heading that passes north runs back through south between two samples: simulated and fitted, that is told, and it is
+/// not taken for a held input.
+#[test]
+fn a_heading_that_passes_north_unmarked_is_told() {
+    let mut table = String::from("t [s],heading [deg],north [m]\n");
+    let (mut north, mut last) = (0.0, 0.0);
+    for i in 0..120 {
+        let heading: f64 = 340.0 + 0.35 * f64::from(i);
+        // sine and cosine of a straight heading, integrated exactly
+        let turned = |h: f64| h.to_radians().sin() / 0.035_f64.to_radians();
+        north += if i > 0 { 5.0 * (turned(heading) - turned(last)) } else { 0.0 };
+        last = heading;
+        let _ = writeln!(table, "{},{},{}", 10 * i, heading % 360.0, north + 0.1 * f64::from(i % 3 - 1));
+    }
+    let (model, recording) = (Model::parse(RECKONING).unwrap(), recording(&table).unwrap());
+    let ran = simulate(&model, &recording).run().unwrap().warnings().join("; ");
+    assert!(ran.contains("jumps by a turn"), "{ran}");
+    let fitted = fit(&model, std::slice::from_ref(&recording)).run().unwrap();
+    let told: Vec<&str> = fitted.warnings().collect();
+    assert!(told.iter().any(|w| w.contains("jumps by a turn")), "{told:?}");
+    assert!(!told.iter().any(|w| w.contains("is held")), "{told:?}");
+}
+
+#[test]
+fn a_unit_that_the_list_does_not_have_is_told_as_such() {
+    for table in [
+        "t [s],Temp (°F)\n0,70\n1,71\n2,72\n",
+        "t;Temp\ns;°F\n0;70\n1;71\n2;72\n",
+        "t,p,x\ns,inHg,m\n0,30,1\n1,30.1,2\n2,30.2,3\n",
+    ] {
+        let told = match recording(table) {
+            Ok(r) => r.left_out.iter().map(|l| l.why.clone()).collect::<Vec<_>>().join("; "),
+            Err(e) => format!("{e}; {}", e.hint().unwrap_or_default()),
+        };
+        assert!(told.contains("unknown unit"), "{table}{told}");
+    }
+}
+
+/// A code for what was not measured is found at any share, and a signal that really goes there is none.
+#[test]
+fn a_code_for_what_was_not_measured_is_found_at_any_share() {
+    for (every, codes) in [(7, 58), (2, 200), (400, 1)] {
+        let mut table = String::from("t [s],x [deg]\n");
+        for i in 0..400 {
+            let x = if i % every == 0 { -9999.0 } else { (0.1 * f64::from(i)).sin() };
+            let _ = writeln!(table, "{i},{x}");
+        }
+        let found = quality::faults(&recording(&table).unwrap());
+        let fault = found.iter().find(|f| f.kind == FaultKind::Outliers).expect("outliers");
+        assert_eq!(fault.samples, codes);
+    }
+    let mut table = String::from("t [s],x [N]\n");
+    (0..400).for_each(|i| {
+        let _ = writeln!(table, "{i},{}", -9999.0 + 20.0 * f64::from(i % 50));
+    });
+    assert!(quality::faults(&recording(&table).unwrap()).iter().all(|f| f.kind != FaultKind::Outliers));
+}
+
+/// Towards a pole of the solution there is no figure for the solver's error: x' = x² from 1 is 1/(1 − t).
+#[test]
+fn a_run_that_blows_up_has_no_solver_error() {
+    let model = Model::parse(
+        "name = \"pole\"\n[inputs]\nu = { unit = \"1/s\" }\n[states]\nx = { rate = \"u*x^2\", unit = \"1\", initial = 1 }\n\
+         [outputs]\ny = { equals = \"x\", unit = \"1\" }\n",
+    );
+    let mut table = String::from("t [s],u [1/s],y [1]\n");
+    (0..40).for_each(|i| {
+        let _ = writeln!(table, "{},1,1", 0.05 * f64::from(i));
+    });
+    let ran = simulate(&model.unwrap(), &recording(&table).unwrap()).run().unwrap();
+    assert!(ran.solver_error().is_nan() && ran.warnings().join(" ").contains("blows up"));
+    let before = ran.output("y").unwrap().predicted().nth(10).unwrap();
+    assert!((before - 2.0).abs() < 1e-3, "{before}");
+}
