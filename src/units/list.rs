@@ -21,7 +21,8 @@ turns or radians are meant, and so are gains and dampings that count an angle by
 rad or rev in the unit. 1/s is taken as rad/s, and said. In a check of dimensions rad counts as 1.
 
 # Temperatures
-degC has its offset, 0 degC = 273.15 K; a difference in degC is one in K.
+degC has its offset, 0 degC = 273.15 K. A difference of temperatures is one in K: give it that unit, since in degC
+273.15 is taken off it.
 ";
 
 /// Every unit of the closed list with its value in SI and its prefixes, and how units are written.

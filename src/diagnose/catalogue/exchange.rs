@@ -26,7 +26,8 @@
 //! # Example
 //! Two rooms with a wall between them, modelled each for itself; a cabinet that leaks to a room whose humidity is logged.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, draft::POSITIVE};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, draft::POSITIVE, edit};
+use crate::expression::{BinaryOp, Expr};
 use crate::units::Dimension;
 
 /// What leaves one balance and enters another.
@@ -58,9 +59,27 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     for m in motions.iter().filter(|m| m.speed.is_none()) {
         let around = scene.moving(&[SignalKind::Channel, SignalKind::Input]);
         let alike = around.filter(|u| u.unit.dimension() == scene.unit(&m.state).dimension());
-        all.extend(alike.flat_map(|u| [false, true].map(|root| surroundings(scene, m, u, root))).flatten());
+        // of a flow that the model has, a root is a power
+        let forms = |u: &&Signal| if has_flow(scene, m, u) { vec![false] } else { vec![false, true] };
+        let flows =
+            alike.flat_map(|u| forms(&u).into_iter().filter_map(move |root| surroundings(scene, m, u, root)));
+        all.extend(flows);
     }
     all
+}
+
+/// Whether a balance has a flow with its difference from a signal, or from a share of that.
+fn has_flow(scene: &Scene, m: &Motion, u: &Signal) -> bool {
+    let x = Expr::name(&m.state);
+    let is_apart = |e: &Expr| match e {
+        Expr::Binary(BinaryOp::Sub, a, b) => {
+            (**a == x && b.mentions(&u.name)) || (**b == x && a.mentions(&u.name))
+        }
+        _ => false,
+    };
+    let own = scene.model.states.iter().filter(|s| s.name == m.state).map(|s| &s.rate);
+    let mut places = own.chain(scene.model.definitions.iter().map(|d| &d.equals));
+    places.any(|e| edit::find(e, &is_apart).is_some())
 }
 
 /// A flow to surroundings that are recorded.

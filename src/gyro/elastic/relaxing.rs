@@ -3,9 +3,9 @@
 use super::option::{Asked, PartOption, first};
 use super::part::{Elastic, Letters, along, positive};
 use super::suspension::{Flow, Suspension};
-use crate::Result;
 use crate::gyro::{Gyrosphere, range};
 use crate::lti::{StateSpace, TransferFunction};
+use crate::{Error, Result};
 
 /// x = x₁ + x₂: T ẋ₁ + x₁ = P W₁/(g C₀) and T₂ ẋ₂ + x₂ = κ P W₁/(g C₀).
 ///
@@ -43,8 +43,15 @@ impl Elastic for Relaxing {
     }
 
     fn system(&self, s: &Gyrosphere, _: &StateSpace) -> Result<StateSpace> {
+        positive(&[("T", s.lag), ("C0", s.stiffness), ("T2", self.time)])?;
         // at rest the whole gives by 1 + κ of the spring's part
-        positive(&[("T", s.lag), ("C0", s.stiffness), ("T2", self.time), ("1 + kappa", 1.0 + self.share)])?;
+        if self.share <= -1.0 {
+            let message = format!(
+                "with a share of {} the liquid gives against the force by more than the spring",
+                self.share
+            );
+            return Err(Error::bad_input(message).with_hint("the share must be above -1"));
+        }
         let give = s.weight / (s.gravity * s.stiffness);
         let spring = TransferFunction::new(&[give], &[s.lag, 1.0])?;
         let liquid = TransferFunction::new(&[self.share * give], &[self.time, 1.0])?;
