@@ -9,7 +9,7 @@
 //! noise, corrected for all that was tried beside it, and pays for its parameters; if it lowers the error over blocks
 //! left out, and, where it lowers that by little, what was held out too; and if its amplitude is not that of another
 //! finding with the other sign. Of those that do not stand the
-//! least likely is dropped, and the others are asked again.
+//! least likely is dropped, and the others are asked again; it and its ties count as look-alikes of what was found after it.
 //!
 //! # References
 //! G. Schwarz, Ann. Statist. 6 (1978) 461 (the price); N. R. Draper, H. Smith, Applied Regression Analysis, 3rd ed.

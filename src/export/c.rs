@@ -18,7 +18,7 @@ const RESERVED: &str = "auto break case char const continue default do double el
     HUGE_VALL FP_NAN FP_INFINITE FP_ZERO FP_SUBNORMAL FP_NORMAL FP_ILOGB0 FP_ILOGBNAN FP_FAST_FMA FP_FAST_FMAF FP_FAST_FMAL \
     MATH_ERRNO MATH_ERREXCEPT math_errhandling DOMAIN SING OVERFLOW UNDERFLOW TLOSS PLOSS X_TLOSS fpclassify isfinite isnormal \
     isgreater isgreaterequal isless islessequal islessgreater isunordered offsetof EOF BUFSIZ RAND_MAX EXIT_SUCCESS EXIT_FAILURE \
-    SEEK_SET SEEK_CUR SEEK_END FILENAME_MAX FOPEN_MAX L_tmpnam TMP_MAX MB_CUR_MAX P_tmpdir size_t t x u p m to \
+    SEEK_SET SEEK_CUR SEEK_END FILENAME_MAX FOPEN_MAX __STDC__ L_tmpnam TMP_MAX MB_CUR_MAX P_tmpdir size_t t x u p m to \
     first fabs fmin fmax pow sin cos tan asin acos atan atan2 sinh cosh tanh exp log sqrt ceil signbit div abs min max \
     model_parameters model_defaults model_start model_memory model_derivatives model_outputs model_update model_switches \
     model_delays model_relay model_play model_limit model_sign model_settle model_rank model_past model_keep model_chord \

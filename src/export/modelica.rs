@@ -138,15 +138,15 @@ fn declared(own: &Lowered<'_>, out: &mut String) {
 
 /// Names of the outputs beside those of all else.
 fn output_names(own: &Lowered<'_>) -> Vec<String> {
-    let taken = |name: &str| own.names.has(name);
-    let name = |o: &crate::model::Output| {
+    let mut all: Vec<String> = Vec::new();
+    for o in &own.model.outputs {
         let mut name = super::names::plain(&o.name);
-        while taken(&name) {
+        while own.names.has(&name) || all.contains(&name) {
             name.push_str("_out");
         }
-        name
-    };
-    own.model.outputs.iter().map(name).collect()
+        all.push(name);
+    }
+    all
 }
 
 fn equations(own: &Lowered<'_>, out: &mut String) -> Result<()> {

@@ -15,6 +15,8 @@ enum Zeros {
 impl Zeros {
     fn plus(self, other: Self) -> Option<Self> {
         match (self, other) {
+            // shares such as 0.7, 0.2 and 0.1 make 1 but for rounding
+            (Self::Times(a), Self::Times(b)) if (a + b).abs() < 1e-9 * a.abs() => Some(Self::Times(0.0)),
             (Self::Times(a), Self::Times(b)) => Some(Self::Times(a + b)),
             (Self::Some, Self::Times(0.0)) | (Self::Times(0.0), Self::Some) => Some(Self::Some),
             // two unknown factors may be one
@@ -34,10 +36,9 @@ fn has_zero(unit: &Unit) -> bool {
 impl Model {
     /// What a user should know of what is given in degC and is a difference, or decays towards no other temperature.
     pub(super) fn kelvin_notes(&self) -> Vec<String> {
-        let outputs = self.outputs.iter().map(|o| (&o.name, &o.unit, &o.equals));
-        let named = outputs.chain(self.definitions.iter().map(|d| (&d.name, &d.unit, &d.equals)));
         let is_difference = |e: &Expr| self.mentions_zero(e) && self.zeros(e) == Some(Zeros::Times(0.0));
-        let differs = named.filter(|(_, unit, e)| has_zero(unit) && is_difference(e)).map(|(name, unit, _)| {
+        let differs = self.outputs.iter().filter(|o| has_zero(&o.unit) && is_difference(&o.equals)).map(|o| {
+            let (name, unit) = (&o.name, &o.unit);
             format!("`{name}` is a difference of temperatures, and {unit} takes 273.15 off it: give it the unit K")
         });
         let states = self.states.iter().filter(|s| has_zero(&s.unit));
@@ -81,15 +82,28 @@ impl Model {
             Expr::Binary(BinaryOp::Add, a, b) => of(a)?.plus(of(b)?),
             Expr::Binary(BinaryOp::Sub, a, b) => of(a)?.plus(of(b)?.by(-1.0)),
             Expr::Binary(BinaryOp::Mul, a, b) => match (of(a)?, of(b)?) {
-                (x, y) if y == none => Some(scaled(x, b, false)),
-                (x, y) if x == none => Some(scaled(y, a, false)),
+                (x, y) if y == none => self.scaled(x, b, false),
+                (x, y) if x == none => self.scaled(y, a, false),
                 _ => None,
             },
-            Expr::Binary(BinaryOp::Div, a, b) => {
-                (of(b)? == none).then(|| of(a)).flatten().map(|x| scaled(x, b, true))
-            }
+            Expr::Binary(BinaryOp::Div, a, b) if of(b)? == none => self.scaled(of(a)?, b, true),
             Expr::Binary(_, a, b) => (of(a)? == none && of(b)? == none).then_some(none),
             Expr::Call(_, all) => all.iter().all(|x| of(x) == Some(none)).then_some(none),
+        }
+    }
+
+    /// What a factor or a divisor makes of it; `None` where a signal stands there, as in Peltier's law.
+    fn scaled(&self, zeros: Zeros, by: &Expr, divides: bool) -> Option<Zeros> {
+        let mut is_fixed = true;
+        by.visit(&mut |x| {
+            if let Expr::Name(n) = x {
+                is_fixed &= self.parameters.iter().any(|p| p.name == *n);
+            }
+        });
+        match (zeros, by) {
+            (Zeros::Times(0.0), _) => Some(zeros),
+            (_, Expr::Number(x)) => Some(zeros.by(if divides { 1.0 / x } else { *x })),
+            _ => is_fixed.then_some(Zeros::Some),
         }
     }
 
@@ -97,20 +111,12 @@ impl Model {
         let Some(unit) = self.unit_of_name(name) else { return Some(Zeros::Times(0.0)) };
         let is_temperature = Unit::parse("K").is_ok_and(|k| k.dimension() == unit.dimension());
         match self.definitions.iter().find(|d| d.name == name) {
-            _ if has_zero(unit) => Some(Zeros::Times(1.0)),
+            // it is what it equals, in whatever unit
             Some(d) => self.zeros(&d.equals),
+            None if has_zero(unit) => Some(Zeros::Times(1.0)),
             // kelvins may be either
             None => (!is_temperature).then_some(Zeros::Times(0.0)),
         }
-    }
-}
-
-/// What a factor or a divisor makes of it.
-fn scaled(zeros: Zeros, by: &Expr, divides: bool) -> Zeros {
-    match (zeros, by) {
-        (Zeros::Times(0.0), _) => zeros,
-        (_, Expr::Number(x)) => zeros.by(if divides { 1.0 / x } else { *x }),
-        _ => Zeros::Some,
     }
 }
 
@@ -123,7 +129,8 @@ mod tests {
         let of = |rate: &str, output: &str| {
             let text = format!(
                 "name = \"room\"\n[inputs]\nTa = {{ unit = \"degC\" }}\nP = {{ unit = \"W\" }}\n[parameters]\n\
-                 C = {{ value = 1, unit = \"kJ/K\" }}\nh = {{ value = 1, unit = \"W/K\" }}\n[states]\n\
+                 C = {{ value = 1, unit = \"kJ/K\" }}\nh = {{ value = 1, unit = \"W/K\" }}\n\
+                 [definitions]\ndT = {{ equals = \"T - Ta\", unit = \"degC\" }}\n[states]\n\
                  T = {{ rate = \"{rate}\", unit = \"degC\", initial = 20 }}\n[outputs]\n\
                  y = {{ equals = \"{output}\", unit = \"degC\" }}\n"
             );
@@ -137,6 +144,11 @@ mod tests {
             (good, "Ta + (T - Ta)*exp(-P*t/C/(T - Ta))", 0),
             (good, "T - Ta", 1),
             (good, "2*(T - Ta)", 1),
+            (good, "T - 0.7*Ta - 0.2*Ta - 0.1*Ta", 1),
+            ("(P - h*(0.7*Ta + 0.2*Ta + 0.1*Ta - T))/C", "T", 0),
+            ("(P - h*dT)/C", "Ta + dT", 0),
+            ("(P*T/(T - Ta) - h*(T - Ta))/C", "T", 0),
+            ("(P*T/300 - h*(T - Ta))/C", "T", 0),
             ("(P - h*T)/C", "T", 1),
             ("(P - h*T + h*Ta)/C", "T", 0),
         ] {

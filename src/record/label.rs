@@ -33,9 +33,9 @@ pub(crate) fn label(text: &str) -> Label {
     {
         return of(name, Some(unit), false);
     }
-    // what people write so is a temperature, whose unit is told to be unknown
-    if let Some((name, unit)) = last.filter(|(_, unit)| is_fahrenheit(unit)) {
-        return of(name, Some(unit.trim().to_owned()), false);
+    // a temperature whose unit is told to be unknown, under its whole name, since the same in degC may stand beside it
+    if last.is_some_and(|(_, unit)| is_fahrenheit(unit)) {
+        return of(text, Some("degF".to_owned()), false);
     }
     // `Q in m³/h` and `v / m/s`: the unit is the last word, stroke and all
     let stroked = text.rsplit_once(' ').filter(|(_, w)| w.contains('/') && !w.starts_with('/'));
@@ -167,7 +167,7 @@ mod tests {
             ("ratio [-]", "ratio", Some("1"), false),
             ("Load (kg)", "Load", Some("kg"), false),
             ("Temp (°C)", "Temp", Some("°C"), false),
-            ("Temp (°F)", "Temp", Some("°F"), false),
+            ("Temp (°F)", "Temp (°F)", Some("degF"), false),
             ("Roll (port)", "Roll (port)", None, false),
             ("Kraft / N", "Kraft", Some("N"), false),
             ("v/(m/s)", "v", Some("m/s"), false),

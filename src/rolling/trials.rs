@@ -92,8 +92,8 @@ pub fn identification(table: &Recording, compass: &Compass) -> Result<Identifica
     let left_out = columns.error.len() - trials.len();
     let rows = numbers.into_iter().zip(trials).map(row).collect();
     let names = table.channels.iter().map(|c| &c.name);
-    let unused =
-        names.filter(|n| !NAMES.iter().any(|known| known.eq_ignore_ascii_case(n))).cloned().collect();
+    let is_used = |n: &&String| NAMES.iter().any(|known| named(table, known).is_some_and(|c| c.name == **n));
+    let unused = names.filter(|n| !is_used(n)).cloned().collect();
     Ok(Identification { found, rows, left_out, unused })
 }
 
@@ -111,7 +111,10 @@ fn fitted(t: &Trial, found: &Identified, compass: &Compass) -> f64 {
 
 /// The column of a name, in whatever letters.
 fn named<'a>(table: &'a Recording, name: &str) -> Option<&'a Channel> {
-    table.find(name).or_else(|| table.channels.iter().find(|c| c.name.eq_ignore_ascii_case(name)))
+    // of two that differ in case neither is meant more than the other
+    let mut alike = table.channels.iter().filter(|c| c.name.eq_ignore_ascii_case(name));
+    let only = alike.next().filter(|_| alike.next().is_none());
+    table.find(name).or(only)
 }
 
 /// The columns of a table.

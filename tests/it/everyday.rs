@@ -54,6 +54,13 @@ fn a_unit_that_the_list_does_not_have_is_told_as_such() {
     }
 }
 
+#[test]
+fn degrees_fahrenheit_beside_celsius_are_left_out_alone() {
+    let told = recording("t [s],Temp (°C),Temp (°F)\n0,20,68\n1,21,69.8\n2,22,71.6\n").unwrap();
+    let names: Vec<&str> = told.channels.iter().map(|c| c.name.as_str()).collect();
+    assert_eq!((&names[..], told.left_out.len()), (&["Temp"][..], 1));
+}
+
 /// A code for what was not measured is found at any share, and a signal that really goes there is none.
 #[test]
 fn a_code_for_what_was_not_measured_is_found_at_any_share() {

@@ -150,3 +150,14 @@ fn what_a_fitted_loss_takes_up_is_a_coupling_as_well() {
         (Verdict::Tie, &["cross-coupling", "exchange"].map(String::from)[..])
     );
 }
+
+/// What a sensor follows is no store of its own: a time constant that is wrong is its value, not a flow more.
+#[test]
+fn a_flow_that_the_model_has_is_none_more() {
+    let lag = CABINET_MODEL
+        .replace("gain*steam - dry*dryer*x", "(outside - x)/tau")
+        .replace("[states]", "tau = { value = 300, unit = \"s\" }\n    [states]");
+    let lag = lag.replace("[parameters]", "outside = { unit = \"g/m^3\" }\n    [parameters]");
+    let told = CABINET.diagnosed(&lag, |x, u| vec![(u[2] - x[0]) / 200.0]);
+    assert_eq!((told.verdict, first(&told)), (Verdict::Named, "parameter-value"), "{}", told.says);
+}

@@ -56,14 +56,13 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             all.extend(forms.filter_map(|form| at(scene, [m, n], form)));
         }
     }
-    for m in motions.iter().filter(|m| m.speed.is_none()) {
+    // an angle is no store
+    for m in motions.iter().filter(|m| m.speed.is_none() && !scene.is_angle(&m.state)) {
         let around = scene.moving(&[SignalKind::Channel, SignalKind::Input]);
         let alike = around.filter(|u| u.unit.dimension() == scene.unit(&m.state).dimension());
-        // of a flow that the model has, a root is a power
-        let forms = |u: &&Signal| if has_flow(scene, m, u) { vec![false] } else { vec![false, true] };
-        let flows =
-            alike.flat_map(|u| forms(&u).into_iter().filter_map(move |root| surroundings(scene, m, u, root)));
-        all.extend(flows);
+        // the size of a flow that the model has is a parameter's value, and a root of it a power
+        let others = alike.filter(|u| !has_flow(scene, m, u));
+        all.extend(others.flat_map(|u| [false, true].map(|root| surroundings(scene, m, u, root))).flatten());
     }
     all
 }

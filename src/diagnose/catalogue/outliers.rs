@@ -2,7 +2,8 @@
 //! Single samples that belong to no motion: transmission errors, cut sentences, dropped bits.
 //!
 //! # Signature in a recording
-//! Isolated values many times the noise away from both neighbours.
+//! Isolated values many times the noise away from both neighbours; or, at any share, a number that loggers write where
+//! nothing was measured, such as -9999, far off all else.
 //!
 //! # Equation
 //! ```text

@@ -142,6 +142,11 @@ fn driver(scene: &Scene, own: &str, term: &Expr) -> Option<Driver> {
     if others.iter().any(|f| powered(f).0 != x) {
         return None;
     }
+    // the root of a difference, rounded where that is 0, as a flow between two levels has it
+    let is_root = |e: &Expr| matches!(e, Expr::Call(Function::Sqrt, _)) && edit::is_plainly_in(e, own);
+    if !is_root(others[0]) && edit::find(term, &is_root).is_some() {
+        return None;
+    }
     let power = others.iter().map(|f| powered(f).1).sum();
     let fits = *x == Expr::name(own) || is_difference(scene, x, own);
     fits.then(|| Driver { x: x.clone(), factor: others[0].clone(), power })

@@ -46,9 +46,9 @@ impl Elastic for Relaxing {
         positive(&[("T", s.lag), ("C0", s.stiffness), ("T2", self.time)])?;
         // at rest the whole gives by 1 + κ of the spring's part
         if self.share <= -1.0 {
+            let share = self.share;
             let message = format!(
-                "with a share of {} the liquid gives against the force by more than the spring",
-                self.share
+                "with a share of {share} the liquid gives against the force as much as the spring or more"
             );
             return Err(Error::bad_input(message).with_hint("the share must be above -1"));
         }

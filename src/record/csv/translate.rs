@@ -135,15 +135,15 @@ impl Translator {
     }
 }
 
-/// A field with a decimal point; what is no number stays as it is, in quotes. The first number that tells the decimal
-/// sign settles it for all that follow.
 /// A unit in a row of its own, as it stands where the list does not have it, so that it is told; loggers number records and
 /// times there by two letters.
 fn of_row(text: &str) -> Option<String> {
-    let is_none = ["TS", "RN"].contains(&text);
+    let is_none = ["TS", "RN", "n/a", "unitless"].contains(&text);
     unit(text).or_else(|| (!is_none).then(|| text.to_owned()))
 }
 
+/// A field with a decimal point; what is no number stays as it is, in quotes. The first number that tells the decimal
+/// sign settles it for all that follow.
 fn put(field: &Field, dialect: &mut Dialect, out: &mut Vec<u8>) -> Result<()> {
     let Dialect { comma, is_grouped, .. } = dialect;
     let text = String::from_utf8_lossy(field.text.trim_ascii()).into_owned();

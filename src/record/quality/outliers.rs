@@ -78,6 +78,10 @@ fn coded(channel: &Channel, (time, values): (&[f64], &[f64]), code: f64) -> Opti
     if !values.iter().any(is_code) {
         return None;
     }
+    // a level that a machine is set to is held
+    if code > 0.0 && values.windows(3).any(|w| w.iter().all(is_code)) {
+        return None;
+    }
     let others: Vec<f64> = values.iter().copied().filter(|v| !is_code(v)).collect();
     let (low, high) = ends(&others);
     let at = channel.unit.to_si(code);

@@ -74,3 +74,16 @@ fn modelica_writes_a_class() {
         assert!(text.contains(line), "{line} is not in\n{text}");
     }
 }
+
+/// Names that are one without raised digits stay two.
+#[test]
+fn modelica_tells_outputs_apart() {
+    let two = SMOOTH.replace(
+        "[outputs]\n",
+        "[outputs]\n\"q²\" = { unit = \"m\", equals = \"x\" }\nq2 = { unit = \"m\", equals = \"x\" }\n",
+    );
+    assert_ne!(two, SMOOTH);
+    let out = gyrospec(folder(&two).path(), &["export", "model.toml", "--to", "modelica"]);
+    let text = String::from_utf8(out.stdout).unwrap();
+    assert!(["  q2 = x;", "  q2_out = x;"].iter().all(|line| text.contains(line)), "{text}");
+}
