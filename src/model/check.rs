@@ -29,7 +29,7 @@ impl Model {
     }
 
     /// Every name that expressions may use, with its section and unit, in the model's order.
-    fn names(&self) -> Vec<(&str, &'static str, &Unit)> {
+    pub(super) fn names(&self) -> Vec<(&str, &'static str, &Unit)> {
         let inputs = self.inputs.iter().map(|x| (x.name.as_str(), "inputs", &x.unit));
         let parameters = self.parameters.iter().map(|x| (x.name.as_str(), "parameters", &x.unit));
         let definitions = self.definitions.iter().map(|x| (x.name.as_str(), "definitions", &x.unit));

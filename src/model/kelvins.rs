@@ -3,6 +3,7 @@
 use super::Model;
 use crate::expression::{BinaryOp, Expr};
 use crate::units::Unit;
+use std::collections::{HashMap, HashSet};
 
 /// How many times a sum holds the zero of the scale of degC: T once, T − T₀ not at all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,16 +34,25 @@ fn has_zero(unit: &Unit) -> bool {
     unit.to_si(0.0) != 0.0
 }
 
+/// A model with the zeros of its definitions, each counted once however often it stands.
+struct Counted<'a> {
+    units: HashMap<&'a str, &'a Unit>,
+    definitions: HashMap<&'a str, Option<Zeros>>,
+    parameters: HashSet<&'a str>,
+}
+
 impl Model {
     /// What a user should know of what is given in degC and is a difference, or decays towards no other temperature.
     pub(super) fn kelvin_notes(&self) -> Vec<String> {
-        let is_difference = |e: &Expr| self.mentions_zero(e) && self.zeros(e) == Some(Zeros::Times(0.0));
+        let counted = Counted::of(self);
+        let is_difference =
+            |e: &Expr| counted.mentions_zero(e) && counted.zeros(e) == Some(Zeros::Times(0.0));
         let differs = self.outputs.iter().filter(|o| has_zero(&o.unit) && is_difference(&o.equals)).map(|o| {
             let (name, unit) = (&o.name, &o.unit);
             format!("`{name}` is a difference of temperatures, and {unit} takes 273.15 off it: give it the unit K")
         });
         let states = self.states.iter().filter(|s| has_zero(&s.unit));
-        let falls = states.filter(|s| self.zeros(&s.rate).is_some_and(|z| z != Zeros::Times(0.0)));
+        let falls = states.filter(|s| counted.zeros(&s.rate).is_some_and(|z| z != Zeros::Times(0.0)));
         let falls = falls.map(|s| {
             format!(
                 "the rate of `{}` goes with a temperature in kelvins, against no other: where that is a difference, give it the unit K instead of {}",
@@ -51,21 +61,25 @@ impl Model {
         });
         differs.chain(falls).collect()
     }
+}
 
-    fn unit_of_name(&self, name: &str) -> Option<&Unit> {
-        let inputs = self.inputs.iter().map(|i| (&i.name, &i.unit));
-        let states = self.states.iter().map(|s| (&s.name, &s.unit));
-        let parameters = self.parameters.iter().map(|p| (&p.name, &p.unit));
-        let definitions = self.definitions.iter().map(|d| (&d.name, &d.unit));
-        let mut all = inputs.chain(states).chain(parameters).chain(definitions);
-        all.find(|(n, _)| *n == name).map(|(_, unit)| unit)
+impl<'a> Counted<'a> {
+    fn of(model: &'a Model) -> Self {
+        let units = model.names().into_iter().map(|(name, _, unit)| (name, unit)).collect();
+        let parameters = model.parameters.iter().map(|p| p.name.as_str()).collect();
+        let mut counted = Self { units, definitions: HashMap::new(), parameters };
+        for d in model.definition_order().unwrap_or_default() {
+            let zeros = counted.zeros(&d.equals);
+            counted.definitions.insert(&d.name, zeros);
+        }
+        counted
     }
 
     fn mentions_zero(&self, e: &Expr) -> bool {
         let mut found = false;
         e.visit(&mut |x| {
             if let Expr::Name(n) = x {
-                found |= self.unit_of_name(n).is_some_and(has_zero);
+                found |= self.units.get(n.as_str()).is_some_and(|u| has_zero(u));
             }
         });
         found
@@ -97,7 +111,7 @@ impl Model {
         let mut is_fixed = true;
         by.visit(&mut |x| {
             if let Expr::Name(n) = x {
-                is_fixed &= self.parameters.iter().any(|p| p.name == *n);
+                is_fixed &= self.parameters.contains(n.as_str());
             }
         });
         match (zeros, by) {
@@ -108,15 +122,17 @@ impl Model {
     }
 
     fn zeros_of_name(&self, name: &str) -> Option<Zeros> {
-        let Some(unit) = self.unit_of_name(name) else { return Some(Zeros::Times(0.0)) };
-        let is_temperature = Unit::parse("K").is_ok_and(|k| k.dimension() == unit.dimension());
-        match self.definitions.iter().find(|d| d.name == name) {
-            // it is what it equals, in whatever unit
-            Some(d) => self.zeros(&d.equals),
-            None if has_zero(unit) => Some(Zeros::Times(1.0)),
-            // kelvins may be either
-            None => (!is_temperature).then_some(Zeros::Times(0.0)),
+        // a definition is what it equals, in whatever unit
+        if let Some(zeros) = self.definitions.get(name) {
+            return *zeros;
         }
+        let Some(unit) = self.units.get(name) else { return Some(Zeros::Times(0.0)) };
+        if has_zero(unit) {
+            return Some(Zeros::Times(1.0));
+        }
+        // kelvins may be either
+        let is_temperature = Unit::parse("K").is_ok_and(|k| k.dimension() == unit.dimension());
+        (!is_temperature).then_some(Zeros::Times(0.0))
     }
 }
 
@@ -154,5 +170,18 @@ mod tests {
         ] {
             assert_eq!(of(rate, output), told, "{rate}; {output}");
         }
+    }
+
+    /// 2⁶⁰ ways lead through these definitions.
+    #[test]
+    fn a_definition_is_counted_once_however_often_it_stands() {
+        let mut text = String::from(
+            "name = \"chain\"\n[inputs]\nu = { unit = \"degC\" }\n[definitions]\nd0 = { equals = \"u\", unit = \"degC\" }\n",
+        );
+        for i in 1..=60 {
+            text += &format!("d{i} = {{ equals = \"0.5*d{0} + 0.5*d{0}\", unit = \"degC\" }}\n", i - 1);
+        }
+        text += "[outputs]\ny = { equals = \"d60 - u\", unit = \"degC\" }\n";
+        assert_eq!(Model::parse(&text).unwrap().kelvin_notes().len(), 1);
     }
 }
