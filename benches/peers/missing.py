@@ -80,7 +80,7 @@ def gyrospec(program: str, folder: pathlib.Path, number: int, codes: list[str]) 
 
 def made(program: str, folder: pathlib.Path, kind: str, cases: int, seed: int) -> list[dict]:
     """The laboratory's recordings with their truth; it is stopped when they are made."""
-    call = [program, "laboratory", "--cases", str(cases), "--seed", str(seed), "--only", kind, "--keep", str(folder)]
+    call = [program, "laboratory", "--plant", "axis", "--cases", str(cases), "--seed", str(seed), "--only", kind, "--keep", str(folder)]
     with subprocess.Popen(call, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as run:
         first = run.stdout.readline()
         run.terminate()
@@ -105,7 +105,7 @@ def main(args) -> None:
                 for who, what in (("gyrospec", said), ("PySINDy", theirs)):
                     tally = counts.setdefault(group, {}).setdefault(who, {})
                     tally[what] = tally.get(what, 0) + 1
-    print(f"Recordings of `gyrospec laboratory --cases {args.cases} --seed {args.seed}`, none or one effect concealed, as large as, "
+    print(f"Recordings of `gyrospec laboratory --plant axis --cases {args.cases} --seed {args.seed}`, none or one effect concealed, as large as, "
           "3 and 10 times the noise:\n")
     print("| concealed | | gyrospec | PySINDy |\n|---|---|---|---|")
     for group, tally in counts.items():

@@ -3,26 +3,32 @@
 use super::output::words;
 use super::progress::Meter;
 use super::{Outcome, warn};
-use crate::diagnose::answer::Answer;
-use crate::diagnose::laboratory::{self, Case, Draw, Kind, Scenario};
+use crate::diagnose::laboratory::{self, Case, Draw, Kind, Said, Scenario, plants};
+use crate::error::nearest;
 use crate::estimate::fit::Progress;
 use crate::model::Model;
 use crate::record::{Recording, read_once};
 use crate::{Error, ErrorKind, Result};
+use rand::seq::IndexedRandom;
+use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
+
 const HELP: &str = "\
 Examples:
   gyrospec laboratory --cases 20 --seed 1                # minutes
+  gyrospec laboratory --plant ship --keep runs           # one plant; what is kept can be gone on with
   gyrospec laboratory model.toml log.toml --cases 50     # your own model, inputs and noise";
 
 /// Conceals effects in made recordings, diagnoses them from their files, and says how often it was right.
 #[derive(clap::Args)]
 #[command(after_help = HELP)]
 pub struct Call {
-    /// A model file; without it, the laboratory's own axis.
+    /// A model file; without it, plants of the laboratory's own, drawn in turn.
     model: Option<PathBuf>,
     /// The recording whose inputs drive it.
     #[arg(requires = "model")]
@@ -36,7 +42,10 @@ pub struct Call {
     /// Conceal only this: none, one, two or outside.
     #[arg(long, value_parser = kind)]
     only: Option<Kind>,
-    /// Keep recordings, models and the truth in this folder, which must be new or empty.
+    /// Only this plant: axis, pendulum, motor, tanks, room, ship, gyrosphere, battery or reactor.
+    #[arg(long, conflicts_with = "model", value_parser = plant)]
+    plant: Option<String>,
+    /// Keep recordings, models, answers and the truth in this folder; the same call with it goes on where it was ended.
     #[arg(long)]
     keep: Option<PathBuf>,
 }
@@ -45,76 +54,134 @@ pub fn run(call: &Call) -> Result<Outcome> {
     if call.cases == 0 {
         return Err(Error::usage("no recording is asked for: give --cases 1 or more"));
     }
-    let scenario = match (&call.model, &call.recording) {
-        (Some(model), Some(recording)) => {
-            read_once([model.as_path(), recording])?;
-            let (model, recording) = (Model::read(model)?, Recording::read(recording)?);
-            super::record::tell_notes([&recording]);
-            Scenario::of(&model, &recording, call.seed)?
-        }
-        (Some(_), None) => return Err(Error::usage("give the recording whose inputs drive the model")),
-        _ => Scenario::axis(call.seed)?,
-    };
     let own = tempfile::tempdir().map_err(|e| Error::io(&std::env::temp_dir(), &e))?;
     let folder = call.keep.as_deref().unwrap_or(own.path());
-    fresh(folder)?;
-    let draw = Draw { cases: call.cases, seed: call.seed, only: call.only };
-    let cases = laboratory::make(&scenario, folder, &draw)?;
-    let broken = |e: serde_json::Error| Error::new(ErrorKind::NotComputed, e.to_string());
     let sealed = folder.join("truth.json");
-    let text = serde_json::to_vec_pretty(&cases).map_err(broken)?;
-    std::fs::write(&sealed, &text).map_err(|e| Error::io(&sealed, &e))?;
-    let seal: String = Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect();
-    let made = if call.cases == 1 { "1 recording".to_string() } else { format!("{} recordings", call.cases) };
-    words(&format!("{made} made; the truth is sealed, SHA-256 {seal}\n\n"))?;
-    drop(cases);
-    Meter.report("diagnosing", Some(0.0));
-    let ended = AtomicUsize::new(0);
-    let examine = |number: usize| {
-        let answer = laboratory::examine(folder, number, call.seed);
-        let ended = 1 + ended.fetch_add(1, Ordering::Relaxed);
-        Meter.report("diagnosing", Some(ended as f64 / call.cases as f64));
-        answer.map_err(|e| warn(&format!("case {number}: {e}"))).ok()
-    };
-    let answers: Vec<Option<Answer>> = (0..call.cases).into_par_iter().with_max_len(1).map(examine).collect();
-    let opened = std::fs::read(&sealed).map_err(|e| Error::io(&sealed, &e))?;
-    let cases: Vec<Case> = serde_json::from_slice(&opened).map_err(broken)?;
-    let kept: Vec<(Case, laboratory::Outcome)> = cases
-        .into_iter()
-        .zip(&answers)
-        .filter_map(|(c, a)| a.as_ref().map(|a| (laboratory::judge(&c, a), c)).map(|(o, c)| (c, o)))
-        .collect();
-    let (cases, outcomes): (Vec<_>, Vec<_>) = kept.into_iter().unzip();
-    let mut lines = String::new();
-    for ((case, outcome), answer) in cases.iter().zip(&outcomes).zip(answers.iter().flatten()) {
-        let named: Vec<&str> = answer.findings.iter().map(|f| f.code.as_str()).collect();
-        lines += &format!(
-            "{:>4}  {:<8} size {:<4} noise {:<5} {:<34} {:?}: {}\n",
-            case.number,
-            case.kind,
-            case.size,
-            case.correlation,
-            case.codes.join(" + "),
-            outcome.verdict,
-            named.join(" + ")
-        );
-    }
+    let seal = made(call, folder, &sealed)?;
+    let count =
+        if call.cases == 1 { "1 recording".to_string() } else { format!("{} recordings", call.cases) };
+    words(&format!("{count} made; the truth is sealed, SHA-256 {seal}\n\n"))?;
+    let said = examined(call, folder);
+    let cases: Vec<Case> = read(&sealed)?;
+    let kept: Vec<(Case, Said)> = cases.into_iter().zip(said).filter_map(|(c, s)| Some((c, s?))).collect();
+    let outcomes: Vec<laboratory::Outcome> = kept.iter().map(|(c, s)| laboratory::judge(c, s)).collect();
+    let lines: String = kept.iter().map(|(c, s)| line(c, s)).collect();
+    let cases: Vec<Case> = kept.into_iter().map(|(c, _)| c).collect();
     words(&format!("{lines}\n{}", laboratory::tabulate(&cases, &outcomes)))?;
     Ok(Outcome::Done)
 }
 
-/// A folder that is there and empty.
-fn fresh(folder: &Path) -> Result<()> {
-    let broken = |e: std::io::Error| Error::io(folder, &e);
-    std::fs::create_dir_all(folder).map_err(broken)?;
-    let is_empty = std::fs::read_dir(folder).map_err(broken)?.next().is_none();
-    let full = || {
-        Error::usage(format!(
-            "{} is not empty: name a new folder",
-            crate::text::in_line(&folder.display().to_string())
-        ))
+/// Makes the recordings, where the folder does not hold them already, and returns the seal of the truth.
+fn made(call: &Call, folder: &Path, sealed: &Path) -> Result<String> {
+    if !begun(call, folder)? || !sealed.exists() {
+        let draw = Draw { cases: call.cases, seed: call.seed, only: call.only };
+        let user = user(call)?;
+        let scenario = |rng: &mut ChaCha8Rng| match &user {
+            Some(own) => Ok(own.clone()),
+            None => Scenario::drawn(drawn(call, rng)?, rng),
+        };
+        write(sealed, &laboratory::make(&scenario, folder, &draw, &Meter)?)?;
+    }
+    let text = std::fs::read(sealed).map_err(|e| Error::io(sealed, &e))?;
+    Ok(Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect())
+}
+
+/// The user's model, fitted, and recording; none where none is given.
+fn user(call: &Call) -> Result<Option<Scenario>> {
+    let (Some(model), Some(recording)) = (&call.model, &call.recording) else {
+        let alone = call.model.is_some();
+        let lacking = Error::usage("give the recording whose inputs drive the model");
+        return if alone { Err(lacking) } else { Ok(None) };
     };
-    if is_empty { Ok(()) } else { Err(full()) }
+    read_once([model.as_path(), recording])?;
+    let (model, recording) = (Model::read(model)?, Recording::read(recording)?);
+    super::record::tell_notes([&recording]);
+    Scenario::of(&model, &recording, call.seed).map(Some)
+}
+
+fn drawn(call: &Call, rng: &mut ChaCha8Rng) -> Result<&'static plants::Plant> {
+    let is_asked = |p: &&plants::Plant| call.plant.as_ref().is_none_or(|name| p.name == name);
+    let asked: Vec<&plants::Plant> = plants::ALL.iter().filter(is_asked).collect();
+    asked.choose(rng).copied().ok_or_else(|| Error::not_computed("the laboratory has no plant"))
+}
+
+/// What was said of each case; what the folder already holds is not asked anew.
+fn examined(call: &Call, folder: &Path) -> Vec<Option<Said>> {
+    Meter.report("diagnosing", Some(0.0));
+    let ended = AtomicUsize::new(0);
+    let examine = |number: usize| {
+        let path = folder.join(format!("answer-{number}.json"));
+        let said = read(&path).or_else(|_| {
+            let said = laboratory::examine(folder, number, call.seed)?;
+            write(&path, &said).map(|()| said)
+        });
+        let ended = 1 + ended.fetch_add(1, Ordering::Relaxed);
+        Meter.report("diagnosing", Some(ended as f64 / call.cases as f64));
+        said.map_err(|e| warn(&format!("case {number}: {e}"))).ok()
+    };
+    (0..call.cases).into_par_iter().with_max_len(1).map(examine).collect()
+}
+
+fn line(case: &Case, said: &Said) -> String {
+    let named: Vec<&str> = said.findings.iter().map(|f| f.code.as_str()).collect();
+    format!(
+        "{:>4}  {:<10} {:<8} size {:<4} noise {:<5} {:<34} {:?}: {}\n",
+        case.number,
+        case.plant,
+        case.kind,
+        case.size,
+        case.correlation,
+        case.codes.join(" + "),
+        said.verdict,
+        named.join(" + ")
+    )
+}
+
+fn broken(e: serde_json::Error) -> Error {
+    Error::new(ErrorKind::NotComputed, e.to_string())
+}
+
+fn read<T: DeserializeOwned>(path: &Path) -> Result<T> {
+    let text = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
+    serde_json::from_slice(&text).map_err(broken)
+}
+
+/// Whole, or not at all.
+fn write(path: &Path, value: &impl Serialize) -> Result<()> {
+    let text = serde_json::to_vec_pretty(value).map_err(broken)?;
+    let part = path.with_extension("part");
+    let saved = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, path));
+    saved.map_err(|e| Error::io(path, &e))
+}
+
+/// Whether the folder holds this very call, ended before its time; a new or an empty one is begun.
+fn begun(call: &Call, folder: &Path) -> Result<bool> {
+    let io = |e: std::io::Error| Error::io(folder, &e);
+    std::fs::create_dir_all(folder).map_err(io)?;
+    let is_empty = std::fs::read_dir(folder).map_err(io)?.next().is_none();
+    let only = call.only.map(Kind::word);
+    let this = (call.cases, call.seed, only, &call.plant, &call.model, &call.recording);
+    let (this, path) = (serde_json::to_value(this).map_err(broken)?, folder.join("call.json"));
+    if is_empty {
+        write(&path, &this)?;
+        return Ok(false);
+    }
+    if read::<serde_json::Value>(&path).is_ok_and(|held| held == this) {
+        return Ok(true);
+    }
+    let shown = folder.display().to_string();
+    let shown = crate::text::in_line(&shown);
+    let other = if path.exists() { "holds the recordings of another call" } else { "is not empty" };
+    Err(Error::usage(format!("{shown} {other}: name a new folder")))
+}
+
+fn plant(word: &str) -> std::result::Result<String, String> {
+    let names = || plants::ALL.iter().map(|p| p.name);
+    if names().any(|n| n == word) {
+        return Ok(word.to_string());
+    }
+    let near = nearest(word, names()).map(|n| format!(", the nearest is {n}")).unwrap_or_default();
+    Err(format!("the laboratory has no plant {word:?}{near}"))
 }
 
 fn kind(word: &str) -> std::result::Result<Kind, String> {

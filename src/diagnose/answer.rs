@@ -2,7 +2,7 @@
 
 use super::catalogue::{self, Group};
 use crate::simulate::Early;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Name and version of the form.
 pub const SCHEMA: &str = "gyrospec.diagnosis/2";
@@ -23,7 +23,7 @@ fn early<S: serde::Serializer>(early: &Option<Early>, s: S) -> Result<S::Ok, S::
 }
 
 /// What a diagnosis ends with.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// The model says all that the recording shows.

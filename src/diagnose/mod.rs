@@ -265,6 +265,7 @@ impl Case<'_> {
             let best: Vec<f64> =
                 found.base.rmse.iter().zip(&found.last.rmse).map(|(b, l)| b.min(*l)).collect();
             self.told.extend(faults::coarse(model, &self.bench.recordings, &best));
+            self.notes.extend(faults::partly_coarse(model, &self.bench.recordings, &best));
             open |=
                 faults::coarse(model, &self.bench.recordings, &found.base.rmse).len() == model.outputs.len();
         }

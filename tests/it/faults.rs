@@ -204,6 +204,24 @@ fn a_name_without_proof_left_is_open() {
     assert_eq!(faults(&a), [("frozen-channel", "position", true)]);
 }
 
+/// Steps q beside white noise of σ leave σ² + q²/12: with q = 3 σ the share of the steps is 43 %, and no fault.
+#[test]
+fn steps_that_make_a_part_of_what_is_left_are_told() {
+    let (model, mut stepped) = recording(None);
+    let position = values(&mut stepped, "position");
+    let size = position.iter().fold(0.0_f64, |a, q| a.max(q.abs()));
+    let jitter = noise(position.len(), 3);
+    let step = size / 6.0;
+    for (q, e) in position.iter_mut().zip(jitter) {
+        *q = ((*q + step / 3.0 * e) / step).round() * step;
+    }
+    let a = diagnosed(&model, stepped).answer;
+    assert_eq!(a.verdict, Verdict::NothingMissing, "{}", a.says);
+    let told = a.notes.iter().find_map(|n| n.split_once("they alone make ")?.1.split_once(" %"));
+    let share: f64 = told.unwrap_or_else(|| panic!("{:?}", a.notes)).0.parse().unwrap();
+    assert!((share - 42.9).abs() < 4.0, "{share}");
+}
+
 /// Steps so coarse that the misfit is theirs alone are told, and nothing can mend them.
 #[test]
 fn coarse_steps_are_told_and_not_masked() {

@@ -53,6 +53,7 @@ mod identify_command;
 mod input_gaps;
 mod integral;
 mod integral_command;
+mod laboratory;
 mod laws_inside;
 mod laws_met;
 mod laws_of_rates;

@@ -111,6 +111,7 @@ pub struct Shift {
 }
 
 /// The model as fitted so far, with what the recording showed.
+#[derive(Clone)]
 pub struct Scene<'a> {
     /// The model.
     pub model: &'a Model,

@@ -71,6 +71,8 @@ pub fn take(
 
 /// A misfit of up to so many times q/√12 is that of the steps alone.
 const STEPS_ALONE: f64 = 1.3;
+/// Up to so many times, the steps make a quarter of its mean square and more, and are told beside it.
+const STEPS_IN_PART: f64 = 2.0;
 /// Samples of an input that are bridged at most where they are missing.
 const BRIDGED: usize = 12;
 
@@ -166,16 +168,37 @@ fn bridge(c: &mut Channel) {
 /// Outputs whose misfit (root mean square, SI, by output) is no more than their own coarse steps q leave,
 /// q/√12: better physics could not be seen in them.
 pub fn coarse(model: &Model, recordings: &[Recording], misfit: &[f64]) -> Vec<DataFault> {
+    let alone = stepped(model, recordings, misfit).filter(|(_, _, times)| *times < STEPS_ALONE);
+    alone.map(|(r, fault, _)| tell::told(model, r, &fault, "")).collect()
+}
+
+/// What is said of outputs whose coarse steps make a good part of a misfit that is not theirs alone.
+pub fn partly_coarse(model: &Model, recordings: &[Recording], misfit: &[f64]) -> Vec<String> {
+    let partly = stepped(model, recordings, misfit)
+        .filter(|(_, _, times)| (STEPS_ALONE..STEPS_IN_PART).contains(times));
+    let say = |(r, fault, times): (&Recording, Fault, f64)| {
+        let says = tell::told(model, r, &fault, "").finding.says;
+        format!("{says}: they alone make {:.0} % of the mean square of what is left", 100.0 / (times * times))
+    };
+    partly.map(say).collect()
+}
+
+/// Outputs that move in coarse steps q, and how many times q/√12 their misfit is.
+fn stepped<'a>(
+    model: &'a Model,
+    recordings: &'a [Recording],
+    misfit: &'a [f64],
+) -> impl Iterator<Item = (&'a Recording, Fault, f64)> {
     let step = |name: &str| {
         let mut with = recordings.iter().filter_map(|r| Some((r, r.find(name)?)));
         with.find_map(|(r, c)| Some((r, quality::coarse_steps(c)?)))
     };
     let outputs = model.outputs.iter().zip(misfit);
-    outputs
-        .filter_map(|(o, rmse)| Some((step(&o.name)?, rmse)))
-        .filter(|((_, fault), rmse)| **rmse < STEPS_ALONE * fault.size / 12_f64.sqrt())
-        .map(|((r, fault), _)| tell::told(model, r, &fault, ""))
-        .collect()
+    outputs.filter_map(move |(o, rmse)| {
+        let (r, fault) = step(&o.name)?;
+        let times = rmse / (fault.size / 12_f64.sqrt());
+        Some((r, fault, times))
+    })
 }
 
 /// Whether a fault takes so much of its channel that the rest may be too little: as with a gap, more than

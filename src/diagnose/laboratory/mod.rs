@@ -5,35 +5,83 @@
 //! takes: a model file and a recording file in, an answer out.
 //!
 //! # Method
-//! A mechanism of the catalogue, drawn at random with a drawn size, is put into a model (or none, or
-//! two, or a term that the catalogue does not have), simulated by a stepper of its own on the inputs of
-//! a recording, and covered with coloured noise. The truth is written and sealed before the first
-//! diagnosis and opened after the last.
+//! A plant is drawn with its inputs. A mechanism of the catalogue, drawn at random with a drawn size, is put into its
+//! model (or none, or two, or a term that the catalogue does not have), simulated by a stepper of its own, and covered
+//! with noise so that what is left when the model without it is fitted is some times as large as the noise. The truth is
+//! written and sealed before the first diagnosis and opened after the last.
 //!
 //! # References
 //! P. Young, Recursive Estimation and Time-Series Analysis (2011), on data-based model tests.
 
+mod conceal;
 mod maker;
+pub mod plants;
+mod scenario;
 mod stepper;
 mod table;
 
-pub use maker::{Case, Draw, Kind, Scenario, make};
+pub use maker::{Case, Draw, Kind, make};
+pub use scenario::Scenario;
 pub use stepper::Stepper;
 pub use table::{Outcome, tabulate};
 
-use super::answer::{Answer, Value, Verdict};
+use super::answer::{Answer, Finding, Value, Verdict};
 use super::{Request, diagnose};
 use crate::Result;
 use crate::estimate::fit::Silent;
 use crate::model::Model;
 use crate::record::Recording;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
+
+/// What was said of one case, as far as it is judged.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Said {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What was found.
+    pub findings: Vec<Named>,
+}
+
+/// One finding.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Named {
+    /// Its code.
+    pub code: String,
+    /// Codes that fit as well.
+    pub ties: Vec<String>,
+    /// The ends of its parameters' intervals, where they have both.
+    intervals: Vec<(String, f64, f64)>,
+}
+
+impl Named {
+    fn of(finding: &Finding) -> Self {
+        let bounded = |p: &&Value| p.low.is_finite() && p.high.is_finite();
+        let ends = |p: &Value| (p.name.clone(), p.low, p.high);
+        Self {
+            code: finding.code.clone(),
+            ties: finding.ties.clone(),
+            intervals: finding.parameters.iter().filter(bounded).map(ends).collect(),
+        }
+    }
+
+    /// Whether it or a tie of it is of these codes.
+    fn is_of(&self, codes: &[String]) -> bool {
+        std::iter::once(&self.code).chain(&self.ties).any(|c| codes.contains(c))
+    }
+}
+
+impl Said {
+    fn of(answer: &Answer) -> Self {
+        Self { verdict: answer.verdict, findings: answer.findings.iter().map(Named::of).collect() }
+    }
+}
 
 /// Diagnoses one case from its files alone.
 ///
 /// # Errors
 /// Where the files cannot be read or the model cannot be fitted.
-pub fn examine(folder: &Path, number: usize, seed: u64) -> Result<Answer> {
+pub fn examine(folder: &Path, number: usize, seed: u64) -> Result<Said> {
     let model = Model::read(folder.join(format!("model-{number}.toml")))?;
     let recordings = [Recording::read(folder.join(format!("case-{number}.csv")))?];
     let request = Request {
@@ -45,28 +93,34 @@ pub fn examine(folder: &Path, number: usize, seed: u64) -> Result<Answer> {
         seed,
         progress: &Silent,
     };
-    Ok(diagnose(&request)?.answer)
+    Ok(Said::of(&diagnose(&request)?.answer))
 }
 
-/// Compares an answer with the truth.
-pub fn judge(case: &Case, answer: &Answer) -> Outcome {
-    let named: Vec<&str> = answer
-        .findings
-        .iter()
-        .flat_map(|f| std::iter::once(f.code.as_str()).chain(f.ties.iter().map(String::as_str)))
-        .collect();
-    let claims = matches!(answer.verdict, Verdict::Named | Verdict::Tie);
-    let right = case.codes.iter().all(|c| named.contains(&c.as_str()));
-    let own = answer.findings.iter().filter(|f| case.codes.contains(&f.code));
-    let own: Vec<&Value> = own.flat_map(|f| &f.parameters).collect();
-    let value = |name: &str| own.iter().find(|p| p.name == name);
-    let covered = case
-        .values
-        .iter()
-        .filter_map(|(name, truth)| {
-            let p = value(name).filter(|p| p.low.is_finite() && p.high.is_finite())?;
-            Some((p.low..=p.high).contains(truth))
-        })
-        .collect();
-    Outcome { verdict: answer.verdict, right, claims, covered: if right { covered } else { Vec::new() } }
+/// Names that a tie may have to be an answer; more are said to be the truth among many.
+const FEW: usize = 3;
+
+/// Compares what was said with the truth.
+pub fn judge(case: &Case, said: &Said) -> Outcome {
+    let claims = matches!(said.verdict, Verdict::Named | Verdict::Tie);
+    let among = |most: usize| {
+        let names = |c: &String| {
+            said.findings.iter().any(|f| f.ties.len() < most && f.is_of(std::slice::from_ref(c)))
+        };
+        case.codes.iter().all(names)
+    };
+    let right = among(usize::MAX);
+    let own = said.findings.iter().filter(|f| right && case.codes.contains(&f.code));
+    let own: Vec<&(String, f64, f64)> = own.flat_map(|f| &f.intervals).collect();
+    let holds = |(name, truth): &(String, f64)| {
+        own.iter().find(|(n, ..)| n == name).map(|(_, low, high)| (*low..=*high).contains(truth))
+    };
+    Outcome {
+        verdict: said.verdict,
+        right,
+        is_wide: right && !among(FEW),
+        claims,
+        findings: if claims { said.findings.len() } else { 0 },
+        spurious: if claims { said.findings.iter().filter(|f| !f.is_of(&case.codes)).count() } else { 0 },
+        covered: case.values.iter().filter_map(holds).collect(),
+    }
 }
