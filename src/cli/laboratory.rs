@@ -28,7 +28,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = HELP)]
 pub struct Call {
-    /// A model file; without it, plants of the laboratory's own, drawn in turn.
+    /// A model file; without it, one of the laboratory's own plants for each recording, drawn.
     model: Option<PathBuf>,
     /// The recording whose inputs drive it.
     #[arg(requires = "model")]

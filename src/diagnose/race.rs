@@ -44,6 +44,10 @@ const KEPT: f64 = 0.5;
 /// Gain in log-likelihood from which on one is plainly likelier, and the shares of it that another must gain to go on to the
 /// second heat and to the end. None with less than a share of 1 - COMMUTES of it can be named.
 const LIKELIER: (f64, [f64; 2]) = (20.0, [0.3, 0.5]);
+/// Share of the largest score of those that are fitted to the end from which on those with fewer parameters join them, and how
+/// many.
+const SIMPLER: f64 = 0.5;
+const RIVALS: usize = 2;
 /// Times the least error of blocks left out with which another goes on to the second heat and to the end, where the choice
 /// is made by that.
 const NEAR: [f64; 2] = [2.0, 1.2];
@@ -131,8 +135,10 @@ pub fn run(
         last += 1;
     }
     let mut others = field.split_off(last);
-    let (field, unlikely) = going_on(field, against, 1);
+    let (mut field, unlikely) = going_on(field, against, 1);
     others.extend(unlikely);
+    let (simpler, mut others) = simpler(&field, others);
+    field.extend(simpler);
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
     let ended = field.into_par_iter().with_max_len(1).filter_map(|r| {
@@ -272,6 +278,24 @@ fn likelier_behind(field: &[Runner<'_>], last: usize, now: f64) -> Option<usize>
     let lasting = (0..field.len()).filter(|i| !is_anchored(&field[*i].screened.proposal));
     let likeliest = lasting.max_by(|a, b| statistic(a).total_cmp(&statistic(b)))?;
     (likeliest >= last && (now / field[likeliest].left).ln() > floor(0.0)).then_some(likeliest)
+}
+
+/// The likeliest to first order of those with fewer parameters than any that is fitted to the end, and the rest. They may
+/// need more steps than the heats give, where the model's own parameters must come back from where the effect had drawn
+/// them, and would then do with less.
+fn simpler<'s>(field: &[Runner<'s>], others: Vec<Runner<'s>>) -> (Vec<Runner<'s>>, Vec<Runner<'s>>) {
+    let size = |r: &Runner<'_>| r.screened.proposal.added.len();
+    let statistic = |r: &Runner<'_>| r.screened.score.statistic;
+    let fewest = field.iter().map(size).min().unwrap_or(0);
+    let largest = field.iter().map(statistic).fold(0.0, f64::max);
+    let is_rival = |r: &Runner<'_>| {
+        let is_like = statistic(r) > SIMPLER * largest && !is_anchored(&r.screened.proposal);
+        is_like && (1..fewest).contains(&size(r))
+    };
+    let (mut rivals, mut rest): (Vec<_>, Vec<_>) = others.into_iter().partition(is_rival);
+    rivals.sort_by(|a, b| statistic(b).total_cmp(&statistic(a)));
+    rest.extend(rivals.split_off(RIVALS.min(rivals.len())));
+    (rivals, rest)
 }
 
 fn sort(field: &mut [Runner<'_>]) {
