@@ -137,8 +137,11 @@ pub fn run(
     let mut others = field.split_off(last);
     let (mut field, unlikely) = going_on(field, against, 1);
     others.extend(unlikely);
-    let (simpler, mut others) = simpler(&field, others);
-    field.extend(simpler);
+    if view.stand.parameters.len() == bench.own_parameters {
+        let (simpler, rest) = simpler(&field, others);
+        field.extend(simpler);
+        others = rest;
+    }
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
     let ended = field.into_par_iter().with_max_len(1).filter_map(|r| {
@@ -281,8 +284,8 @@ fn likelier_behind(field: &[Runner<'_>], last: usize, now: f64) -> Option<usize>
 }
 
 /// The likeliest to first order of those with fewer parameters than any that is fitted to the end, and the rest. They may
-/// need more steps than the heats give, where the model's own parameters must come back from where the effect had drawn
-/// them, and would then do with less.
+/// need more steps than the heats give, where the parameters of the model as given must come back from where the effect had
+/// drawn them, and would then do with less.
 fn simpler<'s>(field: &[Runner<'s>], others: Vec<Runner<'s>>) -> (Vec<Runner<'s>>, Vec<Runner<'s>>) {
     let size = |r: &Runner<'_>| r.screened.proposal.added.len();
     let statistic = |r: &Runner<'_>| r.screened.score.statistic;
