@@ -17,7 +17,7 @@ use std::path::PathBuf;
 #[derive(Args)]
 #[command(after_help = HELP)]
 pub struct FormulaCall {
-    /// A TOML file with the same names as the options; - is standard input.
+    /// A TOML file with the names that the options of an expression have, relations as a list; - is standard input.
     file: Option<PathBuf>,
     /// H(s), for example "(T*s + 1)*(s^2 + 2*mu*s + b^2)".
     #[arg(long)]

@@ -2,7 +2,8 @@
 //!
 //! # Purpose
 //! A state that the model starts `"steady"` while the recording begins in motion leaves a transient that no law explains:
-//! parameters bend to it, and whatever moves the beginning is named.
+//! parameters bend to it, and whatever moves the beginning is named. So does a number that holds where a recording begins,
+//! where what is fitted of it begins later.
 //!
 //! # Method
 //! Such states are fitted at their beginning instead. That is kept where it is surely likelier, the price of the
@@ -42,7 +43,8 @@ pub fn starting_anywhere(model: &Model) -> Model {
 /// The model with the beginnings fitted that it says to be steady, where the recordings surely begin otherwise.
 pub fn moving(bench: &Bench, base: &Fit) -> Option<Moving> {
     let mut model = base.model.clone();
-    let steady: Vec<usize> = steady(&model).collect();
+    let is_late = begins_later(&model, &bench.recordings);
+    let steady: Vec<usize> = fixed(&model, is_late).collect();
     if steady.is_empty() || bench.is_trials() {
         return None;
     }
@@ -57,7 +59,7 @@ pub fn moving(bench: &Bench, base: &Fit) -> Option<Moving> {
     if after.likelihood - before.likelihood < price + SURELY {
         return None;
     }
-    let says = says(&bench.recordings, &steady, &other);
+    let says = says(&bench.recordings, (&steady, is_late), &other);
     Some(Moving { model, fit: other, says })
 }
 
@@ -68,17 +70,33 @@ pub fn begins_in_motion(
     separate_holdout: bool,
     seed: u64,
 ) -> Option<String> {
-    steady(&fit.model).next()?;
+    fixed(&fit.model, begins_later(&fit.model, recordings)).next()?;
     let bench = Bench::new(&fit.model, recordings.to_vec(), separate_holdout, seed);
     moving(&bench, fit).map(|other| other.says)
 }
 
-/// Numbers of the states that a model starts where it rests.
-fn steady(model: &Model) -> impl Iterator<Item = usize> {
-    (0..model.states.len()).filter(|k| model.states[*k].initial == Initial::Steady)
+/// Numbers of the states that a model starts where it rests, and of those that it starts at a number, where what is fitted
+/// begins later than the recording.
+fn fixed(model: &Model, is_late: bool) -> impl Iterator<Item = usize> {
+    let is_fixed = move |initial: &Initial| match initial {
+        Initial::Steady => true,
+        Initial::Number(_) => is_late,
+        Initial::Fit => false,
+    };
+    (0..model.states.len()).filter(move |k| is_fixed(&model.states[*k].initial))
 }
 
-fn says(recordings: &[Recording], steady: &[usize], fit: &Fit) -> String {
+/// Whether what is fitted of a recording begins later than it, as its file says.
+fn begins_later(model: &Model, recordings: &[Recording]) -> bool {
+    let inputs = model.inputs.iter().map(|i| i.name.as_str());
+    let names: Vec<&str> = inputs.chain(model.outputs.iter().map(|o| o.name.as_str())).collect();
+    recordings.iter().filter(|r| r.spans.given).any(|r| {
+        let (first, whole) = (r.spans_for(&names, false).fit.first().copied(), r.common_range(&names));
+        first.zip(whole).is_some_and(|(first, whole)| first.from > whole.from)
+    })
+}
+
+fn says(recordings: &[Recording], (steady, is_late): (&[usize], bool), fit: &Fit) -> String {
     let several = recordings.len() > 1;
     let states = steady.iter().map(|k| &fit.model.states[*k]);
     let begins = states.flat_map(|state| {
@@ -89,10 +107,15 @@ fn says(recordings: &[Recording], steady: &[usize], fit: &Fit) -> String {
             format!("{} at {start} {}{of}", state.name, state.unit)
         })
     });
-    let begins: Vec<String> = begins.collect();
+    let begins = begins.collect::<Vec<String>>().join(", ");
+    if is_late {
+        return format!(
+            "what is fitted begins later than the recording, where the model's own starts hold: there it begins with {begins}; \
+             write `initial = \"fit\"`"
+        );
+    }
     let whose = if several { "not every recording begins" } else { "the recording does not begin" };
     format!(
-        "{whose} at rest, as `initial = \"steady\"` says: it begins with {}; write `initial = \"fit\"`",
-        begins.join(", ")
+        "{whose} at rest, as `initial = \"steady\"` says: it begins with {begins}; write `initial = \"fit\"`"
     )
 }

@@ -66,12 +66,12 @@ pub(crate) use at_rest::begins_in_motion;
 pub(crate) use hold::{held_inputs, read_held, says as says_held};
 pub(crate) use watch::spread_of;
 
-use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::{FitOptions, Progress, begun, setup};
 use crate::model::Model;
 use crate::record::{Recording, Source};
 use crate::simulate::{Budget, Early, Stage};
+use crate::{Error, Result};
 use answer::{Answer, DataFault, Verdict};
 use assemble::Assembly;
 use bench::Bench;
@@ -243,6 +243,16 @@ struct Case<'a> {
     notes: Vec<String>,
 }
 
+/// Refuses an output whose error has no square that is a number.
+fn beyond_squares(model: &Model, base: &Fit) -> Result<()> {
+    let Some((o, _)) = model.outputs.iter().zip(&base.rmse).find(|(_, e)| **e == f64::INFINITY) else {
+        return Ok(());
+    };
+    let message =
+        format!("the squares of what the model leaves of “{}” are beyond the largest number", o.name);
+    Err(Error::not_computed(message).with_hint("look at its values with `gyrospec record`, and at its unit"))
+}
+
 impl Case<'_> {
     /// The diagnosis; where nothing is left to compare, no law is looked for.
     fn diagnosed(mut self, is_left: bool) -> Result<Diagnosis> {
@@ -250,6 +260,7 @@ impl Case<'_> {
         progress.report("fitting the model as it stands", None);
         self.bench.budget.begin(foretold::FIRST_FIT);
         let base = self.bench.full_fit(model).map_err(|e| model.refusal().unwrap_or(e))?;
+        beyond_squares(model, &base)?;
         let base = self.begun(base);
         let base = if is_left { self.without_strays(base)? } else { base };
         self.bench.budget.tell(base.ended_early);

@@ -1,8 +1,16 @@
 //! What stands in files as people have them: headings that pass north unmarked, degrees Fahrenheit, codes for what was not
 //! measured, capital letters, names that a language has taken.
 
+use crate::diagnose::diagnosed;
+use gyrospec::diagnose::answer::Verdict;
+use gyrospec::diagnose::{Request, diagnose};
+use gyrospec::estimate::fit::Silent;
+use gyrospec::record::Span;
 use gyrospec::record::quality::{self, FaultKind};
 use gyrospec::{Model, Recording, fit, simulate};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
 use std::fmt::Write as _;
 
 fn recording(table: &str) -> gyrospec::Result<Recording> {
@@ -96,4 +104,64 @@ fn a_run_that_blows_up_has_no_solver_error() {
     assert!(ran.solver_error().is_nan() && ran.warnings().join(" ").contains("blows up"));
     let before = ran.output("y").unwrap().predicted().nth(10).unwrap();
     assert!((before - 2.0).abs() < 1e-3, "{before}");
+}
+
+const LAG: &str = "name = \"lag\"\n[inputs]\nu = { unit = \"V\" }\n[parameters]\n\
+    T = { value = 1.4, unit = \"s\", fit = true, min = 0.01, max = 100 }\n[states]\n\
+    x = { rate = \"(u - x)/T\", unit = \"V\", initial = 0 }\n[outputs]\ny = { equals = \"x\", unit = \"V\" }\n";
+
+/// Rows t, u, y of a lag of 2 s that starts at 0: x' = (u - x)/T with u a sum of a sin wt has
+/// x = sum of a (sin wt - wT cos wt + wT e^(-t/T))/(1 + w^2 T^2); beside it noise of 0.005 V.
+fn lagging(change: impl Fn(usize, [f64; 3]) -> [f64; 3]) -> String {
+    let mut table = String::from("t [s],u [V],y [V]\n");
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    for i in 0..1600 {
+        let t = 0.05 * i as f64;
+        let (mut u, mut x) = (0.0, 0.0);
+        for (a, w) in [(1.0, 0.7), (0.5, 1.9), (0.3, 0.23)] {
+            let by: f64 = 2.0 * w;
+            u += a * (w * t).sin();
+            x += a * ((w * t).sin() - by * (w * t).cos() + by * (-t / 2.0).exp()) / (1.0 + by * by);
+        }
+        let noise: f64 = StandardNormal.sample(&mut rng);
+        let [t, u, y] = change(i, [t, u, x + 0.005 * noise]);
+        let _ = writeln!(table, "{t:.2},{u:.6},{y:e}");
+    }
+    table
+}
+
+#[test]
+fn a_code_for_nothing_measured_is_no_command_either() {
+    let spoiled = |i: usize, [t, u, y]: [f64; 3]| [t, if i % 500 == 200 { -9999.0 } else { u }, y];
+    let a = diagnosed(&Model::parse(LAG).unwrap(), recording(&lagging(spoiled)).unwrap()).answer;
+    assert!(a.findings.iter().all(|f| f.code == "outliers" && f.site.name == "u"), "{}", a.says);
+    assert!(a.faults.iter().any(|f| f.finding.code == "outliers" && f.masked), "{}", a.says);
+    let [t] = a.parameters.iter().filter(|p| p.name == "T").collect::<Vec<_>>()[..] else { panic!() };
+    assert!((t.after - 2.0).abs() < 0.02, "{}", t.after);
+}
+
+/// Where the first part is held out, the state is no longer where the recording began.
+#[test]
+fn what_is_fitted_may_begin_in_motion() {
+    let mut later = recording(&lagging(|_, row| row)).unwrap();
+    later = later.with_spans(vec![Span::new(21.2, 80.0)], vec![Span::new(0.0, 21.15)]);
+    let a = diagnosed(&Model::parse(LAG).unwrap(), later).answer;
+    assert_eq!(a.verdict, Verdict::NothingMissing, "{}", a.says);
+    assert!(a.notes.iter().any(|n| n.contains("what is fitted begins later")), "{:?}", a.notes);
+}
+
+#[test]
+fn what_has_no_square_is_refused() {
+    let huge = recording(&lagging(|_, [t, u, y]| [t, u, y * 1e200])).unwrap();
+    let request = Request {
+        model: &Model::parse(LAG).unwrap(),
+        source: None,
+        recordings: &[huge],
+        separate: &[],
+        time_limit: None,
+        seed: 1,
+        progress: &Silent,
+    };
+    let told = diagnose(&request).map(|d| d.answer.says).unwrap_err().to_string();
+    assert!(told.contains("beyond the largest number"), "{told}");
 }

@@ -113,10 +113,13 @@ fn is_input(model: &Model, name: &str) -> Option<bool> {
 }
 
 /// An input is what was commanded or applied: a value that it holds is no stuck sensor, its steps and
-/// spikes are no outliers.
+/// spikes are no outliers, but for a number that loggers write where there was none.
 fn of_input(channel: &Channel, kind: Kind) -> Vec<Fault> {
     let mut found = quality::channel_faults(channel, kind);
     found.retain(|f| f.sure && !f.kind.spoils());
+    if kind == Kind::Time {
+        found.extend(quality::coded_outliers(channel));
+    }
     found
 }
 

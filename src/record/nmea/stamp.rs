@@ -34,7 +34,7 @@ const LEAPS: [i64; 27] = [
 const NANO: i128 = 1_000_000_000;
 
 /// A time stamp in nanoseconds that went by since 1970, leap seconds included: ISO 8601 with its zone
-/// (`2018-12-06T00:00:00.0117Z`), without one (taken as UTC), or seconds since 1970. The sixtieth second of a
+/// (`2018-12-06T00:00:00.0117Z`), without one (taken as UTC), or since 1970 in s, ms, µs or ns. The sixtieth second of a
 /// minute is one only where there was a leap second.
 pub(in super::super) fn stamp(text: &str) -> Option<i128> {
     let text = text.trim();
@@ -86,14 +86,22 @@ fn civil(text: &str) -> Option<i128> {
     Some(time.to_zoned(jiff::tz::TimeZone::UTC).ok()?.timestamp().as_nanosecond())
 }
 
+/// A count since 1970: in seconds, or, by the number of its digits between 2001 and 2286, in ms, µs or ns.
 fn seconds(text: &str) -> Option<i128> {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, "0"));
     let digits = |s: &str| !s.is_empty() && s.bytes().all(|b| b.is_ascii_digit());
-    if !digits(whole) || !digits(fraction) || whole.len() > 15 {
+    if !digits(whole) || !digits(fraction) {
         return None;
     }
-    let nano = format!("{fraction:0<9}");
-    Some(whole.parse::<i128>().ok()? * NANO + nano[..9].parse::<i128>().ok()?)
+    let unit = match whole.len() {
+        ..=10 => NANO,
+        13 => 1_000_000,
+        16 => 1_000,
+        19 => 1,
+        _ => return None,
+    };
+    let share = format!("{fraction:0<9}")[..9].parse::<i128>().ok()?;
+    Some(whole.parse::<i128>().ok()? * unit + share * unit / NANO)
 }
 
 #[cfg(test)]
@@ -156,6 +164,11 @@ mod tests {
         let zero = stamp("2018-12-06T00:00:00Z").unwrap();
         assert_eq!(stamp("2018-12-06T00:00:00.0117Z").unwrap() - zero, 11_700_000);
         assert_eq!(stamp("2018-12-06T01:00:00+01:00").unwrap(), zero);
+        for count in ["1544054400", "1544054400000", "1544054400000000", "1544054400000000000"] {
+            assert_eq!(stamp(count).unwrap(), zero, "{count}");
+        }
+        assert_eq!(stamp("1544054400000.25").unwrap() - zero, 250_000);
+        assert_eq!(stamp("15440544000"), None);
         assert_eq!(stamp("2018-12-06 00:00:00.5").unwrap() - zero, 500_000_000);
         assert_eq!(stamp("1544054400.25").unwrap() - zero, 250_000_000);
         for wrong in ["", "yesterday", "12:00", "1.5.3", "-4"] {

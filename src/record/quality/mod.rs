@@ -13,7 +13,7 @@ mod wrapped;
 
 pub use frozen::{frozen, still};
 pub use gaps::gaps;
-pub use outliers::outliers;
+pub use outliers::{coded_outliers, outliers};
 pub use quantum::{coarse_steps, quantum};
 pub use sampling::{Sampling, sampling};
 pub use wrapped::wrapped_angle;

@@ -35,7 +35,7 @@ pub fn outliers(channel: &Channel) -> Option<Fault> {
     if values.len() < FEWEST_SAMPLES {
         return None;
     }
-    if let Some(coded) = CODES.iter().find_map(|code| coded(channel, (&time, &values), *code)) {
+    if let Some(coded) = any_coded(channel, (&time, &values)) {
         return Some(coded);
     }
     let sizes = || values.windows(5).map(|w| distance(w).abs());
@@ -65,12 +65,38 @@ pub fn outliers(channel: &Channel) -> Option<Fault> {
 }
 
 /// Numbers that loggers write where nothing was measured.
-const CODES: [f64; 11] =
-    [-9999.0, -999.0, -999.25, -99_999.0, -999_999.0, 9999.0, 99_999.0, 999_999.0, -32_768.0, 1e30, -1e30];
+const CODES: [f64; 16] = [
+    -9999.0,
+    -999.0,
+    -999.25,
+    -99_999.0,
+    -999_999.0,
+    9999.0,
+    99_999.0,
+    999_999.0,
+    -32_768.0,
+    1e20,
+    -1e20,
+    1e30,
+    -1e30,
+    1e36,
+    f64::MAX,
+    -f64::MAX,
+];
 /// Times the range of all other samples that such a number lies off it.
 const OFF: f64 = 10.0;
 /// Share of the samples that must be others.
 const OTHERS: f64 = 0.1;
+
+/// Samples with a number that stands for none, as far as it lies off all others: no command is that either.
+pub fn coded_outliers(channel: &Channel) -> Option<Fault> {
+    let Samples { time, values } = Samples::of(channel);
+    if values.len() < FEWEST_SAMPLES { None } else { any_coded(channel, (&time, &values)) }
+}
+
+fn any_coded(channel: &Channel, samples: (&[f64], &[f64])) -> Option<Fault> {
+    CODES.iter().find_map(|code| coded(channel, samples, *code))
+}
 
 /// The samples that have such a number, at any share, far off all others.
 fn coded(channel: &Channel, (time, values): (&[f64], &[f64]), code: f64) -> Option<Fault> {
