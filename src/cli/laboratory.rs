@@ -137,18 +137,18 @@ fn line(case: &Case, said: &Said) -> String {
     )
 }
 
-fn broken(e: serde_json::Error) -> Error {
+fn broken(e: &serde_json::Error) -> Error {
     Error::new(ErrorKind::NotComputed, e.to_string())
 }
 
 fn read<T: DeserializeOwned>(path: &Path) -> Result<T> {
     let text = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
-    serde_json::from_slice(&text).map_err(broken)
+    serde_json::from_slice(&text).map_err(|e| broken(&e))
 }
 
 /// Whole, or not at all.
 fn write(path: &Path, value: &impl Serialize) -> Result<()> {
-    let text = serde_json::to_vec_pretty(value).map_err(broken)?;
+    let text = serde_json::to_vec_pretty(value).map_err(|e| broken(&e))?;
     let part = path.with_extension("part");
     let saved = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, path));
     saved.map_err(|e| Error::io(path, &e))
@@ -161,7 +161,7 @@ fn begun(call: &Call, folder: &Path) -> Result<bool> {
     let is_empty = std::fs::read_dir(folder).map_err(io)?.next().is_none();
     let only = call.only.map(Kind::word);
     let this = (call.cases, call.seed, only, &call.plant, &call.model, &call.recording);
-    let (this, path) = (serde_json::to_value(this).map_err(broken)?, folder.join("call.json"));
+    let (this, path) = (serde_json::to_value(this).map_err(|e| broken(&e))?, folder.join("call.json"));
     if is_empty {
         write(&path, &this)?;
         return Ok(false);

@@ -11,7 +11,7 @@ use std::ops::Range;
 
 /// Whether a mechanism is a law that a term of the model can be: a fault of the data is none, nor what has no name, nor a
 /// value of the model's own.
-fn is_law(m: &&Mechanism) -> bool {
+fn is_law(m: &Mechanism) -> bool {
     !matches!(m.group, Group::Fault | Group::Unnamed) && m.code != "parameter-value"
 }
 
@@ -21,7 +21,7 @@ const SCALES: Range<f64> = 0.01..0.4;
 /// Puts a drawn mechanism that `model` admits and that is not in it yet into it, at a drawn place in a drawn size.
 pub fn conceal(model: &Model, scene: &Scene, case: &mut Case, rng: &mut ChaCha8Rng) -> Option<Model> {
     let here = Scene { model, ..scene.clone() };
-    let laws: Vec<&Mechanism> = catalogue::ALL.iter().filter(is_law).collect();
+    let laws: Vec<&Mechanism> = catalogue::ALL.iter().filter(|m| is_law(m)).collect();
     let law = laws.choose(rng)?;
     let proposals: Vec<Proposal> = (law.propose)(&here)
         .into_iter()
