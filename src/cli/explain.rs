@@ -21,7 +21,7 @@ pub struct Explain {
 
 pub fn run(call: &Explain) -> Result<Outcome> {
     let text = match &call.code {
-        Some(code) if code == "units" => units::list(),
+        Some(code) if code.eq_ignore_ascii_case("units") => units::list(),
         Some(code) => catalogue::find(code)?.page(),
         None => catalogue::list(),
     };

@@ -20,22 +20,22 @@ pub struct FormulaCall {
     /// A TOML file with the names that the options of an expression have, relations as a list; - is standard input.
     file: Option<PathBuf>,
     /// H(s), for example "(T*s + 1)*(s^2 + 2*mu*s + b^2)".
-    #[arg(long)]
+    #[arg(long, allow_hyphen_values = true)]
     h: Option<String>,
     /// G(s), even in s; 1 if absent.
-    #[arg(long, requires = "h", conflicts_with = "first")]
+    #[arg(long, allow_hyphen_values = true, requires = "h", conflicts_with = "first")]
     g: Option<String>,
     /// Transfer function from the shaped noise to the first signal.
-    #[arg(long, conflicts_with = "h")]
+    #[arg(long, allow_hyphen_values = true, conflicts_with = "h")]
     first: Option<String>,
     /// The same to the second signal; without it the mean square of the first is derived.
-    #[arg(long, requires = "first", conflicts_with = "h")]
+    #[arg(long, allow_hyphen_values = true, requires = "first", conflicts_with = "h")]
     second: Option<String>,
     /// Transfer function from white noise to the shaped noise; 1 if absent.
-    #[arg(long, requires = "first", conflicts_with = "h")]
+    #[arg(long, allow_hyphen_values = true, requires = "first", conflicts_with = "h")]
     shaping: Option<String>,
     /// Density of the white noise, with mean square = (1/2 pi) integral over all w; 1 if absent.
-    #[arg(long, requires = "first", conflicts_with = "h")]
+    #[arg(long, allow_hyphen_values = true, requires = "first", conflicts_with = "h")]
     density: Option<String>,
     /// What stands before the integral.
     #[arg(long, allow_hyphen_values = true)]

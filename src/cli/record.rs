@@ -133,7 +133,7 @@ fn channel_words(channel: &Channel, s: &Summary, kind: Kind) -> String {
     let marks: String = marks.iter().filter(|m| m.0).map(|m| m.1).collect();
     let mut text = format!("{} [{unit}]{marks}\n", in_line(&channel.name));
     if s.samples == 0 {
-        return text + "  no samples\n";
+        return text + "  no samples\n" + &fault_lines(channel, s);
     }
     let absent = channel.len() - s.samples;
     let _ = write!(text, "  {}", counted(s.samples, "sample"));
@@ -162,16 +162,18 @@ fn channel_words(channel: &Channel, s: &Summary, kind: Kind) -> String {
         });
         let _ = writeln!(text, "  spectral peaks: {}", each.collect::<Vec<_>>().join(", "));
     }
-    for fault in &s.faults {
-        let _ =
-            writeln!(text, "  {} {}", if fault.is_sure_of_any() { '!' } else { '?' }, says(fault, channel));
-    }
+    text += &fault_lines(channel, s);
     if kind == Kind::Time && s.min < s.max {
         for line in braille::plot(channel.samples(), PICTURE.0, PICTURE.1) {
             let _ = writeln!(text, "  {line}");
         }
     }
     text
+}
+
+fn fault_lines(channel: &Channel, s: &Summary) -> String {
+    let mark = |fault: &Fault| if fault.is_sure_of_any() { '!' } else { '?' };
+    s.faults.iter().map(|f| format!("  {} {}\n", mark(f), says(f, channel))).collect()
 }
 
 /// A fault in a sentence.

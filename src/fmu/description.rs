@@ -336,12 +336,12 @@ impl Reader<'_> {
             .attribute("start")
             .unwrap_or_default()
             .split_whitespace()
-            .filter_map(|w| match w {
-                "true" => Some(1.0),
-                "false" => Some(0.0),
-                _ => w.parse().ok(),
+            .map(|w| match w {
+                "true" => Ok(1.0),
+                "false" => Ok(0.0),
+                _ => w.parse().map_err(|_| wrong(&format!("{name} has the start {w:?}, which is no number"))),
             })
-            .collect();
+            .collect::<Result<_>>()?;
         let start = (0..count)
             .map(|i| words.get(i).or(words.first().filter(|_| words.len() == 1)).copied().unwrap_or(0.0))
             .collect();

@@ -6,7 +6,7 @@ use super::probe::Clock;
 use crate::model::Model;
 use crate::model::program::{Program, Register};
 use crate::record::{Channel, Kind, Recording};
-use crate::units::Unit;
+use crate::units::{Unit, significant};
 use crate::{Error, ErrorKind, Result};
 use std::sync::Arc;
 
@@ -61,9 +61,27 @@ pub(super) fn cautions(model: &Model, recording: &Recording) -> Vec<String> {
             c.name, recording.name
         )
     }));
+    all.extend(beyond_bounds(model, recording));
     all.extend(model.caution_of(recording));
     all.extend(taken_as_radians(model, recording));
     all
+}
+
+/// What is said of constants that lie where the model says that their parameter is not.
+fn beyond_bounds(model: &Model, recording: &Recording) -> Vec<String> {
+    let pairs = recording
+        .constants
+        .iter()
+        .filter_map(|c| Some((c, model.parameters.iter().find(|p| p.name == c.name)?)));
+    let beyond = pairs.filter_map(|(c, p)| {
+        let bound = p.min.filter(|b| c.value < *b).or(p.max.filter(|b| c.value > *b))?;
+        let [value, bound] = [c.value, bound].map(|x| significant(p.unit.from_si(x), 4));
+        Some(format!(
+            "the constant `{}` of '{}', {value} {unit}, lies beyond the bound of {bound} {unit} that the model gives it",
+            c.name, recording.name, unit = p.unit
+        ))
+    });
+    beyond.collect()
 }
 
 /// What is said of channels whose unit says nothing of an angle where the model means an angular speed.

@@ -238,7 +238,7 @@ fn write(
     }
     text.push('\n');
     for (k, t) in times.iter().enumerate() {
-        let _ = write!(text, "{t:.6}");
+        let _ = write!(text, "{t}");
         for c in &others {
             let _ = write!(
                 text,

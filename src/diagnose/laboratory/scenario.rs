@@ -3,7 +3,7 @@
 use super::plants::{self, Plant};
 use crate::diagnose::bench::Bench;
 use crate::model::{Initial, Model};
-use crate::record::{Channel, Recording};
+use crate::record::{Channel, Kind, Recording};
 use crate::units::Unit;
 use crate::{Error, Result};
 use rand::{RngExt, SeedableRng};
@@ -58,8 +58,9 @@ impl Scenario {
     /// A user's model and recording: the model is fitted first.
     ///
     /// # Errors
-    /// Where it cannot be fitted.
+    /// Where it is a table of trials, outputs have times of their own, or it cannot be fitted.
     pub fn of(model: &Model, recording: &Recording, seed: u64) -> Result<Self> {
+        one_clock(model, recording)?;
         let f = Bench::new(model, vec![recording.clone()], false, seed).full_fit(model)?;
         let mut model = f.model.clone();
         for (s, x) in model.states.iter_mut().zip(&f.records[0].initials) {
@@ -82,4 +83,21 @@ impl Scenario {
         }
         start
     }
+}
+
+/// Refuses what the recordings that are made cannot hold: trials, and outputs with times of their own.
+fn one_clock(model: &Model, recording: &Recording) -> Result<()> {
+    if recording.kind == Kind::Trials {
+        return Err(Error::bad_input(
+            "the laboratory makes recordings in time, and this is a table of trials",
+        ));
+    }
+    let outputs = model.outputs.iter().filter_map(|o| recording.find(&o.name));
+    let times: Vec<&[f64]> = outputs.map(|c| &c.time[..]).collect();
+    if times.windows(2).any(|w| w[0] != w[1]) {
+        let error =
+            Error::bad_input("the outputs have times of their own, and the laboratory makes one table");
+        return Err(error.with_hint("give a recording whose outputs are sampled together"));
+    }
+    Ok(())
 }

@@ -207,8 +207,9 @@ impl Collector {
         }
         for (selection, count) in group.selections.iter().zip(&group.texts).filter(|(_, c)| c.number > 0) {
             let what = format!("field {} of {name} holds `{}`", selection.field, count.text);
+            let what = format!("{what}, which is no {}", selection.form.wanted());
             if count.number == group.time.len() {
-                return Err(Error::bad_input(format!("{what}, which is no number"))
+                return Err(Error::bad_input(what)
                     .with_line(count.first)
                     .with_hint(known::listing(&group.sentence, group.id)));
             }

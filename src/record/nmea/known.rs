@@ -25,6 +25,15 @@ impl Form {
         }
     }
 
+    /// What a field of this form holds, for a sentence that says what is not.
+    pub(super) fn wanted(self) -> &'static str {
+        match self {
+            Self::Number | Self::TimeOfDay => "number",
+            Self::Signed => "number with E or W in the next field",
+            Self::Position => "latitude or longitude with N, S, E or W in the next field",
+        }
+    }
+
     /// The number in a field; NaN where it is empty, `None` where it is none.
     pub(super) fn read(self, sentence: &Sentence, field: usize) -> Option<f64> {
         let text = sentence.field(field);
@@ -32,17 +41,21 @@ impl Form {
             return Some(f64::NAN);
         }
         let number = text.parse().ok().filter(|v: &f64| v.is_finite())?;
-        let sign = match sentence.field(field + 1) {
-            "S" | "W" => -1.0,
-            _ => 1.0,
+        // sign and largest number of degrees
+        let side = || match sentence.field(field + 1) {
+            "N" | "n" => Some((1.0, 90.0)),
+            "S" | "s" => Some((-1.0, 90.0)),
+            "E" | "e" => Some((1.0, 180.0)),
+            "W" | "w" => Some((-1.0, 180.0)),
+            _ => None,
         };
         match self {
             Self::Number => Some(number),
-            Self::Signed => Some(sign * number),
+            Self::Signed => Some(side()?.0 * number),
             Self::Position => {
-                let degrees = (number / 100.0).trunc();
-                let minutes = minutes(text)?;
-                (minutes < 60.0).then_some(sign * (degrees + minutes / 60.0))
+                let ((sign, most), minutes) = (side()?, minutes(text)?);
+                let degrees = (number / 100.0).trunc() + minutes / 60.0;
+                (minutes < 60.0 && degrees <= most).then_some(sign * degrees)
             }
             Self::TimeOfDay => {
                 let (hours, minutes) = ((number / 1e4).trunc(), (number / 100.0).trunc() % 100.0);
