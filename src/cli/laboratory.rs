@@ -22,7 +22,7 @@ const HELP: &str = "\
 Examples:
   gyrospec laboratory --cases 20 --seed 1                # minutes
   gyrospec laboratory --plant ship --keep runs           # one plant; what is kept can be gone on with
-  gyrospec laboratory model.toml log.toml --cases 50     # your own model, inputs and noise";
+  gyrospec laboratory model.toml log.toml --cases 50     # your own model and inputs";
 
 /// Conceals effects in made recordings, diagnoses them from their files, and says how often it was right.
 #[derive(clap::Args)]
