@@ -1,6 +1,6 @@
 //! `gyrospec laboratory`: how often the diagnosis finds what was concealed.
 
-use super::output::words;
+use super::output::{self, Place, words};
 use super::progress::Meter;
 use super::{Outcome, warn};
 use crate::diagnose::laboratory::{self, Case, Draw, Kind, Said, Scenario, plants};
@@ -76,6 +76,7 @@ fn made(call: &Call, folder: &Path, sealed: &Path) -> Result<String> {
     if !begun(call, folder)? || !sealed.exists() {
         let draw = Draw { cases: call.cases, seed: call.seed, only: call.only };
         let user = user(call)?;
+        write(&folder.join(NOTED), &noted(call)?)?;
         let scenario = |rng: &mut ChaCha8Rng| match &user {
             Some(own) => Ok(own.clone()),
             None => Scenario::drawn(drawn(call, rng)?, rng),
@@ -111,10 +112,11 @@ fn examined(call: &Call, folder: &Path) -> Vec<Option<Said>> {
     let ended = AtomicUsize::new(0);
     let examine = |number: usize| {
         let path = folder.join(format!("answer-{number}.json"));
-        let said = read(&path).or_else(|_| {
-            let said = laboratory::examine(folder, number, call.seed)?;
-            write(&path, &said).map(|()| said)
-        });
+        let keep = |said: &Said| {
+            let kept = write(&path, said);
+            kept.unwrap_or_else(|e| warn(&format!("the answer to case {number} is not kept: {e}")));
+        };
+        let said = read(&path).or_else(|_| laboratory::examine(folder, number, call.seed).inspect(keep));
         let ended = 1 + ended.fetch_add(1, Ordering::Relaxed);
         Meter.report("diagnosing", Some(ended as f64 / call.cases as f64));
         said.map_err(|e| warn(&format!("case {number}: {e}"))).ok()
@@ -146,26 +148,28 @@ fn read<T: DeserializeOwned>(path: &Path) -> Result<T> {
     serde_json::from_slice(&text).map_err(|e| broken(&e))
 }
 
-/// Whole, or not at all.
 fn write(path: &Path, value: &impl Serialize) -> Result<()> {
     let text = serde_json::to_vec_pretty(value).map_err(|e| broken(&e))?;
-    let part = path.with_extension("part");
-    let saved = std::fs::write(&part, text).and_then(|()| std::fs::rename(&part, path));
-    saved.map_err(|e| Error::io(path, &e))
+    output::put(&[Place::open(path)?.data(text)], std::iter::empty::<&Path>())
 }
 
-/// Whether the folder holds this very call, ended before its time; a new or an empty one is begun.
+/// The file that says which call a folder is of.
+const NOTED: &str = "call.json";
+
+fn noted(call: &Call) -> Result<serde_json::Value> {
+    let only = call.only.map(Kind::word);
+    let this = (call.cases, call.seed, only, &call.plant, &call.model, &call.recording);
+    serde_json::to_value(this).map_err(|e| broken(&e))
+}
+
+/// Whether the folder holds this very call, ended before its time; else it is a new or an empty one.
 fn begun(call: &Call, folder: &Path) -> Result<bool> {
     let io = |e: std::io::Error| Error::io(folder, &e);
     std::fs::create_dir_all(folder).map_err(io)?;
-    let is_empty = std::fs::read_dir(folder).map_err(io)?.next().is_none();
-    let only = call.only.map(Kind::word);
-    let this = (call.cases, call.seed, only, &call.plant, &call.model, &call.recording);
-    let (this, path) = (serde_json::to_value(this).map_err(|e| broken(&e))?, folder.join("call.json"));
-    if is_empty {
-        write(&path, &this)?;
+    if std::fs::read_dir(folder).map_err(io)?.next().is_none() {
         return Ok(false);
     }
+    let (this, path) = (noted(call)?, folder.join(NOTED));
     if read::<serde_json::Value>(&path).is_ok_and(|held| held == this) {
         return Ok(true);
     }

@@ -14,7 +14,7 @@
 
 use super::bench::Bench;
 use super::measure::{Measure, SURELY, Scale};
-use crate::estimate::fit::Effort;
+use crate::estimate::fit::{Effort, setup};
 use crate::estimate::{Fit, fit};
 use crate::model::{Initial, Model};
 use crate::record::Recording;
@@ -88,8 +88,7 @@ fn fixed(model: &Model, is_late: bool) -> impl Iterator<Item = usize> {
 
 /// Whether what is fitted of a recording begins later than it, as its file says.
 fn begins_later(model: &Model, recordings: &[Recording]) -> bool {
-    let inputs = model.inputs.iter().map(|i| i.name.as_str());
-    let names: Vec<&str> = inputs.chain(model.outputs.iter().map(|o| o.name.as_str())).collect();
+    let names = setup::channels(model);
     recordings.iter().filter(|r| r.spans.given).any(|r| {
         let (first, whole) = (r.spans_for(&names, false).fit.first().copied(), r.common_range(&names));
         first.zip(whole).is_some_and(|(first, whole)| first.from > whole.from)

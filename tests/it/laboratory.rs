@@ -45,3 +45,13 @@ fn a_folder_with_something_else_in_it_is_left_alone() {
     assert_eq!(code, Some(2));
     assert!(complaint.contains("the nearest is ship"), "{complaint}");
 }
+
+/// A name that is mistyped makes nothing of the folder.
+#[test]
+fn a_call_that_reads_nothing_leaves_its_folder_free() {
+    let folder = tempfile::tempdir().unwrap();
+    let (code, _, complaint) = laboratory(folder.path(), &["missing.toml", "missing.csv"]);
+    assert_eq!(code, Some(2));
+    assert!(complaint.contains("missing.toml"), "{complaint}");
+    assert_eq!(std::fs::read_dir(folder.path().join("runs")).unwrap().count(), 0);
+}

@@ -125,11 +125,15 @@ pub fn make(
 }
 
 fn simulated(model: &Model, recording: &Recording) -> Result<Vec<Vec<f64>>> {
-    let name = model.outputs.first().map_or("", |o| o.name.as_str());
-    let times = recording.channel(name)?.time.to_vec();
     let mut stepper = Stepper::new(model, recording)
         .ok_or_else(|| Error::bad_input("the recording lacks an input of the model"))?;
-    Ok(stepper.outputs(&times))
+    Ok(stepper.outputs(clock(model, recording)?))
+}
+
+/// The times of the outputs, which are sampled together.
+fn clock<'a>(model: &Model, recording: &'a Recording) -> Result<&'a [f64]> {
+    let name = model.outputs.first().map_or("", |o| o.name.as_str());
+    Ok(&recording.channel(name)?.time)
 }
 
 /// The recording with the outputs y.
@@ -227,7 +231,6 @@ fn write(
     (folder, number): (&Path, usize),
 ) -> Result<()> {
     let is_output = |c: &&Channel| start.outputs.iter().any(|o| o.name == c.name);
-    let times = recording.channels.iter().find(is_output).map_or(&[][..], |c| &c.time);
     let others: Vec<&Channel> = recording.channels.iter().filter(|c| !is_output(c)).collect();
     let mut text = String::from("t [s]");
     for c in &others {
@@ -237,7 +240,7 @@ fn write(
         let _ = write!(text, ",{} [{}]", o.name, o.unit);
     }
     text.push('\n');
-    for (k, t) in times.iter().enumerate() {
+    for (k, t) in clock(start, recording)?.iter().enumerate() {
         let _ = write!(text, "{t}");
         for c in &others {
             let _ = write!(

@@ -11,9 +11,13 @@ use crate::{Error, Result, simulate};
 
 /// What of a recording is fitted and held out.
 pub fn spans(model: &Model, recording: &Recording, options: &FitOptions<'_>) -> Spans {
+    recording.spans_for(&channels(model), options.separate_holdout)
+}
+
+/// Names of the channels that a model uses.
+pub fn channels(model: &Model) -> Vec<&str> {
     let inputs = model.inputs.iter().map(|i| i.name.as_str());
-    let names: Vec<&str> = inputs.chain(model.outputs.iter().map(|o| o.name.as_str())).collect();
-    recording.spans_for(&names, options.separate_holdout)
+    inputs.chain(model.outputs.iter().map(|o| o.name.as_str())).collect()
 }
 
 /// Refuses recordings that lack a channel, and those that share data which a model compares, fitted or held out.

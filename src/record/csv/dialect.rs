@@ -9,6 +9,7 @@ use super::figures::{self, Form, ONE_WAY};
 use super::header::{Seen, is_no_text};
 use super::sample::{Kind, Line, Names, in_comment, is_comment, kinds, names, short, width};
 use super::stamp::{ORDERS, Order, Stamp, stamp};
+use crate::record::nmea;
 use crate::units::{Dimension, Unit};
 use crate::{Error, Result};
 
@@ -372,11 +373,5 @@ fn since_1970(text: &str) -> Option<i128> {
     if !is_count || !matches!(whole.as_bytes().first(), Some(b'1'..=b'3')) {
         return None;
     }
-    match whole.len() {
-        10 => Some(1_000_000_000),
-        13 => Some(1_000_000),
-        16 => Some(1_000),
-        19 => Some(1),
-        _ => None,
-    }
+    nmea::nano_of_count(whole.len())
 }

@@ -32,7 +32,7 @@ pub(crate) use contents::{Contents, Listed};
 use group::Group;
 pub(super) use request::{Request, Selection};
 use sentence::Fault;
-pub(super) use stamp::{stamp, why_no_stamp};
+pub(super) use stamp::{nano_of_count, stamp, why_no_stamp};
 use std::sync::Arc;
 
 /// Lines that tell whether a file is a log.

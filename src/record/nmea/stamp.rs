@@ -86,6 +86,11 @@ fn civil(text: &str) -> Option<i128> {
     Some(time.to_zoned(jiff::tz::TimeZone::UTC).ok()?.timestamp().as_nanosecond())
 }
 
+/// The nanoseconds of one in a count since 1970 of so many digits, between 2001 and 2286: of s, ms, µs or ns.
+pub(in super::super) fn nano_of_count(digits: usize) -> Option<i128> {
+    [(10, NANO), (13, 1_000_000), (16, 1_000), (19, 1)].into_iter().find(|u| u.0 == digits).map(|u| u.1)
+}
+
 /// A count since 1970: in seconds, or, by the number of its digits between 2001 and 2286, in ms, µs or ns.
 fn seconds(text: &str) -> Option<i128> {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, "0"));
@@ -93,13 +98,7 @@ fn seconds(text: &str) -> Option<i128> {
     if !digits(whole) || !digits(fraction) {
         return None;
     }
-    let unit = match whole.len() {
-        ..=10 => NANO,
-        13 => 1_000_000,
-        16 => 1_000,
-        19 => 1,
-        _ => return None,
-    };
+    let unit = if whole.len() < 10 { NANO } else { nano_of_count(whole.len())? };
     let share = format!("{fraction:0<9}")[..9].parse::<i128>().ok()?;
     Some(whole.parse::<i128>().ok()? * unit + share * unit / NANO)
 }
