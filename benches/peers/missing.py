@@ -65,6 +65,10 @@ def judged(found: set[str], truth: set[str]) -> str:
     return "right and more" if truth <= found else "wrong"
 
 
+def codes_of(case: dict) -> list[str]:
+    return [hidden["code"] for hidden in case["hidden"]]
+
+
 def gyrospec(program: str, folder: pathlib.Path, number: int, codes: list[str]) -> str:
     """Right: every finding is of the truth, or a tie holds it; `unknown` claims nothing by name."""
     call = [program, "diagnose", str(folder / f"model-{number}.toml"), str(folder / f"case-{number}.csv"), "--json", "-"]
@@ -95,9 +99,9 @@ def main(args) -> None:
         for kind in ("none", "one"):
             folder = pathlib.Path(place) / kind
             truth = made(args.program, folder, kind, args.cases, args.seed)
-            mine = pool.map(lambda c: gyrospec(args.program, folder, c["number"], c["codes"]), truth)  # noqa: B023
+            mine = pool.map(lambda c: gyrospec(args.program, folder, c["number"], codes_of(c)), truth)  # noqa: B023
             for case, said in zip(truth, mine, strict=True):
-                codes = case["codes"]
+                codes = codes_of(case)
                 known = all(c in TERM for c in codes)
                 group = "none" if not codes else "one, in the library" if known else "one, not in the library"
                 found = sindy(folder / f"case-{case['number']}.csv") - BASE

@@ -56,24 +56,31 @@ pub fn run(call: &Call) -> Result<Outcome> {
     }
     let own = tempfile::tempdir().map_err(|e| Error::io(&std::env::temp_dir(), &e))?;
     let folder = call.keep.as_deref().unwrap_or(own.path());
-    let sealed = folder.join("truth.json");
-    let seal = made(call, folder, &sealed)?;
+    let truth = folder.join("truth.json");
+    let seal = made(call, folder, &truth)?;
     let count =
         if call.cases == 1 { "1 recording".to_string() } else { format!("{} recordings", call.cases) };
     words(&format!("{count} made; the truth is sealed, SHA-256 {seal}\n\n"))?;
+    let cases: Vec<Case> = read(&truth)?;
     let said = examined(call, folder);
-    let cases: Vec<Case> = read(&sealed)?;
     let kept: Vec<(Case, Said)> = cases.into_iter().zip(said).filter_map(|(c, s)| Some((c, s?))).collect();
+    let failed = call.cases - kept.len();
+    if kept.is_empty() {
+        return Err(Error::not_computed("no recording could be diagnosed: each says why above"));
+    }
     let outcomes: Vec<laboratory::Outcome> = kept.iter().map(|(c, s)| laboratory::judge(c, s)).collect();
     let lines: String = kept.iter().map(|(c, s)| line(c, s)).collect();
     let cases: Vec<Case> = kept.into_iter().map(|(c, _)| c).collect();
-    words(&format!("{lines}\n{}", laboratory::tabulate(&cases, &outcomes)))?;
+    let table = laboratory::tabulate(&cases, &outcomes);
+    let lost =
+        if failed == 0 { String::new() } else { format!("not diagnosed: {failed} of {}\n", call.cases) };
+    words(&format!("{lines}\n{lost}{table}"))?;
     Ok(Outcome::Done)
 }
 
 /// Makes the recordings, where the folder does not hold them already, and returns the seal of the truth.
-fn made(call: &Call, folder: &Path, sealed: &Path) -> Result<String> {
-    if !begun(call, folder)? || !sealed.exists() {
+fn made(call: &Call, folder: &Path, truth: &Path) -> Result<String> {
+    if !begun(call, folder)? || !truth.exists() {
         let draw = Draw { cases: call.cases, seed: call.seed, only: call.only };
         let user = user(call)?;
         write(&folder.join(NOTED), &noted(call)?)?;
@@ -81,10 +88,13 @@ fn made(call: &Call, folder: &Path, sealed: &Path) -> Result<String> {
             Some(own) => Ok(own.clone()),
             None => Scenario::drawn(drawn(call, rng)?, rng),
         };
-        write(sealed, &laboratory::make(&scenario, folder, &draw, &Meter)?)?;
+        write(truth, &laboratory::make(&scenario, folder, &draw, &Meter)?)?;
     }
-    let text = std::fs::read(sealed).map_err(|e| Error::io(sealed, &e))?;
-    Ok(Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect())
+    std::fs::read(truth).map(sealed).map_err(|e| Error::io(truth, &e))
+}
+
+fn sealed(text: Vec<u8>) -> String {
+    Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect()
 }
 
 /// The user's model, fitted, and recording; none where none is given.
@@ -125,15 +135,20 @@ fn examined(call: &Call, folder: &Path) -> Vec<Option<Said>> {
 }
 
 fn line(case: &Case, said: &Said) -> String {
-    let named: Vec<&str> = said.findings.iter().map(|f| f.code.as_str()).collect();
+    let name = |f: &laboratory::Named| match f.ties.len() {
+        0 => f.code.clone(),
+        n => format!("{} (or {n} more)", f.code),
+    };
+    let named: Vec<String> = said.findings.iter().map(name).collect();
+    let hidden: Vec<&str> = case.hidden.iter().map(|h| h.code.as_str()).collect();
+    let size = if case.size > 0.0 { format!("size {}", case.size) } else { String::new() };
     format!(
-        "{:>4}  {:<10} {:<8} size {:<4} noise {:<5} {:<34} {:?}: {}\n",
+        "{:>4}  {:<10} {:<8} {size:<8} noise {:<5} {:<34} {:?}: {}\n",
         case.number,
         case.plant,
-        case.kind,
-        case.size,
+        case.kind.word(),
         case.correlation,
-        case.codes.join(" + "),
+        hidden.join(" + "),
         said.verdict,
         named.join(" + ")
     )
@@ -145,7 +160,8 @@ fn broken(e: &serde_json::Error) -> Error {
 
 fn read<T: DeserializeOwned>(path: &Path) -> Result<T> {
     let text = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
-    serde_json::from_slice(&text).map_err(|e| broken(&e))
+    serde_json::from_slice(&text)
+        .map_err(|e| Error::bad_input(format!("{}: {e}", crate::text::in_line(&path.display().to_string()))))
 }
 
 fn write(path: &Path, value: &impl Serialize) -> Result<()> {
@@ -157,8 +173,12 @@ fn write(path: &Path, value: &impl Serialize) -> Result<()> {
 const NOTED: &str = "call.json";
 
 fn noted(call: &Call) -> Result<serde_json::Value> {
-    let only = call.only.map(Kind::word);
-    let this = (call.cases, call.seed, only, &call.plant, &call.model, &call.recording);
+    let held = |path: &Option<PathBuf>| -> Result<Option<String>> {
+        let read = |path: &PathBuf| std::fs::read(path).map(sealed).map_err(|e| Error::io(path, &e));
+        path.as_ref().map(read).transpose()
+    };
+    let files = [held(&call.model)?, held(&call.recording)?];
+    let this = (env!("CARGO_PKG_VERSION"), call.cases, call.seed, call.only, &call.plant, files);
     serde_json::to_value(this).map_err(|e| broken(&e))
 }
 

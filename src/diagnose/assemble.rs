@@ -172,7 +172,7 @@ impl Assembly<'_> {
         };
         budget.begin("pictures");
         let pictures = pictures::gather(&self);
-        let tidy = inert::tidied(self.found.last.model.clone(), self.request.model);
+        let tidy = inert::tidied(self.found.last.model.clone(), self.request.model.parameters.len());
         Ok(Diagnosis {
             answer,
             pictures,

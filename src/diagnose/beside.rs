@@ -14,12 +14,13 @@ use super::backward;
 use super::bench::Bench;
 use super::catalogue::{self, Proposal, SiteKind};
 use super::choose::{self, RIVAL, gain, worth_of};
+use super::inert;
 use super::measure::Measure;
 use super::propose::{Screened, explaining};
 use super::race::{self, Against, By, Finished};
 use super::search::{Found, Taken, is_over, is_pressed};
 use super::view::View;
-use crate::estimate::fit::Progress;
+use crate::estimate::fit::{Fit, Progress};
 use crate::record::Recording;
 
 /// Mechanisms, and what each is where one of its parameters is 0.
@@ -104,11 +105,13 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     let case = CASES.iter().find(|(code, _)| *code == own.code).map(|(_, case)| (*case, &own.site));
     let tied = ties.iter().chain(others).map(|t| (t.code, &t.site, Some(t.law_of())));
     let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
-    let (base, _) = found.without.get(i)?.as_ref()?;
+    let (with, _) = found.without.get(i)?.as_ref()?;
     let may_have_forms = own.site.kind == SiteKind::Parameter || own.code == "dry-friction";
     if wanted.is_empty() && !may_have_forms {
         return None;
     }
+    // what the finding has left of itself would forbid what acts in its place
+    let base = &bare(with, bench.own_parameters);
     let view = View::of(bench, base).ok()?;
     let scene = bench.scene(&base.model, &view.stand).ok()?;
     // a law of the same signals and the same parameter, whatever its own parameters are called
@@ -145,4 +148,12 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     let by = By::Likelihood(Measure::of(base, scale).likelihood);
     let against = Against { squares: scale.squares(base), by, scale };
     Some(race::run(bench, &view, &given, &chosen, against, progress))
+}
+
+/// A fit whose model has nothing left of a finding that does nothing in it.
+fn bare(with: &Fit, own: usize) -> Fit {
+    let model = inert::tidied(with.model.clone(), own);
+    let stays = |name: &String| model.parameters.iter().any(|p| p.name == *name);
+    let parameters = with.parameters.iter().filter(|p| stays(&p.name)).cloned().collect();
+    Fit { model, parameters, ..with.clone() }
 }

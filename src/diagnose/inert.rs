@@ -61,10 +61,10 @@ impl<'p> Inert<'p> {
 }
 
 /// A model without the terms that parameters fixed at 0 have left of what was tried and dropped, nor these parameters; those of
-/// the given model stay.
-pub fn tidied(mut model: Model, given: &Model) -> Model {
-    let is_own = |name: &str| given.parameters.iter().any(|p| p.name == name);
-    let is_idle = |p: &Parameter| !p.fit && p.value == 0.0 && !is_own(&p.name);
+/// the given model, which stand first, stay.
+pub fn tidied(mut model: Model, own: usize) -> Model {
+    let is_own: BTreeSet<String> = model.parameters.iter().take(own).map(|p| p.name.clone()).collect();
+    let is_idle = |p: &Parameter| !p.fit && p.value == 0.0 && !is_own.contains(&p.name);
     let idle: Vec<String> = model.parameters.iter().filter(|p| is_idle(p)).map(|p| p.name.clone()).collect();
     let mut used = BTreeSet::new();
     edit::for_each(&mut model, |_, e| {
@@ -77,7 +77,7 @@ pub fn tidied(mut model: Model, given: &Model) -> Model {
         }
         used.extend(e.names().into_iter().map(str::to_owned));
     });
-    model.parameters.retain(|p| is_own(&p.name) || p.fit || used.contains(&p.name));
+    model.parameters.retain(|p| is_own.contains(&p.name) || p.fit || used.contains(&p.name));
     model
 }
 
@@ -130,13 +130,12 @@ mod tests {
             Model::parse(&text).unwrap()
         };
         let own = "b = { value = 0, unit = '1/s' }\nc = { value = 1, unit = '1/s', fit = true }";
-        let given = of(own, "u - b*x - c*x");
         let more = "\nF = { value = 0, unit = '1/s' }\na = { value = 0, unit = '1' }\nT = { value = 0, unit = 's' }\nd = { value = 2, unit = '1' }";
-        let tidy = tidied(of(&format!("{own}{more}"), "u - b*x - c*(1 + a*(x - d)) - F*sign(x)"), &given);
+        let tidy = tidied(of(&format!("{own}{more}"), "u - b*x - c*(1 + a*(x - d)) - F*sign(x)"), 2);
         assert_eq!(tidy.states[0].rate.to_string(), "u - b*x - c");
         assert_eq!(tidy.parameters.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["b", "c"]);
         let late = of(&format!("{own}{more}"), "u - c*delay(x, T) - exp(a*x)*c");
-        let tidy = tidied(late.clone(), &given);
+        let tidy = tidied(late.clone(), 2);
         assert_eq!(tidy.states[0].rate, late.states[0].rate);
     }
 }

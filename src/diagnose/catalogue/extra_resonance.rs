@@ -99,7 +99,7 @@ fn swing(d: &mut Draft, scene: &Scene) -> Option<(String, String)> {
     let turn = Unit::parse("rad/s").ok()?;
     let fastest = std::f64::consts::PI / scene.step;
     let w = d.parameter("Wr", &turn, (1.0 / scene.length(), fastest), "angular frequency of the resonance");
-    Some((w, d.parameter("zr", &Unit::one(), (1e-4, 3.0), "damping ratio of the resonance")))
+    Some((w, d.parameter("zr", &Unit::one(), (1e-4, 1.0), "damping ratio of the resonance")))
 }
 
 fn after(scene: &Scene, m: &Motion) -> Option<Proposal> {

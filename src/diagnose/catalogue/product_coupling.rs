@@ -52,6 +52,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         for (i, a) in signals.iter().enumerate() {
             all.extend(signals[i..].iter().flat_map(|b| acting(scene, &m, [a, b], &levers)));
         }
+        all.extend(turned(scene, &m).into_iter().flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
         all.extend(turning(scene, &signals).flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
     }
     all.extend(gyroscopic(scene, &signals));
@@ -90,6 +91,23 @@ fn turning<'s>(scene: &'s Scene, signals: &'s [&Signal]) -> impl Iterator<Item =
     let channels: Vec<&Signal> =
         scene.moving(&[SignalKind::Channel]).filter(|c| edit::is_rate(&c.unit)).collect();
     speeds.flat_map(move |s| channels.clone().into_iter().map(move |c| (s, c)))
+}
+
+/// What moves with recorded channels that turn about 0 and that the model does not use, where nothing fitted multiplies it:
+/// 1/T of a time constant may change its sign with a channel, T cannot, and where there is a factor that varies with it.
+fn turned<'s>(scene: &'s Scene, m: &Motion) -> Vec<(&'s Signal, &'s Signal)> {
+    let Some(own) = scene.signal(&m.state).filter(|s| !edit::is_rate(&s.unit) && !s.is_heading()) else {
+        return Vec::new();
+    };
+    let rate = scene.model.states.iter().find(|s| s.name == m.state).map(|s| &s.rate);
+    let laws = rate.map(|r| edit::laws_of(scene.model, edit::sum_of(scene.model, r))).unwrap_or_default();
+    let is_fitted = |t: &Expr| scene.model.parameters.iter().any(|p| p.fit && has_factor(t, &p.name));
+    if laws.iter().any(|t| t.mentions(&own.name) && is_fitted(t)) {
+        return Vec::new();
+    }
+    let is_unused = |c: &&Signal| rate.is_some_and(|r| !edit::reaches(scene.model, r, &c.name));
+    let channels = scene.moving(&[SignalKind::Channel]).filter(|c| c.mean.abs() < c.spread && !c.is_heading());
+    channels.filter(is_unused).map(|c| (own, c)).collect()
 }
 
 /// A rotor's moments on two axes, each by the speed of the other, of one size and opposite signs.

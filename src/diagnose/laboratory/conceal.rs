@@ -1,6 +1,6 @@
 //! What is concealed: mechanisms of the catalogue, and a law that it does not have.
 
-use super::maker::Case;
+use super::maker::Hidden;
 use crate::diagnose::catalogue::{self, Group, Mechanism, Proposal, Scene};
 use crate::expression::Expr;
 use crate::model::Model;
@@ -18,8 +18,14 @@ fn is_law(m: &Mechanism) -> bool {
 /// Sizes of an effect over that of what it stands beside, drawn evenly in their logarithm.
 const SCALES: Range<f64> = 0.01..0.4;
 
-/// Puts a drawn mechanism that `model` admits and that is not in it yet into it, at a drawn place in a drawn size.
-pub fn conceal(model: &Model, scene: &Scene, case: &mut Case, rng: &mut ChaCha8Rng) -> Option<Model> {
+/// A drawn mechanism of the catalogue that `model` admits, at a drawn place in a drawn size, in the model, with what it is;
+/// none where the draw admits none, or has the code of `other`.
+pub fn conceal(
+    model: &Model,
+    scene: &Scene,
+    other: Option<&Hidden>,
+    rng: &mut ChaCha8Rng,
+) -> Option<(Proposal, Hidden)> {
     let here = Scene { model, ..scene.clone() };
     let laws: Vec<&Mechanism> = catalogue::ALL.iter().filter(|m| is_law(m)).collect();
     let law = laws.choose(rng)?;
@@ -27,11 +33,11 @@ pub fn conceal(model: &Model, scene: &Scene, case: &mut Case, rng: &mut ChaCha8R
         .into_iter()
         .filter(|p| !p.starts.is_empty() && !p.added.is_empty() && !p.refines)
         .collect();
-    let p = proposals.choose(rng).filter(|_| case.codes.iter().all(|c| c != law.code))?;
+    let mut p = proposals.choose(rng).filter(|_| other.is_none_or(|o| o.code != law.code))?.clone();
     let start = &p.starts[rng.random_range(0..p.starts.len().min(3))];
     let scale = rng.random_range(f64::ln(SCALES.start)..f64::ln(SCALES.end)).exp();
-    let mut made = p.model.clone();
     let first_is_larger: bool = rng.random();
+    let mut hidden = Hidden { code: law.code.into(), place: p.site.name.clone(), values: Vec::new() };
     for (i, a) in p.added.iter().enumerate() {
         let factor = match p.amplitudes.iter().position(|k| *k == i) {
             // Two amplitudes differ by half at least, so that it is not a simpler mechanism in disguise.
@@ -40,13 +46,12 @@ pub fn conceal(model: &Model, scene: &Scene, case: &mut Case, rng: &mut ChaCha8R
             None => rng.random_range(0.9..1.1),
         };
         let value = start[i] * factor;
-        case.values.push((a.name.clone(), a.unit.difference_from_si(value)));
-        if let Some(q) = made.parameters.iter_mut().find(|q| q.name == a.name) {
+        hidden.values.push((a.name.clone(), a.unit.difference_from_si(value)));
+        if let Some(q) = p.model.parameters.iter_mut().find(|q| q.name == a.name) {
             q.value = value;
         }
     }
-    case.codes.push(law.code.to_string());
-    Some(made)
+    Some((p, hidden))
 }
 
 /// A law that no catalogue has, of two signals: s the position of a motion, or a state; r its speed, or an input,
@@ -65,7 +70,8 @@ pub fn outside(scene: &Scene, rng: &mut ChaCha8Rng) -> Option<Model> {
         Some(format!("(({name} - {:e})/{:e})", s.mean, s.spread))
     };
     let size = m.size * rng.random_range(f64::ln(SCALES.start)..f64::ln(SCALES.end)).exp();
-    let text = format!("-{size:e}*sin(3*{})*{}^2", about(of)?, about(by)?);
+    let sign = if rng.random() { "" } else { "-" };
+    let text = format!("{sign}{size:e}*sin(3*{})*{}^2", about(of)?, about(by)?);
     let term = Expr::parse(&text).ok()?;
     let mut made = scene.model.clone();
     let s = made.states.iter_mut().find(|s| s.name == m.state)?;

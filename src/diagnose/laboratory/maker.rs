@@ -5,6 +5,7 @@ use super::scenario::Scenario;
 use super::stepper::Stepper;
 use crate::diagnose::bench::{Bench, Stand};
 use crate::diagnose::catalogue::Scene;
+use crate::diagnose::inert::Inert;
 use crate::estimate::fit::Progress;
 use crate::model::{Initial, Model};
 use crate::record::{Channel, Recording};
@@ -18,6 +19,17 @@ use std::fmt::Write;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+/// One effect that is concealed.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Hidden {
+    /// Its code.
+    pub code: String,
+    /// Name of what it acts on.
+    pub place: String,
+    /// Values of its parameters in their units.
+    pub values: Vec<(String, f64)>,
+}
+
 /// What is concealed in one case.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Case {
@@ -25,13 +37,12 @@ pub struct Case {
     pub number: usize,
     /// The plant, or the user's model.
     pub plant: String,
-    /// none, one, two or outside.
-    pub kind: String,
-    /// Codes of what is concealed.
-    pub codes: Vec<String>,
-    /// Values of its parameters in their units.
-    pub values: Vec<(String, f64)>,
-    /// What is left of the effect when the model without it is fitted, over the noise; root mean squares.
+    /// What kind of thing is concealed.
+    pub kind: Kind,
+    /// The effects of the catalogue.
+    pub hidden: Vec<Hidden>,
+    /// What is left of the effect, of two the lesser one, when the model without it is fitted, over the noise; root mean
+    /// squares. 0 where nothing is concealed.
     pub size: f64,
     /// Lag-one correlation of the noise.
     pub correlation: f64,
@@ -41,19 +52,25 @@ pub struct Case {
 pub(super) const CORRELATIONS: [f64; 3] = [0.0, 0.9, 0.98];
 
 /// What is concealed in ten cases in turn, where all kinds are made.
-const MIXED: [&str; 10] = ["none", "one", "one", "one", "outside", "none", "one", "one", "two", "outside"];
+const MIXED: [Kind; 10] = {
+    use Kind::{None, One, Outside, Two};
+    [None, One, One, Two, Outside, None, One, One, Two, Outside]
+};
 
-/// Noise of an output over its spread: where nothing is concealed, and the bounds where something is. What leaves less
-/// is lost in the fitted parameters; what leaves more is no model of the plant.
-const NOISE: f64 = 0.01;
+/// Bounds of the noise of an output over its spread. What leaves less is lost in the fitted parameters; what leaves more is
+/// no model of the plant.
 const LEAST: f64 = 1e-4;
 const MOST: f64 = 0.5;
+
+/// Sizes of an effect over the noise.
+pub(super) const SIZES: [f64; 3] = [1.0, 3.0, 10.0];
 
 /// How often a case is drawn anew until its effect can be seen.
 const TRIES: usize = 60;
 
 /// What a case conceals.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// Nothing.
     None,
@@ -103,15 +120,15 @@ pub fn make(
         let mut rng =
             ChaCha8Rng::seed_from_u64(draw.seed.wrapping_mul(1_000_003).wrapping_add(number as u64));
         let scenario = scenario(&mut rng)?;
-        let kind = draw.only.map_or(MIXED[number % 10], Kind::word);
+        let kind = draw.only.unwrap_or(MIXED[number % MIXED.len()]);
+        let size = SIZES[rng.random_range(0..SIZES.len())];
         let mut case = Case {
             number,
             plant: scenario.name.clone(),
-            kind: kind.into(),
-            codes: Vec::new(),
-            values: Vec::new(),
-            size: [1.0, 3.0, 10.0][rng.random_range(0..3)],
-            correlation: CORRELATIONS[rng.random_range(0..3)],
+            kind,
+            hidden: Vec::new(),
+            size: if kind == Kind::None { 0.0 } else { size },
+            correlation: CORRELATIONS[rng.random_range(0..CORRELATIONS.len())],
         };
         let start = scenario.start(&mut rng);
         let (y, level) = concealed(&scenario, &start, &mut case, &mut rng)?;
@@ -154,8 +171,8 @@ fn concealed(
 ) -> Result<(Vec<Vec<f64>>, f64)> {
     let model = &scenario.model;
     let plain = simulated(model, &scenario.recording)?;
-    if case.kind == "none" {
-        return Ok((plain, NOISE));
+    if case.kind == Kind::None {
+        return Ok((plain, rng.random_range(LEAST.ln()..MOST.ln()).exp()));
     }
     let bench = Bench::new(model, vec![with_outputs(model, &scenario.recording, &plain)?], false, 1);
     let initial = |s: &crate::model::State| if let Initial::Number(x) = s.initial { x } else { 0.0 };
@@ -179,14 +196,7 @@ fn tried(
     case: &mut Case,
     rng: &mut ChaCha8Rng,
 ) -> Option<(Vec<Vec<f64>>, f64)> {
-    case.codes.clear();
-    case.values.clear();
-    let model = if case.kind == "outside" {
-        outside(scene, rng)?
-    } else {
-        let first = conceal(scene.model, scene, case, rng)?;
-        if case.kind == "two" { conceal(&first, scene, case, rng)? } else { first }
-    };
+    let (model, lacking) = drawn(scene, start, case, rng)?;
     let y = simulated(&model, &scenario.recording).ok()?;
     let effect = y.iter().zip(plain).map(|(y, plain)| {
         let squares = y.iter().zip(plain).map(|(a, b)| (a - b).powi(2)).sum::<f64>();
@@ -196,10 +206,33 @@ fn tried(
         return None;
     }
     let recording = with_outputs(&scenario.model, &scenario.recording, &y).ok()?;
-    let fit = Bench::new(start, vec![recording.clone()], false, 1).full_fit(start).ok()?;
-    let apart = fit.rmse.iter().zip(&y).map(|(e, y)| (e / spread(y)).powi(2)).sum::<f64>();
-    let level = (apart / y.len() as f64).sqrt() / case.size;
+    // what each of the models that lack something leaves of the outputs' spread when it is fitted
+    let left = |model: &Model| {
+        let fit = Bench::new(model, vec![recording.clone()], false, 1).full_fit(model).ok()?;
+        let apart = fit.rmse.iter().zip(&y).map(|(e, y)| (e / spread(y)).powi(2)).sum::<f64>();
+        Some((apart / y.len() as f64).sqrt())
+    };
+    let all: Vec<f64> = lacking.iter().map(left).collect::<Option<_>>()?;
+    let level = all.into_iter().fold(f64::INFINITY, f64::min) / case.size;
     (level > LEAST && level < MOST).then_some((y, level))
+}
+
+/// A model with what is drawn for a case in it, and those that lack a part of it: the model as given, and of two effects
+/// the models with one of them.
+fn drawn(scene: &Scene, start: &Model, case: &mut Case, rng: &mut ChaCha8Rng) -> Option<(Model, Vec<Model>)> {
+    case.hidden.clear();
+    if case.kind == Kind::Outside {
+        return Some((outside(scene, rng)?, vec![start.clone()]));
+    }
+    let (first, hidden) = conceal(scene.model, scene, None, rng)?;
+    case.hidden.push(hidden);
+    if case.kind == Kind::One {
+        return Some((first.model, vec![start.clone()]));
+    }
+    let (second, hidden) = conceal(&first.model, scene, case.hidden.first(), rng)?;
+    case.hidden.push(hidden);
+    let without_first = Inert::of(&first)?.model(&second.model, &first)?;
+    Some((second.model, vec![start.clone(), first.model, without_first]))
 }
 
 fn spread(y: &[f64]) -> f64 {

@@ -7,23 +7,25 @@
 //! # Method
 //! A plant is drawn with its inputs. A mechanism of the catalogue, drawn at random with a drawn size, is put into its
 //! model (or none, or two, or a term that the catalogue does not have), simulated by a stepper of its own, and covered
-//! with noise so that what is left when the model without it is fitted is some times as large as the noise. The truth is
-//! written and sealed before the first diagnosis and opened after the last.
+//! with noise so that what is left when the model without it is fitted, of two without either, is some times as large as
+//! the noise. The truth is written and sealed before the first diagnosis and opened after the last.
 //!
 //! # References
 //! P. Young, Recursive Estimation and Time-Series Analysis (2011), on data-based model tests.
 
 mod conceal;
+mod judge;
 mod maker;
 pub mod plants;
 mod scenario;
 mod stepper;
 mod table;
 
-pub use maker::{Case, Draw, Kind, make};
+pub use judge::{Judged, Outcome, judge};
+pub use maker::{Case, Draw, Hidden, Kind, make};
 pub use scenario::Scenario;
 pub use stepper::Stepper;
-pub use table::{Outcome, tabulate};
+pub use table::tabulate;
 
 use super::answer::{Answer, Finding, Value, Verdict};
 use super::{Request, diagnose};
@@ -48,8 +50,12 @@ pub struct Said {
 pub struct Named {
     /// Its code.
     pub code: String,
+    /// Name of what it acts on.
+    pub place: String,
     /// Codes that fit as well.
     pub ties: Vec<String>,
+    /// Whether it only resembles what is missing.
+    pub resembles: bool,
     /// The ends of its parameters' intervals, where they have both.
     intervals: Vec<(String, f64, f64)>,
 }
@@ -60,14 +66,16 @@ impl Named {
         let ends = |p: &Value| (p.name.clone(), p.low, p.high);
         Self {
             code: finding.code.clone(),
+            place: finding.site.name.clone(),
+            resembles: finding.resembles,
             ties: finding.ties.clone(),
             intervals: finding.parameters.iter().filter(bounded).map(ends).collect(),
         }
     }
 
-    /// Whether it or a tie of it is of these codes.
-    fn is_of(&self, codes: &[String]) -> bool {
-        std::iter::once(&self.code).chain(&self.ties).any(|c| codes.contains(c))
+    /// Whether it or a tie of it has a code.
+    fn is_of(&self, code: &str) -> bool {
+        std::iter::once(&self.code).chain(&self.ties).any(|c| c == code)
     }
 }
 
@@ -94,33 +102,4 @@ pub fn examine(folder: &Path, number: usize, seed: u64) -> Result<Said> {
         progress: &Silent,
     };
     Ok(Said::of(&diagnose(&request)?.answer))
-}
-
-/// Names that a tie may have to be an answer; more are said to be the truth among many.
-const FEW: usize = 3;
-
-/// Compares what was said with the truth.
-pub fn judge(case: &Case, said: &Said) -> Outcome {
-    let claims = matches!(said.verdict, Verdict::Named | Verdict::Tie);
-    let among = |most: usize| {
-        let names = |c: &String| {
-            said.findings.iter().any(|f| f.ties.len() < most && f.is_of(std::slice::from_ref(c)))
-        };
-        case.codes.iter().all(names)
-    };
-    let right = among(usize::MAX);
-    let own = said.findings.iter().filter(|f| right && case.codes.contains(&f.code));
-    let own: Vec<&(String, f64, f64)> = own.flat_map(|f| &f.intervals).collect();
-    let holds = |(name, truth): &(String, f64)| {
-        own.iter().find(|(n, ..)| n == name).map(|(_, low, high)| (*low..=*high).contains(truth))
-    };
-    Outcome {
-        verdict: said.verdict,
-        right,
-        is_wide: right && !among(FEW),
-        claims,
-        findings: if claims { said.findings.len() } else { 0 },
-        spurious: if claims { said.findings.iter().filter(|f| !f.is_of(&case.codes)).count() } else { 0 },
-        covered: case.values.iter().filter_map(holds).collect(),
-    }
 }

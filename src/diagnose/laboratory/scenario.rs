@@ -75,7 +75,8 @@ impl Scenario {
     pub fn start(&self, rng: &mut ChaCha8Rng) -> Model {
         let mut start = self.model.clone();
         for p in start.parameters.iter_mut().filter(|p| p.fit) {
-            let off = p.value * f64::exp(rng.random_range(-0.3..0.3));
+            // by a factor of what a user reads: a third of 20 °C, not of 293 K
+            let off = p.unit.to_si(p.unit.from_si(p.value) * f64::exp(rng.random_range(-0.3..0.3)));
             p.value = off.clamp(p.min.unwrap_or(f64::NEG_INFINITY), p.max.unwrap_or(f64::INFINITY));
         }
         for s in start.states.iter_mut().filter(|s| !self.known.contains(&s.name)) {

@@ -1,35 +1,12 @@
 //! The laboratory's tables.
 
-use super::maker::{CORRELATIONS, Case};
+use super::judge::{Judged, Outcome};
+use super::maker::{CORRELATIONS, Case, Kind, SIZES};
 use crate::diagnose::answer::Verdict;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-/// How one case went.
-#[derive(Debug, Clone)]
-pub struct Outcome {
-    /// The verdict.
-    pub verdict: Verdict,
-    /// Whether all that was concealed was named, alone or among ties.
-    pub right: bool,
-    /// Whether that holds only for ties of more than three names.
-    pub is_wide: bool,
-    /// Whether anything was claimed by name.
-    pub claims: bool,
-    /// How many findings are claimed.
-    pub findings: usize,
-    /// How many of them are none of what was concealed.
-    pub spurious: usize,
-    /// For each interval of a rightly named mechanism whether it holds the truth.
-    pub covered: Vec<bool>,
-}
-
-impl Outcome {
-    /// Whether all that was concealed was claimed, each alone or in a tie of at most three names.
-    fn is_right(&self) -> bool {
-        self.claims && self.right && !self.is_wide
-    }
-}
+type Pair<'a> = (&'a Case, &'a Outcome);
 
 fn share(part: usize, whole: usize) -> String {
     if whole == 0 {
@@ -41,70 +18,102 @@ fn share(part: usize, whole: usize) -> String {
 
 /// The tables as text.
 pub fn tabulate(cases: &[Case], outcomes: &[Outcome]) -> String {
-    let pairs: Vec<(&Case, &Outcome)> = cases.iter().zip(outcomes).collect();
-    let count = |kind: &str, holds: &dyn Fn(&Case, &Outcome) -> bool| {
-        let own: Vec<_> = pairs.iter().filter(|(c, _)| c.kind == kind).collect();
-        share(own.iter().filter(|(c, o)| holds(c, o)).count(), own.len())
-    };
+    let pairs: Vec<Pair> = cases.iter().zip(outcomes).collect();
+    nothing(&pairs)
+        + &effects("one concealed, over the noise", &of(&pairs, Kind::One))
+        + &effects("two concealed, the lesser", &of(&pairs, Kind::Two))
+        + &outside(&of(&pairs, Kind::Outside))
+        + &findings(&pairs)
+        + &rows("plant, one concealed right", &pairs, |c| &c.plant)
+        + &rows("law, concealed alone", &pairs, |c| &c.hidden[0].code)
+}
+
+fn of<'a>(pairs: &[Pair<'a>], kind: Kind) -> Vec<Pair<'a>> {
+    pairs.iter().filter(|(c, _)| c.kind == kind).copied().collect()
+}
+
+fn nothing(pairs: &[Pair]) -> String {
+    let own = of(pairs, Kind::None);
+    let count = |verdict: Verdict| own.iter().filter(|(_, o)| o.verdict == verdict).count();
+    let alarms = |all: &[Pair]| all.iter().filter(|(_, o)| o.judged == Judged::Wrong).count();
     let mut text = String::new();
-    let alarm = count("none", &|_, o| o.verdict != Verdict::NothingMissing);
-    let _ = writeln!(text, "nothing concealed: false alarms    {alarm}");
+    let mut line = |name: &str, value: String| text += &format!("{name:<35}{value}\n");
+    line("nothing concealed: false alarms", share(alarms(&own), own.len()));
     for r in CORRELATIONS {
-        let own: Vec<_> = pairs.iter().filter(|(c, _)| c.kind == "none" && c.correlation == r).collect();
-        let alarms = own.iter().filter(|(_, o)| o.verdict != Verdict::NothingMissing).count();
-        let _ = writeln!(text, "                   noise of {r:<9} {}", share(alarms, own.len()));
+        let with: Vec<Pair> = own.iter().filter(|(c, _)| c.correlation == r).copied().collect();
+        line(&format!("    noise of {r}"), share(alarms(&with), with.len()));
     }
-    for (kind, named) in [("one", "named"), ("two", "both named")] {
-        let right = count(kind, &|_, o| o.is_right());
-        let _ = writeln!(text, "{:<19}{named:<16}{right}", format!("{kind} concealed:"));
-        let _ = writeln!(
-            text,
-            "                   among many      {}",
-            count(kind, &|_, o| o.claims && o.is_wide)
-        );
-        let _ = writeln!(
-            text,
-            "                   wrong name      {}",
-            count(kind, &|_, o| o.claims && !o.right)
-        );
+    line("    not identifiable", share(count(Verdict::NotIdentifiable), own.len()));
+    line("    unknown", share(count(Verdict::Unknown), own.len()));
+    text
+}
+
+/// How cases of one kind went, a line an outcome, by their size.
+fn effects(title: &str, own: &[Pair]) -> String {
+    let lines = [
+        (Judged::Right, "named, alone or among three"),
+        (Judged::Wide, "among more names"),
+        (Judged::AndMore, "named, and one more"),
+        (Judged::Half, "one of both"),
+        (Judged::Wrong, "wrong name"),
+        (Judged::Resembling, "unknown that resembles it"),
+        (Judged::Untold, "nothing named"),
+    ];
+    let mut text = format!("\n{title:<35}");
+    SIZES.iter().for_each(|size| text += &format!("{:<14}", format!("{size} times")));
+    text += "all\n";
+    for (judged, name) in lines {
+        let cell = |of: &dyn Fn(&Case) -> bool| {
+            let all = own.iter().filter(|(c, _)| of(c));
+            share(all.clone().filter(|(_, o)| o.judged == judged).count(), all.count())
+        };
+        let by_size: String =
+            SIZES.iter().map(|size| format!("{:<14}", cell(&|c: &Case| c.size == *size))).collect();
+        let _ = writeln!(text, "    {name:<31}{by_size}{}", cell(&|_: &Case| true));
     }
-    let _ = writeln!(
-        text,
-        "outside:           unknown         {}",
-        count("outside", &|_, o| o.verdict == Verdict::Unknown)
-    );
-    let _ = writeln!(text, "                   wrong name      {}", count("outside", &|_, o| o.claims));
-    let sum = |of: fn(&Outcome) -> usize| outcomes.iter().map(of).sum::<usize>();
-    let _ = writeln!(
-        text,
-        "findings:          of nothing hidden {}",
-        share(sum(|o| o.spurious), sum(|o| o.findings))
-    );
-    let covered: Vec<bool> = outcomes.iter().flat_map(|o| o.covered.iter().copied()).collect();
-    let _ = writeln!(
-        text,
-        "95 % intervals that hold the truth {}",
-        share(covered.iter().filter(|c| **c).count(), covered.len())
-    );
-    text + &rows("plant", &pairs, |c| vec![&c.plant])
-        + &rows("one concealed", &pairs, |c| c.codes.iter().map(String::as_str).collect())
+    text
+}
+
+fn outside(own: &[Pair]) -> String {
+    let count = |of: &dyn Fn(&Outcome) -> bool| share(own.iter().filter(|(_, o)| of(o)).count(), own.len());
+    let unknown = count(&|o: &Outcome| o.verdict == Verdict::Unknown);
+    let wrong = count(&|o: &Outcome| o.judged == Judged::Wrong);
+    format!("\n{:<35}{unknown}\n{:<35}{wrong}\n", "outside: unknown", "    wrong name")
+}
+
+fn findings(pairs: &[Pair]) -> String {
+    let own: Vec<&Outcome> = pairs.iter().filter(|(c, _)| !c.hidden.is_empty()).map(|(_, o)| *o).collect();
+    let sum = |of: fn(&Outcome) -> usize| own.iter().map(|o| of(o)).sum::<usize>();
+    let hold = |of: fn(&Outcome) -> &Vec<bool>| {
+        let all: Vec<bool> = own.iter().flat_map(|o| of(o).iter().copied()).collect();
+        share(all.iter().filter(|x| **x).count(), all.len())
+    };
+    let lines = [
+        ("findings of nothing hidden", share(sum(|o| o.spurious), sum(|o| o.findings))),
+        ("    at their very place", hold(|o| &o.placed)),
+        ("    95 % intervals hold the truth", hold(|o| &o.covered)),
+    ];
+    let mut text = String::from("\n");
+    lines.iter().for_each(|(name, value)| text += &format!("{name:<35}{value}\n"));
+    text
 }
 
 /// How many cases with one effect were named right, a line a name, by their size.
-fn rows(title: &str, pairs: &[(&Case, &Outcome)], names: fn(&Case) -> Vec<&str>) -> String {
-    let mut text = format!("\n{title:<24} effect over noise: 1        3        10\n");
-    let mut by_name: BTreeMap<&str, [(usize, usize); 3]> = BTreeMap::new();
-    for (c, o) in pairs.iter().filter(|(c, _)| c.kind == "one") {
-        let column = if c.size < 2.0 { 0 } else { usize::from(c.size > 5.0) + 1 };
-        for name in names(c) {
-            let cell = &mut by_name.entry(name).or_default()[column];
-            cell.1 += 1;
-            cell.0 += usize::from(o.is_right());
-        }
+fn rows(title: &str, pairs: &[Pair], name: fn(&Case) -> &str) -> String {
+    let mut text = format!("\n{title:<35}");
+    SIZES.iter().for_each(|size| text += &format!("{:<10}", format!("{size} times")));
+    text.truncate(text.trim_end().len());
+    text.push('\n');
+    let mut by_name: BTreeMap<&str, [(usize, usize); SIZES.len()]> = BTreeMap::new();
+    for (c, o) in of(pairs, Kind::One) {
+        let column = SIZES.iter().position(|s| *s == c.size).unwrap_or(0);
+        let cell = &mut by_name.entry(name(c)).or_default()[column];
+        cell.1 += 1;
+        cell.0 += usize::from(o.judged == Judged::Right);
     }
     for (name, cells) in by_name {
-        let shown: Vec<String> = cells.iter().map(|(a, n)| format!("{a}/{n}")).collect();
-        let _ = writeln!(text, "{name:<43} {:<8} {:<8} {}", shown[0], shown[1], shown[2]);
+        let shown: String = cells.iter().map(|(a, n)| format!("{:<10}", format!("{a}/{n}"))).collect();
+        let _ = writeln!(text, "    {name:<31}{}", shown.trim_end());
     }
     text
 }

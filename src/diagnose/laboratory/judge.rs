@@ -1,0 +1,145 @@
+//! What was said of a case, held against what was concealed in it.
+
+use super::maker::{Case, Hidden, Kind};
+use super::{Named, Said};
+use crate::diagnose::answer::Verdict;
+
+/// Names that a tie may have to be an answer; more are said to be the truth among many.
+const FEW: usize = 3;
+
+/// How what was said stands to what was concealed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Judged {
+    /// All of it named, each alone or in a tie of at most three names, and nothing else; where nothing that the catalogue
+    /// has is concealed, nothing named.
+    Right,
+    /// All of it named, one in a tie of more.
+    Wide,
+    /// All of it named, and something beside it.
+    AndMore,
+    /// One of two named, and nothing else.
+    Half,
+    /// Something else named.
+    Wrong,
+    /// `unknown`, and it resembles what is concealed.
+    Resembling,
+    /// Nothing named.
+    Untold,
+}
+
+/// How one case went.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// How it stands to the truth.
+    pub judged: Judged,
+    /// How many findings are claimed.
+    pub findings: usize,
+    /// How many of them are none of what was concealed.
+    pub spurious: usize,
+    /// For each claimed finding with the very code of what was concealed whether it stands at its place.
+    pub placed: Vec<bool>,
+    /// For each interval of those whether it holds the truth.
+    pub covered: Vec<bool>,
+}
+
+/// Compares what was said with the truth.
+pub fn judge(case: &Case, said: &Said) -> Outcome {
+    let claims = matches!(said.verdict, Verdict::Named | Verdict::Tie);
+    let named: Vec<&Named> = said.findings.iter().filter(|f| claims && !f.resembles).collect();
+    let spurious = named.iter().filter(|f| !case.hidden.iter().any(|h| f.is_of(&h.code))).count();
+    let own = || case.hidden.iter().filter_map(|h| Some((h, *named.iter().find(|f| f.code == h.code)?)));
+    Outcome {
+        verdict: said.verdict,
+        judged: if claims { claimed(case, &named, spurious) } else { unclaimed(case, said) },
+        findings: named.len(),
+        spurious,
+        placed: own().map(|(h, f)| h.place == f.place).collect(),
+        covered: own().filter(|(h, f)| h.place == f.place).flat_map(|(h, f)| covered(h, f)).collect(),
+    }
+}
+
+fn unclaimed(case: &Case, said: &Said) -> Judged {
+    let resembles = |h: &Hidden| said.findings.iter().any(|f| f.is_of(&h.code));
+    match case.kind {
+        Kind::None | Kind::Outside => Judged::Right,
+        _ if said.verdict == Verdict::Unknown && case.hidden.iter().any(resembles) => Judged::Resembling,
+        _ => Judged::Untold,
+    }
+}
+
+fn claimed(case: &Case, named: &[&Named], spurious: usize) -> Judged {
+    let few: Vec<&Named> = named.iter().copied().filter(|f| f.ties.len() < FEW).collect();
+    match (case.hidden.is_empty(), tells(&case.hidden, named), spurious) {
+        (false, true, 0) if tells(&case.hidden, &few) => Judged::Right,
+        (false, true, 0) => Judged::Wide,
+        (false, true, _) => Judged::AndMore,
+        (false, false, 0) => Judged::Half,
+        _ => Judged::Wrong,
+    }
+}
+
+/// Whether each effect has a finding of its own that is of its code.
+fn tells(hidden: &[Hidden], named: &[&Named]) -> bool {
+    let Some((first, others)) = hidden.split_first() else { return true };
+    (0..named.len())
+        .any(|i| named[i].is_of(&first.code) && tells(others, &[&named[..i], &named[i + 1..]].concat()))
+}
+
+/// For each interval of a finding whether it holds the true value. A second law's names have a number: `a` is `a_2` there.
+fn covered(hidden: &Hidden, found: &Named) -> Vec<bool> {
+    let bare = |name: &str| match name.rsplit_once('_') {
+        Some((bare, number)) if number.parse::<u8>().is_ok() => bare.to_owned(),
+        _ => name.to_owned(),
+    };
+    let of = |(name, truth): &(String, f64)| {
+        let own = found.intervals.iter().find(|(n, ..)| bare(n) == bare(name))?;
+        Some((own.1..=own.2).contains(truth))
+    };
+    hidden.values.iter().filter_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn judged(kind: Kind, hidden: &[&str], verdict: Verdict, findings: &[&[&str]]) -> Judged {
+        let hide = |c: &&str| Hidden { code: (*c).into(), place: "x".into(), values: Vec::new() };
+        let name = |names: &&[&str]| Named {
+            code: names[0].into(),
+            place: "x".into(),
+            ties: names[1..].iter().map(ToString::to_string).collect(),
+            resembles: false,
+            intervals: Vec::new(),
+        };
+        let case = Case {
+            number: 0,
+            plant: String::new(),
+            kind,
+            hidden: hidden.iter().map(hide).collect(),
+            size: 3.0,
+            correlation: 0.0,
+        };
+        judge(&case, &Said { verdict, findings: findings.iter().map(name).collect() }).judged
+    }
+
+    #[test]
+    fn what_is_said_is_held_against_the_truth() {
+        let one = |verdict, findings: &[&[&str]]| judged(Kind::One, &["lag"], verdict, findings);
+        assert_eq!(one(Verdict::Named, &[&["lag"]]), Judged::Right);
+        assert_eq!(one(Verdict::Tie, &[&["delay", "lag", "store"]]), Judged::Right);
+        assert_eq!(one(Verdict::Tie, &[&["delay", "lag", "store", "memory"]]), Judged::Wide);
+        assert_eq!(one(Verdict::Named, &[&["lag"], &["backlash"]]), Judged::AndMore);
+        assert_eq!(one(Verdict::Named, &[&["backlash"]]), Judged::Wrong);
+        assert_eq!(one(Verdict::Unknown, &[&["lag"]]), Judged::Resembling);
+        assert_eq!(one(Verdict::NothingMissing, &[]), Judged::Untold);
+        let two = |findings: &[&[&str]]| judged(Kind::Two, &["lag", "stop"], Verdict::Named, findings);
+        assert_eq!(two(&[&["stop"], &["lag"]]), Judged::Right);
+        assert_eq!(two(&[&["stop", "lag"], &["lag"]]), Judged::Right);
+        assert_eq!(two(&[&["stop", "lag"]]), Judged::Half);
+        assert_eq!(two(&[&["stop"], &["backlash"]]), Judged::Wrong);
+        assert_eq!(judged(Kind::Outside, &[], Verdict::Unknown, &[&["lag"]]), Judged::Right);
+        assert_eq!(judged(Kind::None, &[], Verdict::Tie, &[&["lag", "stop"]]), Judged::Wrong);
+    }
+}
