@@ -52,12 +52,13 @@ pub fn beginning(
     }
     let bounds = Bounds { given, avoids: Some(began), is_over: &|_| false };
     let mut found = walk::search(bench, separate, first.base.clone(), &bounds, progress).ok()?;
-    backward::stand(bench, separate, &mut found);
+    found.without = backward::each(bench, &found);
     for i in 0..found.taken.len() {
         if found.taken.len() > 1 && !is_over(bench) {
             replace(bench, separate, &mut found, (i, progress));
         }
     }
+    backward::stand(bench, separate, &mut found);
     beside::settle(bench, separate, &mut found, progress);
     (found.worth(&first.scale) > first.worth(&first.scale) + SURELY).then_some(found)
 }

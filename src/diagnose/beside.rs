@@ -147,7 +147,12 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     let scale = &found.scale;
     let by = By::Likelihood(Measure::of(base, scale).likelihood);
     let against = Against { squares: scale.squares(base), by, scale };
-    Some(race::run(bench, &view, &given, &chosen, against, progress))
+    // a special case never fits better than what it is a case of, and so would not end a race with it
+    let is_case = |s: &&Screened| case.is_some_and(|(code, _)| code == s.proposal.code);
+    let (cases, rest): (Vec<&Screened>, Vec<&Screened>) = chosen.into_iter().partition(is_case);
+    let alone = cases.iter().map(std::slice::from_ref);
+    let fields = std::iter::once(&rest[..]).chain(alone);
+    Some(fields.flat_map(|field| race::run(bench, &view, &given, field, against, progress)).collect())
 }
 
 /// A fit whose model has nothing left of a finding that does nothing in it.

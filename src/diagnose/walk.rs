@@ -12,7 +12,9 @@
 //! Of two effects the one may hide the other from the likelihood: what the second leaves has a colour that would
 //! follow the first as well. So where something is missing for sure, nothing stands by itself, and one extension takes
 //! most of the error of blocks left out and is no less likely, it is added on trial. If a second then stands beside it,
-//! and both together against the model without either, both are taken; else it is as if there had been no trial.
+//! and both together against the model without either, both are taken; else it is as if there had been no trial. Beside
+//! findings that gain much an extension that gains little is added so too; what is found with it must leave nothing, for
+//! beside a law that is not quite the right one any law gains a little.
 //!
 //! # References
 //! N. R. Kristensen, H. Madsen, S. B. Jorgensen, Computers & Chemical Engineering 28 (2004) 1431;
@@ -51,6 +53,8 @@ struct Walk<'a> {
     taken: Vec<Taken>,
     first: Option<Screening>,
     trial: Option<Trial>,
+    /// Where the search stood when it took what gains little.
+    before_small: Option<Trial>,
     /// A law that it does not begin with, nor with its look-alikes.
     avoids: Option<&'a Proposal>,
 }
@@ -61,6 +65,8 @@ struct Trial {
     now: Measure,
     scale: Scale,
     current: Fit,
+    taken: usize,
+    is_small: bool,
 }
 
 /// How a search begins and ends.
@@ -96,6 +102,7 @@ pub fn search(
         taken: Vec::new(),
         first: None,
         trial: None,
+        before_small: None,
         avoids: bounds.avoids,
     };
     loop {
@@ -107,7 +114,12 @@ pub fn search(
                 return Ok(walk.ends(Round::nothing(), &now));
             }
         } else if let Some(trial) = walk.trial.take() {
-            return Ok(walk.returns(trial));
+            let leaves_nothing = round.screening.p_value >= choose::CHANCE;
+            return Ok(if trial.is_small && leaves_nothing {
+                walk.ends(round, &now)
+            } else {
+                walk.returns(trial)
+            });
         } else if let Some((i, next)) = walk.hopeful(&round, &now) {
             walk.tries(round, i, next, now);
         } else {
@@ -156,8 +168,10 @@ impl Walk<'_> {
         if let (Some(chance), Some(first)) = (joint, self.taken.last_mut()) {
             first.p_value = chance;
         }
-        if let Some(trial) = self.trial.take() {
-            self.first.get_or_insert(trial.round.screening);
+        match self.trial.take() {
+            Some(trial) if trial.is_small => self.before_small = Some(trial),
+            Some(trial) => drop(self.first.get_or_insert(trial.round.screening)),
+            None => {}
         }
         self.adds(r, next, now);
         if let Some(last) = self.taken.last_mut() {
@@ -188,29 +202,43 @@ impl Walk<'_> {
         if !is_sure || self.bench.is_trials() || self.taken.len() + 1 >= MOST || is_over(self.bench) {
             return None;
         }
+        let beside = !self.taken.is_empty() && self.before_small.is_none();
         let is_hopeful = |r: &Refitted| {
             let as_likely = r.measure.likelihood > now.likelihood - choose::TIE;
-            gain(now, &r.measure) > TRIAL && as_likely && !r.is_pressed() && !r.is_cut
+            let is_large = gain(now, &r.measure) > TRIAL && as_likely;
+            (is_large || beside && is_small(r, now)) && !r.is_pressed() && !r.is_cut
         };
         let i = round.fitted.iter().position(is_hopeful)?;
         Some((i, ahead(self.bench, self.separate, &round.fitted[i].fit)?))
     }
 
     fn tries(&mut self, round: Round, i: usize, next: View, now: Measure) {
-        let current = self.current.clone();
-        self.adds(round.fitted[i].clone(), next, &now);
+        let (current, taken) = (self.current.clone(), self.taken.len());
+        let r = round.fitted[i].clone();
+        let least = choose::RIVAL * gain(&now, &r.measure);
+        let is_small = taken > 0 && is_small(&r, &now);
+        self.adds(r, next, &now);
+        let rivals =
+            round.fitted.iter().enumerate().filter(|(k, r)| *k != i && gain(&now, &r.measure) > least);
+        if let Some(last) = self.taken.last_mut().filter(|_| is_small) {
+            last.others = rivals.map(|(_, r)| r.proposal.clone()).collect();
+        }
         let scale = Scale::of(&current, self.bench.is_trials());
-        self.trial = Some(Trial { round, now, scale, current });
+        self.trial = Some(Trial { round, now, scale, current, taken, is_small });
     }
 
     /// Ends where the trial began.
     fn returns(mut self, trial: Trial) -> Found {
-        self.taken.pop();
+        self.taken.truncate(trial.taken);
         self.current = trial.current;
         self.ends(trial.round, &trial.now)
     }
 
-    fn ends(self, round: Round, now: &Measure) -> Found {
+    fn ends(mut self, round: Round, now: &Measure) -> Found {
+        let leaves_more = round.screening.p_value < choose::CHANCE;
+        if let Some(before) = self.before_small.take().filter(|_| leaves_more) {
+            return self.returns(before);
+        }
         let is_trace = self.taken.is_empty() && choose::is_trace(&round, now);
         let small = if self.taken.is_empty() { None } else { small::told(&round, now) };
         let rest = round.screening;
@@ -238,6 +266,12 @@ impl Walk<'_> {
             is_trace,
         }
     }
+}
+
+/// Whether an extension surely gains, though less than a further finding must.
+fn is_small(r: &Refitted, now: &Measure) -> bool {
+    let fall = gain(now, &r.measure);
+    r.p_value < choose::CHANCE && (choose::MUCH..r.floor).contains(&fall)
 }
 
 /// The best extension of a round, with what the next one sees of it. Those that cannot be run, there or over

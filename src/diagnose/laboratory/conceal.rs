@@ -45,7 +45,7 @@ pub fn conceal(
             Some(_) => scale * rng.random_range(0.5..0.8),
             None => rng.random_range(0.9..1.1),
         };
-        let value = start[i] * factor;
+        let value = (start[i] * factor).clamp(p.limits[i].0, p.limits[i].1);
         hidden.values.push((a.name.clone(), a.unit.difference_from_si(value)));
         if let Some(q) = p.model.parameters.iter_mut().find(|q| q.name == a.name) {
             q.value = value;

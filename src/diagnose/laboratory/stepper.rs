@@ -5,7 +5,7 @@
 //!
 //! # Method
 //! Expressions are walked as trees; the explicit midpoint rule takes many small steps a sample; parts
-//! with memory are moved once a step. The simulator compiles its expressions, takes Runge-Kutta steps
+//! with memory are moved once a step, a lag as its input runs straight over the step. The simulator compiles its expressions, takes Runge-Kutta steps
 //! and stops at events.
 //!
 //! # References
@@ -25,10 +25,18 @@ pub struct Stepper<'a> {
     inputs: Vec<&'a Channel>,
     parameters: BTreeMap<&'a str, f64>,
     states: Vec<f64>,
-    memory: Vec<Option<f64>>,
-    next: Vec<Option<f64>>,
+    memory: Vec<Option<Memory>>,
+    next: Vec<Option<Memory>>,
     cell: usize,
-    step: f64,
+    /// Time since the memories were moved, s.
+    since: f64,
+}
+
+/// What a part with memory holds, and what it was given, when it was moved.
+#[derive(Clone, Copy)]
+struct Memory {
+    value: f64,
+    given: f64,
 }
 
 impl<'a> Stepper<'a> {
@@ -42,7 +50,7 @@ impl<'a> Stepper<'a> {
             memory: Vec::new(),
             next: Vec::new(),
             cell: 0,
-            step: 0.0,
+            since: 0.0,
             model,
             inputs,
         })
@@ -59,6 +67,9 @@ impl<'a> Stepper<'a> {
                 }
             }
             let (values, _) = self.look(*t);
+            if k == 0 {
+                self.memory.clone_from(&self.next);
+            }
             for (o, v) in out.iter_mut().zip(values) {
                 o.push(v);
             }
@@ -68,17 +79,22 @@ impl<'a> Stepper<'a> {
 
     /// x ← x + h f(t + h/2, x + h/2 f(t, x))
     fn advance(&mut self, t: f64, h: f64) {
-        self.step = h;
         let old = self.states.clone();
         let (_, first) = self.look(t);
         for ((x, x0), f) in self.states.iter_mut().zip(&old).zip(&first) {
             *x = x0 + 0.5 * h * f;
         }
+        self.since = 0.5 * h;
         let (_, middle) = self.look(t + 0.5 * h);
         for ((x, x0), f) in self.states.iter_mut().zip(&old).zip(&middle) {
             *x = x0 + h * f;
         }
-        self.memory.clone_from(&self.next);
+        if !self.memory.is_empty() {
+            self.since = h;
+            self.look(t + h);
+            self.memory.clone_from(&self.next);
+        }
+        self.since = 0.0;
     }
 
     /// Outputs and rates; what the memories would become is kept aside.
@@ -141,10 +157,10 @@ impl<'a> Stepper<'a> {
         self.memory.resize(self.memory.len().max(cell + 1), None);
         self.next.resize(self.next.len().max(cell + 1), None);
         let start = if f == Function::Relay { 0.0 } else { x[0] };
-        let old = self.memory[cell].unwrap_or(start);
+        let Memory { value: old, given } = self.memory[cell].unwrap_or(Memory { value: start, given: x[0] });
         let (new, value) = match f {
             Function::Lag => {
-                let new = if x[1] > 0.0 { x[0] + (old - x[0]) * (-self.step / x[1]).exp() } else { x[0] };
+                let new = lagged(old, [given, x[0]], x[1], self.since);
                 (new, new)
             }
             Function::Backlash | Function::Hysteresis => {
@@ -152,7 +168,7 @@ impl<'a> Stepper<'a> {
                 (new, if f == Function::Backlash { new } else { x[0] - new })
             }
             Function::RateLimit => {
-                let most = x[1].abs() * self.step;
+                let most = x[1].abs() * self.since;
                 let new = old + (x[0] - old).clamp(-most, most);
                 (new, new)
             }
@@ -161,9 +177,25 @@ impl<'a> Stepper<'a> {
                 (new, new)
             }
         };
-        self.next[cell] = Some(new);
+        self.next[cell] = Some(Memory { value: new, given: x[0] });
         value
     }
+}
+
+/// T y' = u - y after a time s, of an input that runs straight from u0 to u1 = u0 + r s:
+///
+/// ```text
+///     y = u1 - r T + (y0 - u0 + r T) exp(-s/T)
+/// ```
+fn lagged(old: f64, [from, to]: [f64; 2], lag: f64, since: f64) -> f64 {
+    if lag <= 0.0 {
+        return to;
+    }
+    if since <= 0.0 {
+        return old;
+    }
+    let behind = lag * (to - from) / since;
+    to - behind + (old - from + behind) * (-since / lag).exp()
 }
 
 /// An input on the line between its samples, held at its ends.
@@ -198,5 +230,25 @@ fn plain(f: Function, x: &[f64]) -> f64 {
         Function::Clamp => x[0].max(x[1]).min(x[2]),
         Function::Curve | Function::Surface(..) => f.of(x),
         _ => f64::NAN,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::units::Unit;
+
+    /// T y' = t - y from rest is y = t - T (1 - exp(-t/T)).
+    #[test]
+    fn a_lag_of_a_ramp_is_the_closed_form() {
+        let text = "name = 'm'\n[inputs]\nu = { unit = '1' }\n[parameters]\nT = { value = 2.5, unit = 's' }\n[outputs]\ny = { equals = 'lag(u, T)', unit = '1' }";
+        let model = Model::parse(text).unwrap();
+        let times: Vec<f64> = (0..20).map(f64::from).collect();
+        let ramp = Channel::new("u", Unit::one(), times.clone(), times.clone());
+        let recording = Recording::from_channels("r", vec![ramp]).unwrap();
+        let y = Stepper::new(&model, &recording).unwrap().outputs(&times);
+        for (t, y) in times.iter().zip(&y[0]) {
+            assert!((y - (t - 2.5 * (1.0 - (-t / 2.5).exp()))).abs() < 1e-9, "{t} {y}");
+        }
     }
 }

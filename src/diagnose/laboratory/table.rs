@@ -34,6 +34,9 @@ fn of<'a>(pairs: &[Pair<'a>], kind: Kind) -> Vec<Pair<'a>> {
 
 fn nothing(pairs: &[Pair]) -> String {
     let own = of(pairs, Kind::None);
+    if own.is_empty() {
+        return String::new();
+    }
     let count = |verdict: Verdict| own.iter().filter(|(_, o)| o.verdict == verdict).count();
     let alarms = |all: &[Pair]| all.iter().filter(|(_, o)| o.judged == Judged::Wrong).count();
     let mut text = String::new();
@@ -59,6 +62,9 @@ fn effects(title: &str, own: &[Pair]) -> String {
         (Judged::Resembling, "unknown that resembles it"),
         (Judged::Untold, "nothing named"),
     ];
+    if own.is_empty() {
+        return String::new();
+    }
     let mut text = format!("\n{title:<35}");
     SIZES.iter().for_each(|size| text += &format!("{:<14}", format!("{size} times")));
     text += "all\n";
@@ -75,6 +81,9 @@ fn effects(title: &str, own: &[Pair]) -> String {
 }
 
 fn outside(own: &[Pair]) -> String {
+    if own.is_empty() {
+        return String::new();
+    }
     let count = |of: &dyn Fn(&Outcome) -> bool| share(own.iter().filter(|(_, o)| of(o)).count(), own.len());
     let unknown = count(&|o: &Outcome| o.verdict == Verdict::Unknown);
     let wrong = count(&|o: &Outcome| o.judged == Judged::Wrong);
@@ -100,12 +109,16 @@ fn findings(pairs: &[Pair]) -> String {
 
 /// How many cases with one effect were named right, a line a name, by their size.
 fn rows(title: &str, pairs: &[Pair], name: fn(&Case) -> &str) -> String {
+    let own = of(pairs, Kind::One);
+    if own.is_empty() {
+        return String::new();
+    }
     let mut text = format!("\n{title:<35}");
     SIZES.iter().for_each(|size| text += &format!("{:<10}", format!("{size} times")));
     text.truncate(text.trim_end().len());
     text.push('\n');
     let mut by_name: BTreeMap<&str, [(usize, usize); SIZES.len()]> = BTreeMap::new();
-    for (c, o) in of(pairs, Kind::One) {
+    for (c, o) in own {
         let column = SIZES.iter().position(|s| *s == c.size).unwrap_or(0);
         let cell = &mut by_name.entry(name(c)).or_default()[column];
         cell.1 += 1;
