@@ -1,4 +1,4 @@
-//! The same change of other parameters, fitted beside the likeliest.
+//! The same law of other parameters and at other places, fitted beside the likeliest.
 //!
 //! # Purpose
 //! Few proposals of one code are fitted, and none that moves the outputs as another does to first order. That is no
@@ -6,7 +6,9 @@
 //!
 //! # Method
 //! Where the likeliest of a round is a law of a parameter, those of the same law at other parameters whose score is
-//! of its size are fitted too, and the same parameter with another form of the law. Whether they fit as well is then told by their likelihoods.
+//! of its size are fitted too, and the same parameter with another form of the law; where it is none of a parameter, the
+//! same law at other places whose score is the same but for a little. Whether they fit as well is then told by their
+//! likelihoods.
 //! Where a law has a finer form, such as friction that turns over within a range of speeds, or one of which it is the special
 //! case has, that is fitted too: what the coarse one leaves would be taken for something else.
 
@@ -19,25 +21,26 @@ use super::view::View;
 
 /// Share of its score from which on another is fitted too.
 const NEAR: f64 = 0.5;
+/// The same for a law at another place that is no parameter.
+const NEARLY: f64 = 0.9;
 /// How many at most.
 const MOST: usize = 9;
 
 /// The proposals that may be twins of the likeliest of those fitted, and were not fitted.
 pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Screened> {
     let Some(best) = likeliest(fitted) else { return Vec::new() };
-    if best.site.kind != SiteKind::Parameter {
-        return Vec::new();
-    }
+    let is_change = best.site.kind == SiteKind::Parameter;
     let is = |a: &Proposal, b: &Proposal| {
         a.code == b.code && a.site == b.site && a.depends == b.depends && a.term == b.term
     };
     let own = screening.screened.iter().find(|s| is(&s.proposal, best)).map_or(0.0, |s| s.score.chi2);
     let alike = |s: &&Screened| {
         let p = &s.proposal;
-        p.code == best.code
-            && p.depends == best.depends
-            && s.score.chi2 >= NEAR * own
-            && !fitted.iter().any(|r| is(&r.proposal, p))
+        let may_be = match is_change {
+            true => p.depends == best.depends && s.score.chi2 >= NEAR * own,
+            false => p.site != best.site && s.score.chi2 >= NEARLY * own,
+        };
+        p.code == best.code && may_be && !fitted.iter().any(|r| is(&r.proposal, p))
     };
     screening.screened.iter().filter(alike).take(MOST).collect()
 }
