@@ -90,11 +90,11 @@ fn made(call: &Call, folder: &Path, truth: &Path) -> Result<String> {
         };
         write(truth, &laboratory::make(&scenario, folder, &draw, &Meter)?)?;
     }
-    std::fs::read(truth).map(sealed).map_err(|e| Error::io(truth, &e))
+    std::fs::read(truth).map(|text| sealed(&text)).map_err(|e| Error::io(truth, &e))
 }
 
-fn sealed(text: Vec<u8>) -> String {
-    Sha256::digest(&text).iter().map(|b| format!("{b:02x}")).collect()
+fn sealed(text: &[u8]) -> String {
+    Sha256::digest(text).iter().map(|b| format!("{b:02x}")).collect()
 }
 
 /// The user's model, fitted, and recording; none where none is given.
@@ -174,7 +174,8 @@ const NOTED: &str = "call.json";
 
 fn noted(call: &Call) -> Result<serde_json::Value> {
     let held = |path: &Option<PathBuf>| -> Result<Option<String>> {
-        let read = |path: &PathBuf| std::fs::read(path).map(sealed).map_err(|e| Error::io(path, &e));
+        let read =
+            |path: &PathBuf| std::fs::read(path).map(|text| sealed(&text)).map_err(|e| Error::io(path, &e));
         path.as_ref().map(read).transpose()
     };
     let files = [held(&call.model)?, held(&call.recording)?];

@@ -23,12 +23,15 @@ use super::measure::{Measure, SURELY};
 use super::search::{self, Found, Round, State, Taken, is_over};
 use super::view::View;
 use super::walk::Bounds;
-use super::{backward, beside, walk};
+use super::{backward, beside, inert, walk};
 use crate::estimate::fit::Progress;
 use crate::record::Recording;
 
 /// Share of the fall of the held-out errors from which on one of several findings is no patch.
 const MOST: f64 = 2.0 / 3.0;
+
+/// How often each finding is asked: what is found in the place of one changes what stands for the others.
+const PASSES: usize = 2;
 
 /// Whether what was found may stand for something else: one loop of hysteresis for two laws; what surely leaves another
 /// law, be it one or several of which none explains most.
@@ -53,9 +56,15 @@ pub fn beginning(
     let bounds = Bounds { given, avoids: Some(began), is_over: &|_| false };
     let mut found = walk::search(bench, separate, first.base.clone(), &bounds, progress).ok()?;
     found.without = backward::each(bench, &found);
-    for i in 0..found.taken.len() {
-        if found.taken.len() > 1 && !is_over(bench) {
-            replace(bench, separate, &mut found, (i, progress));
+    for _ in 0..PASSES {
+        let mut is_other = false;
+        for i in 0..found.taken.len() {
+            if i < found.taken.len() && found.taken.len() > 1 && !is_over(bench) {
+                is_other |= replace(bench, separate, &mut found, (i, progress)).is_some();
+            }
+        }
+        if !is_other {
+            break;
         }
     }
     backward::stand(bench, separate, &mut found);
@@ -75,24 +84,31 @@ pub fn is_better(first: &Answer, other: &Answer) -> bool {
 }
 
 /// Puts the likeliest in the place of a finding, beside the others, where that is worth more.
-fn replace(bench: &Bench, separate: &[Recording], found: &mut Found, (i, progress): (usize, &dyn Progress)) {
-    let Some((round, choice)) = asked(bench, found, i, progress) else { return };
+fn replace(
+    bench: &Bench,
+    separate: &[Recording],
+    found: &mut Found,
+    (i, progress): (usize, &dyn Progress),
+) -> Option<()> {
+    let (round, choice) = asked(bench, found, i, progress)?;
     let Choice { best, ties, elsewhere, .. } = choice;
     let r = &round.fitted[best];
     let now = worth_of(&found.taken[i].proposal, &Measure::of(&found.last, &found.scale));
     let is_better = worth_of(&r.proposal, &Measure::of(&r.fit, &found.scale)) > now + TIE;
     if !is_better || search::ahead(bench, separate, &r.fit).is_none() {
-        return;
+        return None;
     }
     let (proposal, p_value, tried) = (r.proposal.clone(), r.p_value, r.tried);
     let taken = Taken { proposal, p_value, tried, ties, elsewhere, others: Vec::new(), rivals: None };
     found.replaces(i, taken, r.fit.clone());
     backward::stand(bench, separate, found);
+    Some(())
 }
 
 /// What a round chooses in the model without a finding.
 fn asked(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Option<(Round, Choice)> {
-    let (base, _) = found.without.get(i)?.as_ref()?;
+    let (with, _) = found.without.get(i)?.as_ref()?;
+    let base = &inert::bare(with, bench.own_parameters);
     let view = View::of(bench, base).ok()?;
     let now = Measure::of(base, &found.scale);
     let others: Vec<Taken> =

@@ -20,7 +20,7 @@ use super::propose::{Screened, explaining};
 use super::race::{self, Against, By, Finished};
 use super::search::{Found, Taken, is_over, is_pressed};
 use super::view::View;
-use crate::estimate::fit::{Fit, Progress};
+use crate::estimate::fit::Progress;
 use crate::record::Recording;
 
 /// Mechanisms, and what each is where one of its parameters is 0.
@@ -111,7 +111,7 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
         return None;
     }
     // what the finding has left of itself would forbid what acts in its place
-    let base = &bare(with, bench.own_parameters);
+    let base = &inert::bare(with, bench.own_parameters);
     let view = View::of(bench, base).ok()?;
     let scene = bench.scene(&base.model, &view.stand).ok()?;
     // a law of the same signals and the same parameter, whatever its own parameters are called
@@ -153,12 +153,4 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     let alone = cases.iter().map(std::slice::from_ref);
     let fields = std::iter::once(&rest[..]).chain(alone);
     Some(fields.flat_map(|field| race::run(bench, &view, &given, field, against, progress)).collect())
-}
-
-/// A fit whose model has nothing left of a finding that does nothing in it.
-fn bare(with: &Fit, own: usize) -> Fit {
-    let model = inert::tidied(with.model.clone(), own);
-    let stays = |name: &String| model.parameters.iter().any(|p| p.name == *name);
-    let parameters = with.parameters.iter().filter(|p| stays(&p.name)).cloned().collect();
-    Fit { model, parameters, ..with.clone() }
 }

@@ -2,6 +2,7 @@
 
 use super::catalogue::{Proposal, edit, free_law};
 use super::search::Taken;
+use crate::estimate::Fit;
 use crate::expression::{BinaryOp, Expr, Function};
 use crate::model::{Model, Parameter};
 use std::collections::{BTreeSet, HashMap};
@@ -79,6 +80,14 @@ pub fn tidied(mut model: Model, own: usize) -> Model {
     });
     model.parameters.retain(|p| is_own.contains(&p.name) || p.fit || used.contains(&p.name));
     model
+}
+
+/// A fit whose model has nothing left of a finding that does nothing in it.
+pub fn bare(with: &Fit, own: usize) -> Fit {
+    let model = tidied(with.model.clone(), own);
+    let stays = |name: &String| model.parameters.iter().any(|p| p.name == *name);
+    let parameters = with.parameters.iter().filter(|p| stays(&p.name)).cloned().collect();
+    Fit { model, parameters, ..with.clone() }
 }
 
 /// A sum, product or quotient with one of some names, which are 0, as a part of it; anything else as it is.

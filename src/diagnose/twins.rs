@@ -36,9 +36,10 @@ pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Scree
     let own = screening.screened.iter().find(|s| is(&s.proposal, best)).map_or(0.0, |s| s.score.chi2);
     let alike = |s: &&Screened| {
         let p = &s.proposal;
-        let may_be = match is_change {
-            true => p.depends == best.depends && s.score.chi2 >= NEAR * own,
-            false => p.site != best.site && s.score.chi2 >= NEARLY * own,
+        let may_be = if is_change {
+            p.depends == best.depends && s.score.chi2 >= NEAR * own
+        } else {
+            p.site != best.site && s.score.chi2 >= NEARLY * own
         };
         p.code == best.code && may_be && !fitted.iter().any(|r| is(&r.proposal, p))
     };

@@ -66,7 +66,7 @@ fn effects(title: &str, own: &[Pair]) -> String {
         return String::new();
     }
     let mut text = format!("\n{title:<35}");
-    SIZES.iter().for_each(|size| text += &format!("{:<14}", format!("{size} times")));
+    text.extend(SIZES.map(|size| format!("{:<14}", format!("{size} times"))));
     text += "all\n";
     for (judged, name) in lines {
         let cell = |of: &dyn Fn(&Case) -> bool| {
@@ -103,7 +103,7 @@ fn findings(pairs: &[Pair]) -> String {
         ("    95 % intervals hold the truth", hold(|o| &o.covered)),
     ];
     let mut text = String::from("\n");
-    lines.iter().for_each(|(name, value)| text += &format!("{name:<35}{value}\n"));
+    text.extend(lines.map(|(name, value)| format!("{name:<35}{value}\n")));
     text
 }
 
@@ -114,7 +114,7 @@ fn rows(title: &str, pairs: &[Pair], name: fn(&Case) -> &str) -> String {
         return String::new();
     }
     let mut text = format!("\n{title:<35}");
-    SIZES.iter().for_each(|size| text += &format!("{:<10}", format!("{size} times")));
+    text.extend(SIZES.map(|size| format!("{:<10}", format!("{size} times"))));
     text.truncate(text.trim_end().len());
     text.push('\n');
     let mut by_name: BTreeMap<&str, [(usize, usize); SIZES.len()]> = BTreeMap::new();
