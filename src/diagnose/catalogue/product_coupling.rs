@@ -106,7 +106,8 @@ fn turned<'s>(scene: &'s Scene, m: &Motion) -> Vec<(&'s Signal, &'s Signal)> {
         return Vec::new();
     }
     let is_unused = |c: &&Signal| rate.is_some_and(|r| !edit::reaches(scene.model, r, &c.name));
-    let channels = scene.moving(&[SignalKind::Channel]).filter(|c| c.mean.abs() < c.spread && !c.is_heading());
+    let channels =
+        scene.moving(&[SignalKind::Channel]).filter(|c| c.mean.abs() < c.spread && !c.is_heading());
     channels.filter(is_unused).map(|c| (own, c)).collect()
 }
 
