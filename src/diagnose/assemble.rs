@@ -31,8 +31,9 @@ const TAKEN_UP: f64 = 0.01;
 const VISIBLE: usize = 12;
 /// Standard deviations from which on an effect would have been named.
 const SEEN: f64 = 4.5;
-/// Sizes beyond so many times the term that an effect stands beside are not told.
-const FAR: f64 = 3.0;
+/// Sizes of so many times the term that an effect stands beside are told: what is larger is no such thing any more, and what
+/// is smaller has run away in a form that grows without bounds.
+const TOLD: std::ops::Range<f64> = 1e-9..3.0;
 
 /// Everything that the answer is made of.
 pub struct Assembly<'a> {
@@ -335,8 +336,7 @@ impl Assembly<'_> {
             }
             let a = &p.added[p.amplitudes[0]];
             let deviation = s.score.weights[0].abs() / s.score.chi2.sqrt();
-            // Far beyond the size of the term that it stands beside it is no such thing any more.
-            if SEEN * deviation > FAR * s.start[p.amplitudes[0]].abs() {
+            if !TOLD.contains(&(SEEN * deviation / s.start[p.amplitudes[0]].abs())) {
                 continue;
             }
             visible.push(Visible {

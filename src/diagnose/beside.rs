@@ -23,12 +23,13 @@ use super::view::View;
 use crate::estimate::fit::Progress;
 use crate::record::Recording;
 
-/// Mechanisms, and what each is where one of its parameters is 0.
-pub const CASES: [(&str, &str); 4] = [
+/// Mechanisms, and what each is where one of its parameters is 0, or what it follows while something else is missing.
+pub const CASES: [(&str, &str); 5] = [
     ("drift-force", "constant-force"),
     ("output-drift", "output-offset"),
     ("asymmetric-friction", "dry-friction"),
     ("stribeck-friction", "dry-friction"),
+    ("saturable-rate", "dry-friction"),
 ];
 
 /// Others that are fitted in the place of a finding, at most.

@@ -23,7 +23,7 @@ use super::answer::{DataFault, Evidence, Finding, INPUT_HOLD, SiteName};
 use super::backward::without;
 use super::bench::{self, Bench, Stand};
 use super::catalogue::{self, Proposal, SiteKind};
-use super::choose::{CHANCE, TIE};
+use super::choose::{CHANCE, TIE, worth_of};
 use super::compared::{anew, same_tracks};
 use super::feedback;
 use super::measure::{Measure, Scale};
@@ -227,7 +227,7 @@ pub fn in_place_of_findings(bench: &mut Bench, separate: &mut [Recording], found
         read_held(&mut other.recordings, &names);
         let (Some(held), Some(straight)) = (without(&other), without(bench)) else { continue };
         let [held, straight] = [held, straight].map(|fit| Measure::of(&fit, &scale));
-        if held.likelihood < last.likelihood - TIE {
+        if held.likelihood < worth_of(&t.proposal, &last) - TIE {
             continue;
         }
         read_held(&mut bench.recordings, &names);

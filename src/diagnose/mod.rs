@@ -367,6 +367,11 @@ impl Case<'_> {
             self.told.push(misread.fault);
             (self.model, base) = (misread.model, misread.fit);
             self.bench.budget.renew();
+        } else if let Some(odd) = faults::odd(&self.bench, &self.model, &base) {
+            odd.mend(&mut self.bench.recordings);
+            self.told.push(odd.fault);
+            base = odd.fit;
+            self.bench.budget.renew();
         }
         self.bench.budget.begin("gaps");
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;

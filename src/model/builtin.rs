@@ -16,9 +16,14 @@ pub const BUILTIN: [(&str, &str); 5] = [
 pub(super) fn text(name: &str) -> Result<&'static str> {
     BUILTIN.iter().find(|(n, _)| *n == name).map(|(_, text)| *text).ok_or_else(|| {
         let e = Error::bad_input(format!("there is no built-in model {name:?}"));
-        match nearest(name, BUILTIN.iter().map(|(n, _)| *n)) {
+        match near(name) {
             Some(near) => e.with_hint(format!("the nearest is {near}; `gyrospec models` lists them all")),
             None => e.with_hint("`gyrospec models` lists them all"),
         }
     })
+}
+
+/// The name of the built-in model that is nearest to a word, if one is near.
+pub(super) fn near(word: &str) -> Option<&'static str> {
+    nearest(word, BUILTIN.iter().map(|(name, _)| *name))
 }

@@ -37,9 +37,15 @@ impl Model {
             return mockup::read_whole(path);
         }
         let builtin = path.to_str().filter(|_| !path.exists()).and_then(|name| builtin::text(name).ok());
+        let misspelt = |e: Error| match path.to_str().filter(|_| !path.exists()).and_then(builtin::near) {
+            Some(name) => {
+                e.with_hint(format!("the built-in model is {name}; `gyrospec models` lists them all"))
+            }
+            None => e,
+        };
         let (text, source) = match builtin {
             Some(text) => (text.to_owned(), Source::of(path, text.as_bytes())),
-            None => read_text(path)?,
+            None => read_text(path).map_err(misspelt)?,
         };
         let folder = path.parent().filter(|_| path != Path::new("-"));
         let place = |e: Error| if e.file().is_some() { e } else { e.with_file(path) };

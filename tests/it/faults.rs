@@ -92,6 +92,35 @@ fn a_wrong_unit_is_mended_in_the_separate_record_too() {
     assert!(a.proof[0].improvement_low > 0.0, "{:?}", a.proof);
 }
 
+/// One recording of several in another unit, or from a sensor that was turned over there, is told and mended there alone.
+#[test]
+fn one_recording_of_several_that_is_read_otherwise_hides_no_name() {
+    let (model, whole) = recording(Some(FRICTION));
+    let cut = |from: usize, to: usize, name: &str| {
+        let part = |c: &Channel| {
+            Channel::new(&*c.name, c.unit.clone(), c.time[from..to].to_vec(), c.values[from..to].to_vec())
+        };
+        Recording::from_channels(name, whole.channels.iter().map(part).collect()).unwrap()
+    };
+    for (factor, code) in [(1e3, "wrong-unit"), (-1.0, "wrong-sign")] {
+        let mut recordings = [cut(0, 800, "first"), cut(800, 1600, "second"), cut(1600, 2500, "third")];
+        values(&mut recordings[1], "position").iter_mut().for_each(|q| *q *= factor);
+        let request = Request {
+            model: &model,
+            source: None,
+            recordings: &recordings,
+            separate: &[],
+            time_limit: None,
+            seed: 1,
+            progress: &Silent,
+        };
+        let a = diagnose(&request).unwrap().answer;
+        friction_is_named(&a);
+        assert_eq!(faults(&a), [(code, "position", true)]);
+        assert!(a.faults[0].finding.says.contains("“second” alone position"), "{:?}", a.faults);
+    }
+}
+
 /// What is commanded may rest, step and leap; lost samples of it still count.
 #[test]
 fn a_command_that_is_held_or_leaps_has_no_fault() {

@@ -110,6 +110,7 @@ mod transcript;
 mod tuned_rotor;
 mod turned_over;
 mod turning;
+mod two_effects;
 mod two_gyros;
 mod two_ways;
 mod wandering;

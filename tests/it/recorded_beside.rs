@@ -217,3 +217,41 @@ fn a_limit_of_a_force_beside_a_spring_that_hardens() {
     assert_eq!(names, ["cubic-stiffness", "input-saturation"], "{}", found.says);
     assert!(matches!(found.verdict, Verdict::Named | Verdict::Tie), "{}", found.says);
 }
+
+/// The beam of a gravimeter at sea, overdamped with 8 s; the acceleration along it is recorded.
+const BEAM: Plant<'_> = Plant {
+    step: 0.5,
+    start: &[0.004],
+    inputs: &[("up", "m/s^2"), ("along", "m/s^2")],
+    states: &[("beta", "rad")],
+    sizes: &[(0.0, 0.4), (0.0, 0.6)],
+    noise: 0.02,
+    measured: 1,
+};
+const BEAM_MODEL: &str = r#"
+    name = "beam"
+    [inputs]
+    up = { unit = "m/s^2" }
+    [parameters]
+    S = { value = 0.06, unit = "rad*s/m", fit = true, min = 0.001, max = 1 }
+    T = { value = 10.5, unit = "s", fit = true, min = 0.5, max = 200 }
+    b0 = { value = 0.001, unit = "rad", fit = true, min = -0.1, max = 0.1 }
+    [states]
+    beta = { rate = "S*up - (beta - b0)/T", unit = "rad", initial = "fit" }
+    [outputs]
+    beta_meas = { equals = "beta", unit = "rad" }
+"#;
+
+/// A product of a state with a channel that turns about 0 is no time constant that varies with it.
+#[test]
+fn the_cross_coupling_error_of_a_gravimeter_is_a_product() {
+    let of = |c: f64| {
+        BEAM.diagnosed(BEAM_MODEL, |x, u| vec![0.05 * u[0] - (x[0] - 0.0016) / 8.0 + c * x[0] * u[1]])
+    };
+    let found = of(0.06);
+    let names: Vec<&str> = found.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!((found.verdict, &names[..]), (Verdict::Named, &["product-coupling"][..]), "{}", found.says);
+    let [low, c, high] = value(&found, &found.findings[0].parameters[0].name);
+    assert!(low < c && c < high && (c - 0.06).abs() < 0.006, "{low} {c} {high}");
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}

@@ -16,9 +16,9 @@ use crate::units::{Unit, significant};
 use rayon::prelude::*;
 
 /// Share of an output's spread from which on a misfit is bad.
-const BADLY: f64 = 0.3;
+pub(super) const BADLY: f64 = 0.3;
 /// Share of that misfit that a mended channel may leave.
-const BETTER: f64 = 0.25;
+pub(super) const BETTER: f64 = 0.25;
 
 /// Factors between units that people confuse, with words.
 const FACTORS: [(f64, &str, &str); 12] = [
@@ -37,7 +37,7 @@ const FACTORS: [(f64, &str, &str); 12] = [
 ];
 
 /// Factors that a unit can be wrong by, and −1; those of angles hold for their rates too.
-fn factors(unit: &Unit) -> Vec<(f64, &'static str)> {
+pub(super) fn factors(unit: &Unit) -> Vec<(f64, &'static str)> {
     let own = |word: &str| {
         let is = |u: Unit| unit.dimension() == u.dimension();
         let rate = word == "rad" && Unit::parse("rad/s").is_ok_and(is);

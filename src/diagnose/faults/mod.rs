@@ -2,11 +2,13 @@
 
 mod left;
 mod misread;
+mod odd;
 mod strays;
 mod tell;
 
 pub use left::Left;
 pub use misread::misread;
+pub use odd::odd;
 pub use strays::strays;
 
 use super::Request;

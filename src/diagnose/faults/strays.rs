@@ -169,7 +169,8 @@ fn distance(e: &[f64], i: usize) -> f64 {
     let mut beside: Vec<f64> = around.filter(|j| *j != i).map(|j| e[j]).collect();
     beside.sort_unstable_by(f64::total_cmp);
     let n = beside.len();
-    if n <= BESIDE { 0.0 } else { e[i] - 0.5 * (beside[(n - 1) / 2] + beside[n / 2]) }
+    let is_last = i + 1 == e.len() && n == BESIDE;
+    if n <= BESIDE && !is_last { 0.0 } else { e[i] - 0.5 * (beside[(n - 1) / 2] + beside[n / 2]) }
 }
 
 /// Whether few in a row about a sample are as far off, and those before and after agree but for noise.
@@ -177,7 +178,12 @@ fn is_alone(e: &[f64], (distance, noise): (&[f64], f64), i: usize) -> bool {
     let far = |j: usize| distance[j].abs() > AS_FAR * distance[i].abs();
     let from = (0..i).rev().take_while(|j| far(*j)).count();
     let to = (i + 1..e.len()).take_while(|j| far(*j)).count();
-    let (Some(before), Some(after)) = ((i - from).checked_sub(1), e.get(i + to + 1)) else { return false };
+    let Some(before) = (i - from).checked_sub(1) else { return false };
+    let after = match e.get(i + to + 1) {
+        Some(after) => *after,
+        None if from + to == 0 && before > 0 => e[before - 1],
+        None => return false,
+    };
     from + to < IN_A_ROW && (e[before] - after).abs() < noise.max(AGREE.0 * distance[i].abs())
 }
 
@@ -203,8 +209,9 @@ mod tests {
         e[201] += 14.0;
         (300..).zip(&mut e[300..]).for_each(|(_, e)| *e += 15.0);
         (340..346).for_each(|i| e[i] += 15.0);
+        e[399] += 20.0;
         let line = Line::new(0, (0..400).map(f64::from).collect(), &e);
         let seen: Vec<usize> = (0..400).filter(|i| line.alone[*i] && line.distance[*i].abs() > 8.0).collect();
-        assert_eq!(seen, [100, 200, 201]);
+        assert_eq!(seen, [100, 200, 201, 399]);
     }
 }
