@@ -160,8 +160,7 @@ fn broken(e: &serde_json::Error) -> Error {
 
 fn read<T: DeserializeOwned>(path: &Path) -> Result<T> {
     let text = std::fs::read(path).map_err(|e| Error::io(path, &e))?;
-    serde_json::from_slice(&text)
-        .map_err(|e| Error::bad_input(format!("{}: {e}", crate::text::in_line(&path.display().to_string()))))
+    serde_json::from_slice(&text).map_err(|e| Error::bad_input(e.to_string()).with_file(path))
 }
 
 fn write(path: &Path, value: &impl Serialize) -> Result<()> {

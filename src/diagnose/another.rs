@@ -56,6 +56,7 @@ pub fn beginning(
     let bounds = Bounds { given, avoids: Some(began), is_over: &|_| false };
     let mut found = walk::search(bench, separate, first.base.clone(), &bounds, progress).ok()?;
     found.without = backward::each(bench, &found);
+    let mut stands = false;
     for _ in 0..PASSES {
         let mut is_other = false;
         for i in 0..found.taken.len() {
@@ -63,11 +64,15 @@ pub fn beginning(
                 is_other |= replace(bench, separate, &mut found, (i, progress)).is_some();
             }
         }
+        stands |= is_other;
         if !is_other {
             break;
         }
     }
-    backward::stand(bench, separate, &mut found);
+    // what was replaced stood its test then
+    if !stands {
+        backward::stand(bench, separate, &mut found);
+    }
     beside::settle(bench, separate, &mut found, progress);
     (found.worth(&first.scale) > first.worth(&first.scale) + SURELY).then_some(found)
 }

@@ -64,8 +64,8 @@ impl<'p> Inert<'p> {
 /// A model without the terms that parameters fixed at 0 have left of what was tried and dropped, nor these parameters; those of
 /// the given model, which stand first, stay.
 pub fn tidied(mut model: Model, own: usize) -> Model {
-    let is_own: BTreeSet<String> = model.parameters.iter().take(own).map(|p| p.name.clone()).collect();
-    let is_idle = |p: &Parameter| !p.fit && p.value == 0.0 && !is_own.contains(&p.name);
+    let given: BTreeSet<String> = model.parameters.iter().take(own).map(|p| p.name.clone()).collect();
+    let is_idle = |p: &Parameter| !p.fit && p.value == 0.0 && !given.contains(&p.name);
     let idle: Vec<String> = model.parameters.iter().filter(|p| is_idle(p)).map(|p| p.name.clone()).collect();
     let mut used = BTreeSet::new();
     edit::for_each(&mut model, |_, e| {
@@ -78,7 +78,7 @@ pub fn tidied(mut model: Model, own: usize) -> Model {
         }
         used.extend(e.names().into_iter().map(str::to_owned));
     });
-    model.parameters.retain(|p| is_own.contains(&p.name) || p.fit || used.contains(&p.name));
+    model.parameters.retain(|p| given.contains(&p.name) || p.fit || used.contains(&p.name));
     model
 }
 

@@ -361,16 +361,11 @@ impl Case<'_> {
     /// The search, with signs and units mended; with whether gaps of inputs leave too little to tell.
     fn searched(&mut self, mut base: Fit) -> Result<(Found, bool)> {
         self.bench.budget.begin("faults");
-        if let Some(misread) = faults::misread(&self.bench, &self.model.clone(), &base) {
-            misread.mend(&mut self.bench.recordings);
-            misread.mend(&mut self.separate);
+        let misread = faults::misread(&self.bench, &self.model, &base);
+        if let Some(misread) = misread.or_else(|| faults::odd(&self.bench, &self.model, &base)) {
+            misread.mend(&mut self.bench.recordings, &mut self.separate);
             self.told.push(misread.fault);
             (self.model, base) = (misread.model, misread.fit);
-            self.bench.budget.renew();
-        } else if let Some(odd) = faults::odd(&self.bench, &self.model, &base) {
-            odd.mend(&mut self.bench.recordings);
-            self.told.push(odd.fault);
-            base = odd.fit;
             self.bench.budget.renew();
         }
         self.bench.budget.begin("gaps");

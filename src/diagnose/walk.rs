@@ -65,7 +65,9 @@ struct Trial {
     now: Measure,
     scale: Scale,
     current: Fit,
+    /// How many were taken before.
     taken: usize,
+    /// Whether what is tried gains less than a further finding must.
     is_small: bool,
 }
 
@@ -202,21 +204,26 @@ impl Walk<'_> {
         if !is_sure || self.bench.is_trials() || self.taken.len() + 1 >= MOST || is_over(self.bench) {
             return None;
         }
-        let beside = !self.taken.is_empty() && self.before_small.is_none();
         let is_hopeful = |r: &Refitted| {
             let as_likely = r.measure.likelihood > now.likelihood - choose::TIE;
             let is_large = gain(now, &r.measure) > TRIAL && as_likely;
-            (is_large || beside && is_small(r, now)) && !r.is_pressed() && !r.is_cut
+            (is_large || self.is_small(r, now)) && !r.is_pressed() && !r.is_cut
         };
         let i = round.fitted.iter().position(is_hopeful)?;
         Some((i, ahead(self.bench, self.separate, &round.fitted[i].fit)?))
+    }
+
+    /// Whether an extension surely gains beside what was found, though less than a further finding must.
+    fn is_small(&self, r: &Refitted, now: &Measure) -> bool {
+        let fall = gain(now, &r.measure);
+        !self.taken.is_empty() && r.p_value < choose::CHANCE && (choose::MUCH..r.floor).contains(&fall)
     }
 
     fn tries(&mut self, round: Round, i: usize, next: View, now: Measure) {
         let (current, taken) = (self.current.clone(), self.taken.len());
         let r = round.fitted[i].clone();
         let least = choose::RIVAL * gain(&now, &r.measure);
-        let is_small = taken > 0 && is_small(&r, &now);
+        let is_small = self.is_small(&r, &now);
         self.adds(r, next, &now);
         let rivals =
             round.fitted.iter().enumerate().filter(|(k, r)| *k != i && gain(&now, &r.measure) > least);
@@ -266,12 +273,6 @@ impl Walk<'_> {
             is_trace,
         }
     }
-}
-
-/// Whether an extension surely gains, though less than a further finding must.
-fn is_small(r: &Refitted, now: &Measure) -> bool {
-    let fall = gain(now, &r.measure);
-    r.p_value < choose::CHANCE && (choose::MUCH..r.floor).contains(&fall)
 }
 
 /// The best extension of a round, with what the next one sees of it. Those that cannot be run, there or over

@@ -36,14 +36,14 @@ impl Model {
         if mockup::is_unit(path) {
             return mockup::read_whole(path);
         }
-        let builtin = path.to_str().filter(|_| !path.exists()).and_then(|name| builtin::text(name).ok());
-        let misspelt = |e: Error| match path.to_str().filter(|_| !path.exists()).and_then(builtin::near) {
+        let name = path.to_str().filter(|_| !path.exists());
+        let misspelt = |e: Error| match name.and_then(builtin::near) {
             Some(name) => {
                 e.with_hint(format!("the built-in model is {name}; `gyrospec models` lists them all"))
             }
             None => e,
         };
-        let (text, source) = match builtin {
+        let (text, source) = match name.and_then(|name| builtin::text(name).ok()) {
             Some(text) => (text.to_owned(), Source::of(path, text.as_bytes())),
             None => read_text(path).map_err(misspelt)?,
         };

@@ -7,6 +7,7 @@ use gyrospec::estimate::fit::Silent;
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Kind, Recording};
 use gyrospec::units::Unit;
+use std::ops::Range;
 
 const FRICTION: &str = "1.5*sign(v)";
 
@@ -20,6 +21,22 @@ fn faults(a: &Answer) -> Vec<(&str, &str, bool)> {
 
 fn values<'a>(recording: &'a mut Recording, name: &str) -> &'a mut Vec<f64> {
     &mut recording.channels.iter_mut().find(|c| c.name == name).unwrap().values
+}
+
+/// Some rows of a recording, as one of another name.
+fn cut(whole: &Recording, rows: Range<usize>, name: &str) -> Recording {
+    let part = |c: &Channel| {
+        let (time, values) = (c.time[rows.clone()].to_vec(), c.values[rows.clone()].to_vec());
+        Channel::new(&*c.name, c.unit.clone(), time, values)
+    };
+    Recording::from_channels(name, whole.channels.iter().map(part).collect()).unwrap()
+}
+
+/// The answer for several recordings and those that are held out whole.
+fn answered(model: &Model, recordings: &[Recording], separate: &[Recording]) -> Answer {
+    let progress = &Silent;
+    let request = Request { model, source: None, recordings, separate, time_limit: None, seed: 1, progress };
+    diagnose(&request).unwrap().answer
 }
 
 /// Repeats one value of the position for 3 s.
@@ -70,23 +87,8 @@ fn a_wrong_unit_is_mended_in_the_separate_record_too() {
     for q in values(&mut whole, "position") {
         *q *= 1e3;
     }
-    let cut = |from: usize, to: usize| {
-        let part = |c: &Channel| {
-            Channel::new(&*c.name, c.unit.clone(), c.time[from..to].to_vec(), c.values[from..to].to_vec())
-        };
-        Recording::from_channels("part", whole.channels.iter().map(part).collect()).unwrap()
-    };
-    let (recordings, separate) = ([cut(0, 1500)], [cut(1500, 2500)]);
-    let request = Request {
-        model: &model,
-        source: None,
-        recordings: &recordings,
-        separate: &separate,
-        time_limit: None,
-        seed: 1,
-        progress: &Silent,
-    };
-    let a = diagnose(&request).unwrap().answer;
+    let (recordings, separate) = ([cut(&whole, 0..1500, "part")], [cut(&whole, 1500..2500, "part")]);
+    let a = answered(&model, &recordings, &separate);
     friction_is_named(&a);
     assert_eq!(faults(&a), [("wrong-unit", "position", true)]);
     assert!(a.proof[0].improvement_low > 0.0, "{:?}", a.proof);
@@ -96,27 +98,13 @@ fn a_wrong_unit_is_mended_in_the_separate_record_too() {
 #[test]
 fn one_recording_of_several_that_is_read_otherwise_hides_no_name() {
     let (model, whole) = recording(Some(FRICTION));
-    let cut = |from: usize, to: usize, name: &str| {
-        let part = |c: &Channel| {
-            Channel::new(&*c.name, c.unit.clone(), c.time[from..to].to_vec(), c.values[from..to].to_vec())
-        };
-        Recording::from_channels(name, whole.channels.iter().map(part).collect()).unwrap()
-    };
     for (factor, code) in [(1e3, "wrong-unit"), (-1.0, "wrong-sign")] {
-        let mut recordings = [cut(0, 800, "first"), cut(800, 1600, "second"), cut(1600, 2500, "third")];
+        let mut recordings = [(0..800, "first"), (800..1600, "second"), (1600..2500, "third")]
+            .map(|(rows, name)| cut(&whole, rows, name));
         for q in values(&mut recordings[1], "position") {
             *q *= factor;
         }
-        let request = Request {
-            model: &model,
-            source: None,
-            recordings: &recordings,
-            separate: &[],
-            time_limit: None,
-            seed: 1,
-            progress: &Silent,
-        };
-        let a = diagnose(&request).unwrap().answer;
+        let a = answered(&model, &recordings, &[]);
         friction_is_named(&a);
         assert_eq!(faults(&a), [(code, "position", true)]);
         assert!(a.faults[0].finding.says.contains("“second” alone position"), "{:?}", a.faults);

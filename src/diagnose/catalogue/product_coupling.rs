@@ -52,7 +52,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         for (i, a) in signals.iter().enumerate() {
             all.extend(signals[i..].iter().flat_map(|b| acting(scene, &m, [a, b], &levers)));
         }
-        all.extend(turned(scene, &m).into_iter().flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
+        all.extend(scaled(scene, &m).into_iter().flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
         all.extend(turning(scene, &signals).flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
     }
     all.extend(gyroscopic(scene, &signals));
@@ -93,9 +93,9 @@ fn turning<'s>(scene: &'s Scene, signals: &'s [&Signal]) -> impl Iterator<Item =
     speeds.flat_map(move |s| channels.clone().into_iter().map(move |c| (s, c)))
 }
 
-/// What moves with recorded channels that turn about 0 and that the model does not use, where nothing fitted multiplies it:
-/// 1/T of a time constant may change its sign with a channel, T cannot, and where there is a factor that varies with it.
-fn turned<'s>(scene: &'s Scene, m: &Motion) -> Vec<(&'s Signal, &'s Signal)> {
+/// A state in its own rate with recorded channels that turn about 0 and that the model does not use. Where a fitted factor
+/// multiplies the state, that factor varies with the channel; a time constant T, which divides it, cannot change its sign.
+fn scaled<'s>(scene: &'s Scene, m: &Motion) -> Vec<(&'s Signal, &'s Signal)> {
     let Some(own) = scene.signal(&m.state).filter(|s| !edit::is_rate(&s.unit) && !s.is_heading()) else {
         return Vec::new();
     };

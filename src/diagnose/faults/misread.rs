@@ -37,7 +37,7 @@ const FACTORS: [(f64, &str, &str); 12] = [
 ];
 
 /// Factors that a unit can be wrong by, and −1; those of angles hold for their rates too.
-pub(super) fn factors(unit: &Unit) -> Vec<(f64, &'static str)> {
+fn factors(unit: &Unit) -> Vec<(f64, &'static str)> {
     let own = |word: &str| {
         let is = |u: Unit| unit.dimension() == u.dimension();
         let rate = word == "rad" && Unit::parse("rad/s").is_ok_and(is);
@@ -52,9 +52,11 @@ pub struct Misread {
     /// The fault.
     pub fault: DataFault,
     /// The channel, where it is one.
-    channel: Option<String>,
+    pub(super) channel: Option<String>,
+    /// The number of the fitted recording in which alone it is so; none where it is so in all.
+    pub(super) only: Option<usize>,
     /// What it is multiplied by.
-    factor: f64,
+    pub(super) factor: f64,
     /// The model as given, with what is its own mended.
     pub model: Model,
     /// The model fitted with it mended.
@@ -62,22 +64,24 @@ pub struct Misread {
 }
 
 impl Misread {
-    /// Mends recordings.
-    pub fn mend(&self, recordings: &mut [Recording]) {
-        if let Some(channel) = &self.channel {
-            scale(recordings, channel, self.factor);
+    /// Mends the fitted recordings and the separate ones.
+    pub fn mend(&self, recordings: &mut [Recording], separate: &mut [Recording]) {
+        let Some(channel) = &self.channel else { return };
+        match self.only {
+            Some(n) => scale(&mut recordings[n..=n], channel, self.factor),
+            None => [recordings, separate].into_iter().for_each(|all| scale(all, channel, self.factor)),
         }
     }
 }
 
-fn scale(recordings: &mut [Recording], channel: &str, factor: f64) {
+pub(super) fn scale(recordings: &mut [Recording], channel: &str, factor: f64) {
     let own = recordings.iter_mut().flat_map(|r| &mut r.channels).filter(|c| c.name == channel);
     own.for_each(|c| c.values.iter_mut().for_each(|v| *v *= factor));
 }
 
 /// What may be wrong by a factor; what is more likely so stands first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Part {
+pub(super) enum Part {
     /// A sensor is mounted the wrong way round more easily than a command is given so.
     Output,
     Input,
@@ -102,10 +106,10 @@ impl Part {
 
 /// A factor that something may be wrong by.
 #[derive(Clone, Copy)]
-struct Way<'m> {
-    name: &'m str,
-    part: Part,
-    factor: f64,
+pub(super) struct Way<'m> {
+    pub name: &'m str,
+    pub part: Part,
+    pub factor: f64,
     words: &'static str,
 }
 
@@ -169,13 +173,19 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     }
     stand.sort_by_key(|m| m.way.part);
     let first = stand.first()?;
-    let others: Vec<Way<'_>> = stand[1..].iter().map(|m| m.way).collect();
-    let fault = fault(first, &others, before);
+    let others: Vec<(Way<'_>, String)> = stand[1..].iter().map(|m| (m.way, wrong(&m.way))).collect();
+    let mut says = wrong(&first.way);
+    if !first.way.part.is_channel() {
+        let percent = |share: f64| significant(100.0 * share, 2);
+        let (before, then) = (percent(before), percent(first.misfit));
+        says += &format!(" (it misses {before} % of the output's spread as it stands, {then} % then)");
+    }
+    let fault = fault((first.way, says), &others);
     let Mend { way, model: mended, fit, .. } = stand.swap_remove(0);
     // A channel leaves the model as it was given.
     let model = if way.part.is_channel() { model.clone() } else { mended };
     let channel = way.part.is_channel().then(|| way.name.to_string());
-    Some(Misread { fault, channel, factor: way.factor, model, fit })
+    Some(Misread { fault, channel, only: None, factor: way.factor, model, fit })
 }
 
 /// Whether an input that is mended fits no better by any other factor.
@@ -249,14 +259,18 @@ fn wider(model: &Model, base: &Fit) -> Option<(Model, Vec<(usize, f64)>)> {
     (!pressed.is_empty()).then_some((wide, pressed))
 }
 
-/// Every channel that moves, turned over and in every unit that it may be in, and every definition that acts and every
-/// parameter of one sign, turned over.
-fn ways<'m>(bench: &Bench, model: &'m Model) -> Vec<Way<'m>> {
+/// Every channel of a model that moves, turned over and in every unit that it may be in.
+pub(super) fn readings(model: &Model, moves: impl Fn(&str) -> bool) -> impl Iterator<Item = Way<'_>> {
     let inputs = model.inputs.iter().map(|i| (&i.name, &i.unit, Part::Input));
     let channels = inputs.chain(model.outputs.iter().map(|o| (&o.name, &o.unit, Part::Output)));
-    let read = channels.filter(|c| bench.moves(c.0)).flat_map(|(name, unit, part)| {
+    channels.filter(move |c| moves(c.0)).flat_map(|(name, unit, part)| {
         factors(unit).into_iter().map(move |(factor, words)| Way { name, part, factor, words })
-    });
+    })
+}
+
+/// Every reading of a channel, and every definition that acts and every parameter of one sign, turned over.
+fn ways<'m>(bench: &Bench, model: &'m Model) -> Vec<Way<'m>> {
+    let read = readings(model, |name| bench.moves(name));
     let turned = |name: &'m String, part| Way { name, part, factor: -1.0, words: "" };
     let acts = |name: &str| model.states.iter().any(|x| edit::reaches(model, &x.rate, name));
     let definitions = model.definitions.iter().filter(|d| acts(&d.name));
@@ -314,7 +328,7 @@ fn independent(fit: &Fit) -> f64 {
 }
 
 /// What is wrong, in words.
-fn wrong(w: &Way<'_>) -> String {
+pub(super) fn wrong(w: &Way<'_>) -> String {
     let name = w.name;
     match w.part {
         Part::Definition => format!("the model's own {name} has the wrong sign: turned over, it fits"),
@@ -332,20 +346,15 @@ fn code(w: &Way<'_>) -> &'static str {
     if is_turned(w) { "wrong-sign" } else { "wrong-unit" }
 }
 
-fn fault(first: &Mend<'_>, others: &[Way<'_>], before: f64) -> DataFault {
-    let way = &first.way;
-    let mut says = wrong(way);
-    if !way.part.is_channel() {
-        let percent = |share: f64| significant(100.0 * share, 2);
-        let (before, then) = (percent(before), percent(first.misfit));
-        says += &format!(" (it misses {before} % of the output's spread as it stands, {then} % then)");
-    }
+/// The fault that a way mends, with what mends it as well; each in words.
+pub(super) fn fault((way, mut says): (Way<'_>, String), others: &[(Way<'_>, String)]) -> DataFault {
+    let way = &way;
     if !others.is_empty() {
-        let as_well: Vec<String> = others.iter().map(|o| format!("or {}", wrong(o))).collect();
+        let as_well: Vec<String> = others.iter().map(|(_, says)| format!("or {says}")).collect();
         says += &format!(" ({}: the data cannot tell which)", as_well.join(", "));
     }
     let mut ties: Vec<String> =
-        others.iter().map(code).filter(|c| *c != code(way)).map(String::from).collect();
+        others.iter().map(|(o, _)| code(o)).filter(|c| *c != code(way)).map(String::from).collect();
     ties.dedup();
     let finding = Finding {
         code: code(way).to_string(),
