@@ -372,13 +372,15 @@ impl Assembly<'_> {
 
     /// What a reader should know: what was not compared, what ended at a bound, what was left unfinished.
     fn notes(&self, held_out: usize, told: impl Iterator<Item = String>) -> Vec<String> {
-        let fits = [&self.found.base, &self.found.last];
-        let warnings = fits.into_iter().flat_map(|f| f.warnings.iter().map(|w| w.message.clone()));
+        // what was found explains how the model without it was fitted
+        let fit = if self.found.taken.is_empty() { &self.found.base } else { &self.found.last };
+        let warnings = fit.warnings.iter().map(|w| w.message.clone());
         let mut all: Vec<String> = self.ended_early.map(unfinished).into_iter().chain(told).collect();
         if self.is_left && held_out == 0 {
             all.push(NOT_HELD_OUT.into());
         }
-        for note in self.notes.iter().chain(&self.found.notes).cloned().chain(warnings) {
+        let told = self.notes.iter().chain(&self.found.notes).chain(&self.found.small).cloned();
+        for note in told.chain(warnings) {
             if !all.contains(&note) {
                 all.push(note);
             }

@@ -5,8 +5,9 @@
 //! and laws that the data part fit alike while another effect is as large as what parts them.
 //!
 //! # Method
-//! Once all is found, each finding's special case, its other forms and those that fitted as well as it when it was
-//! taken, or lowered the error nearly as much, are fitted in its place, beside the others. Of those that lower the error
+//! Once all is found, each finding's special case, its other forms, those that fitted as well as it when it was
+//! taken, or lowered the error nearly as much, and the same at another place that still gains, are fitted in its place, beside
+//! the others; so is the latter where there is but one finding. Of those that lower the error
 //! of blocks left out by nearly as much as any, the one that is worth most stands there, a special case also where it is
 //! worth as much; of the others those that still fit as well are its ties.
 
@@ -18,7 +19,7 @@ use super::inert;
 use super::measure::Measure;
 use super::propose::{Screened, explaining};
 use super::race::{self, Against, By, Finished};
-use super::search::{Found, Taken, is_over, is_pressed};
+use super::search::{Found, Taken, is_elsewhere, is_over, is_pressed};
 use super::view::View;
 use crate::estimate::fit::Progress;
 use crate::record::Recording;
@@ -39,7 +40,9 @@ const MOST: usize = 6;
 pub fn settle(bench: &Bench, separate: &[Recording], found: &mut Found, progress: &dyn Progress) {
     let mut is_other = false;
     for i in 0..found.taken.len() {
-        if found.taken.len() < 2 || is_over(bench) {
+        let Taken { proposal, others, .. } = &found.taken[i];
+        let may_be_elsewhere = others.iter().any(|o| is_elsewhere(proposal, o));
+        if found.taken.len() < 2 && !may_be_elsewhere || is_over(bench) {
             break;
         }
         if settled(bench, found, i, progress).unwrap_or(false) {
@@ -49,6 +52,8 @@ pub fn settle(bench: &Bench, separate: &[Recording], found: &mut Found, progress
         }
     }
     if is_other {
+        // what was left beside others
+        found.small = None;
         backward::stand(bench, separate, found);
     }
 }
@@ -104,7 +109,9 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
 fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Option<Vec<Finished>> {
     let Taken { proposal: own, ties, others, .. } = &found.taken[i];
     let case = CASES.iter().find(|(code, _)| *code == own.code).map(|(_, case)| (*case, &own.site));
-    let tied = ties.iter().chain(others).map(|t| (t.code, &t.site, Some(t.law_of())));
+    // elsewhere it was a law of what the finding leaves of its signals
+    let law = |t: &Proposal| (!is_elsewhere(own, t)).then(|| t.law_of());
+    let tied = ties.iter().chain(others).map(|t| (t.code, &t.site, law(t)));
     let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
     let (with, _) = found.without.get(i)?.as_ref()?;
     let may_have_forms = own.site.kind == SiteKind::Parameter || own.code == "dry-friction";

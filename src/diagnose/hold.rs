@@ -297,6 +297,18 @@ pub fn note(name: &str) -> String {
     )
 }
 
+/// What a reader should know of an input that was read as held by its looks alone.
+pub fn looks(name: &str) -> String {
+    format!(
+        "{name} stays and leaps, and is read as held between its samples; straight lines would fit as well: say `hold = \"previous\"` if it is a command that is held"
+    )
+}
+
+/// Whether a model is the likelier for an input that is held.
+pub fn is_likelier(fault: &DataFault) -> bool {
+    fault.finding.evidence.as_ref().is_none_or(|e| e.log_likelihood_ratio > TIE)
+}
+
 /// Whether an input stays and leaps in every recording.
 fn is_so_everywhere(bench: &Bench, name: &str, stays: fn(&[f64]) -> bool) -> bool {
     bench.recordings.iter().all(|r| r.find(name).is_some_and(|c| stays(&c.values)))

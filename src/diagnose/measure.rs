@@ -38,6 +38,10 @@ const ORDER: usize = 10;
 /// One in so many samples is not weighed at the beginning: what a law remembers from before it is not known, and a
 /// steady residual that is foretold by its own past would win against such a law by a few samples.
 const BEGINNING: usize = 50;
+/// So many samples make no law where they make this share of what it lowers, and others are so many times as many.
+const FEW: usize = 2;
+const MOSTLY: f64 = 0.8;
+const MANY_MORE: usize = 20;
 /// Degrees of freedom from which on Fisher's distribution is that of chi-squared.
 const MANY: f64 = 2000.0;
 
@@ -109,6 +113,21 @@ pub fn made_by(fit: &Fit, is_one: &dyn Fn(&str) -> bool, scale: &Scale) -> f64 {
     fit.records.iter().flat_map(|r| &r.series).map(of).sum()
 }
 
+/// Whether what a fit lowers of another's sum of squares is that of one or two samples among many: these are far off, and a law
+/// that passes through them is none.
+pub fn stands_on_few(before: &Fit, after: &Fit, scale: &Scale) -> bool {
+    let both = series(before).into_iter().zip(series(after));
+    let of = |(old, new): (&Series, &Series)| {
+        let squares = old.residual.iter().zip(&new.residual).map(|(a, b)| a * a - b * b);
+        squares.map(|d| scale.weights[old.output] * d).collect::<Vec<f64>>()
+    };
+    let mut falls: Vec<f64> = both.flat_map(of).collect();
+    let all: f64 = falls.iter().sum();
+    falls.sort_by(|a, b| b.total_cmp(a));
+    let (few, rest) = falls.split_at(FEW.min(falls.len()));
+    rest.len() >= MANY_MORE * FEW && few.iter().sum::<f64>() > MOSTLY * all
+}
+
 /// How good a fit is.
 #[derive(Debug, Clone, Copy)]
 pub struct Measure {
@@ -125,7 +144,7 @@ pub struct Measure {
 impl Measure {
     /// Measures a fit.
     pub fn of(fit: &Fit, scale: &Scale) -> Self {
-        let series: Vec<&Series> = fit.records.iter().flat_map(|r| &r.series).collect();
+        let series = series(fit);
         let free = free_unknowns(fit);
         let (likelihood, samples) = likelihood(&series, &free, scale);
         // Initial states belong to their block alone: they stay where they are.
@@ -157,6 +176,10 @@ pub fn chance(ratio: f64, k: usize, samples: f64, degrees: f64) -> f64 {
         return log_chance(ratio, k).exp();
     }
     checked_beta_reg(0.5 * degrees, 0.5 * k as f64, (-ratio / samples).exp()).unwrap_or(1.0)
+}
+
+fn series(fit: &Fit) -> Vec<&Series> {
+    fit.records.iter().flat_map(|r| &r.series).collect()
 }
 
 /// Unknowns that are inside their bounds.

@@ -1,5 +1,6 @@
 //! What is found with inputs as they are read, and with another reading where that may have led to it.
 
+use super::answer::DataFault;
 use super::search::Found;
 use super::{Case, compared, feedback, hold};
 use crate::Result;
@@ -25,7 +26,11 @@ impl Case<'_> {
             let found = self.named(&self.bench, &self.separate, straight.clone(), None)?;
             return Ok((straight, found));
         }
+        // where the reading makes no difference it is no fault
+        let matters = |f: &DataFault| !found.taken.is_empty() || hold::is_likelier(f);
+        let (held, alike): (Vec<_>, Vec<_>) = held.into_iter().partition(matters);
         self.told.extend(held);
+        self.notes.extend(alike.iter().map(|f| hold::looks(&f.finding.site.name)));
         let is_open = !open.is_empty() && may(self) && hold::may_hide_a_hold(&found);
         if is_open && let Some(other) = self.held(&open, &base, &found)? {
             return Ok(other);

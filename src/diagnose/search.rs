@@ -5,7 +5,7 @@ use super::bench::Bench;
 use super::catalogue::Proposal;
 use super::choose::{self, floor, gain, mends};
 use super::compared::same_samples;
-use super::measure::{Measure, Scale};
+use super::measure::{Measure, Scale, stands_on_few};
 use super::propose::{Screened, Screening, screen, worth_fitting};
 use super::race::{self, Against, By};
 use super::twins::{finer, twins};
@@ -52,6 +52,11 @@ pub fn is_pressed(p: &Proposal, fit: &Fit) -> bool {
     p.added.iter().any(|a| fit.is_at_bound(&a.name))
 }
 
+/// Whether a proposal is the same mechanism as another at another place.
+pub fn is_elsewhere(p: &Proposal, other: &Proposal) -> bool {
+    p.code == other.code && p.site != other.site
+}
+
 /// A mechanism that was taken into the model.
 #[derive(Clone)]
 pub struct Taken {
@@ -92,6 +97,8 @@ pub struct Found {
     pub measures: (Measure, Measure),
     /// What a reader should know of fits that were ended early.
     pub notes: Vec<String>,
+    /// What is left for sure and too small to be named.
+    pub small: Option<String>,
     /// What would have been taken and cannot be run over what is held out, where nothing else was taken.
     pub fallen: Option<Box<Refitted>>,
     /// Whether nothing that was tried reaches the floor, where nothing was taken.
@@ -106,7 +113,7 @@ impl Found {
         let (first, rest, measures) = (Screening::nothing(), Screening::nothing(), (measure, measure));
         let (taken, notes) = (Vec::new(), Vec::new());
         let without = Vec::new();
-        let (fallen, is_trace) = (None, false);
+        let (fallen, is_trace, small) = (None, false, None);
         Self {
             last: base.clone(),
             base,
@@ -117,6 +124,7 @@ impl Found {
             scale,
             measures,
             notes,
+            small,
             fallen,
             is_trace,
         }
@@ -218,8 +226,8 @@ pub fn round(
         let measure = Measure::of(&fit, scale);
         let tried = tried * choose::chosen_from(&p, measure.samples);
         let chance = measure.chance_over(now.likelihood, p.added.len());
-        let p_value =
-            if race::begins_alone(&p, &fit, (squares, scale)) { 1.0 } else { (tried * chance).min(1.0) };
+        let is_none = race::begins_alone(&p, &fit, (squares, scale)) || stands_on_few(current, &fit, scale);
+        let p_value = if is_none { 1.0 } else { (tried * chance).min(1.0) };
         let floor = if mends(&p, taken) { floor(*gains) } else { least };
         Refitted { proposal: p, fit, measure, p_value, tried, floor, is_cut }
     };

@@ -27,7 +27,7 @@ use super::compared::patiently;
 use super::measure::{Measure, Scale};
 use super::propose::Screening;
 use super::prove;
-use super::search::{Found, Refitted, Round, State, Taken, ahead, is_over, round, trace};
+use super::search::{Found, Refitted, Round, State, Taken, ahead, is_elsewhere, is_over, round, trace};
 use super::small;
 use super::view::View;
 use crate::Result;
@@ -241,11 +241,21 @@ impl Walk<'_> {
         self.ends(trial.round, &trial.now)
     }
 
+    /// What still gains beside a finding of its code elsewhere may be the better place of it.
+    fn keeps_places(&mut self, round: &Round, now: &Measure) {
+        let gains = |r: &&Refitted| r.p_value < choose::CHANCE && gain(now, &r.measure) > choose::floor(0.0);
+        for r in round.fitted.iter().filter(gains) {
+            let others = self.taken.iter_mut().filter(|t| is_elsewhere(&t.proposal, &r.proposal));
+            others.for_each(|t| t.others.push(r.proposal.clone()));
+        }
+    }
+
     fn ends(mut self, round: Round, now: &Measure) -> Found {
         let leaves_more = round.screening.p_value < choose::CHANCE;
         if let Some(before) = self.before_small.take().filter(|_| leaves_more) {
             return self.returns(before);
         }
+        self.keeps_places(&round, now);
         let is_trace = self.taken.is_empty() && choose::is_trace(&round, now);
         let small = if self.taken.is_empty() { None } else { small::told(&round, now) };
         let rest = round.screening;
@@ -257,8 +267,7 @@ impl Walk<'_> {
         };
         let scale = Scale::of(&self.base, self.bench.is_trials());
         let measures = (self.start, Measure::of(&self.current, &scale));
-        let (notes, fallen) =
-            (round.notes.into_iter().chain(small).collect(), round.fallen.filter(|_| self.taken.is_empty()));
+        let fallen = round.fallen.filter(|_| self.taken.is_empty());
         Found {
             base: self.base,
             last: self.current,
@@ -268,7 +277,8 @@ impl Walk<'_> {
             rest,
             scale,
             measures,
-            notes,
+            notes: round.notes,
+            small,
             fallen,
             is_trace,
         }

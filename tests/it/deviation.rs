@@ -84,3 +84,33 @@ fn a_compass_has_a_deviation() {
     let answer = told(|_| 0.0);
     assert_eq!(answer.verdict, Verdict::NothingMissing, "{}", answer.says);
 }
+
+/// A compass beside a reference through 150 degrees, which the model reads as the reference and a constant.
+#[test]
+fn a_compass_beside_a_reference_has_a_deviation_though_no_turn_is_full() {
+    let degrees = f64::to_radians(1.0);
+    let time: Vec<f64> = (0..COUNT).map(|i| STEP * i as f64).collect();
+    let course: Vec<f64> =
+        time.iter().map(|t| 2.0 + 1.1 * (0.009 * t).sin() + 0.3 * (0.05 * t).sin()).collect();
+    let deviation = |k: f64| degrees * (1.0 + 2.0 * k.sin() + 1.1 * k.cos());
+    let shown = course.iter().zip(noise(COUNT, 8)).map(|(k, e)| k + deviation(*k) + 0.3 * degrees * e);
+    let channel = |name: &str, values| Channel::new(name, Unit::parse("rad").unwrap(), time.clone(), values);
+    let channels = vec![channel("compass", shown.collect()), channel("reference", course.clone())];
+    let recording = Recording::from_channels("made", channels).unwrap();
+    let model = Model::parse(
+        r#"
+        name = "compass"
+        [inputs]
+        reference = { unit = "rad" }
+        [parameters]
+        A = { value = 0, unit = "rad", fit = true }
+        [outputs]
+        compass = { equals = "reference + A", unit = "rad" }
+        "#,
+    );
+    let answer = diagnosed(&model.unwrap(), recording).answer;
+    let found = named(&answer);
+    assert!(matches!(found[..], [("periodic-force", "compass", _)]), "{found:?} {}", answer.says);
+    let parts: Vec<f64> = answer.findings[0].parameters.iter().map(|p| p.value / degrees).collect();
+    assert!((parts[0] - 2.0).abs() < 0.1 && (parts[1] - 1.1).abs() < 0.1, "{parts:?}");
+}

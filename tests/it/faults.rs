@@ -256,3 +256,34 @@ fn coarse_steps_are_told_and_not_masked() {
     assert_eq!(a.verdict, Verdict::DataFault, "{}", a.says);
     assert_eq!(faults(&a), [("quantisation", "position", false)]);
 }
+
+/// Two samples far off at the end of what is fitted are no jump of a zero; one alone is told and kept.
+#[test]
+fn a_law_does_not_stand_on_two_samples() {
+    let amplifier = Model::parse(
+        r#"
+        name = "amplifier"
+        [inputs]
+        u = { unit = "V" }
+        [parameters]
+        g = { value = 2, unit = "1", fit = true }
+        [outputs]
+        y = { equals = "g*u", unit = "V" }
+        "#,
+    );
+    let time: Vec<f64> = (0..1500).map(|i| 0.1 * f64::from(i)).collect();
+    let u: Vec<f64> = time.iter().map(|t| (0.3 * t).sin() + 0.3 * (1.7 * t).cos()).collect();
+    let answered = |far: &[usize]| {
+        let mut y: Vec<f64> = u.iter().zip(noise(1500, 5)).map(|(u, e)| 2.1 * u + 0.02 * e).collect();
+        far.iter().for_each(|i| y[*i] += 3.0);
+        let channel =
+            |name: &str, of: Vec<f64>| Channel::new(name, Unit::parse("V").unwrap(), time.clone(), of);
+        let made = Recording::from_channels("made", vec![channel("u", u.clone()), channel("y", y)]).unwrap();
+        diagnosed(amplifier.as_ref().unwrap(), made).answer
+    };
+    let two = answered(&[898, 899]);
+    assert!(two.findings.is_empty(), "{}", two.says);
+    let one = answered(&[700]);
+    assert_eq!(one.verdict, Verdict::NothingMissing, "{}", one.says);
+    assert!(one.notes.iter().any(|n| n.starts_with("a sample of y at t = 70")), "{:?}", one.notes);
+}

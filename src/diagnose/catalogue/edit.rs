@@ -120,12 +120,21 @@ impl<'m> Opened<'m> {
     }
 }
 
-/// The number of the definition that a rate is, where no other rate uses it.
+/// The number of the definition that a rate is, where no other rate uses it, or where it is the acceleration of one speed: what
+/// other rates use then feels every force on that speed too.
 pub fn home(model: &Model, rate: &Expr) -> Option<usize> {
     let Expr::Name(name) = rate else { return None };
     let i = model.definitions.iter().position(|d| d.name == *name)?;
     let own = model.states.iter().filter(|s| reaches(model, &s.rate, name)).count() == 1;
-    own.then(|| home(model, &model.definitions[i].equals).unwrap_or(i))
+    let mut accelerated = model.states.iter().filter(|s| s.rate == *rate);
+    let is_acceleration =
+        accelerated.next().is_some_and(|v| is_speed(model, v)) && accelerated.next().is_none();
+    (own || is_acceleration).then(|| home(model, &model.definitions[i].equals).unwrap_or(i))
+}
+
+/// Whether another state's rate is a state, or a multiple of it.
+fn is_speed(model: &Model, v: &State) -> bool {
+    model.states.iter().any(|s| is_multiple_of(&s.rate, &v.name))
 }
 
 /// Whether a rate is a state alone, as that of a position is its speed: no force enters there.
@@ -161,8 +170,7 @@ fn sum_in<'e>(model: &Model, e: &'e Expr) -> &'e Expr {
 pub fn follows<'m>(model: &'m Model, x: &'m State) -> Option<&'m Expr> {
     let sum = sum_of(model, &x.rate);
     let is_itself = |t: &Expr| matches!(t, Expr::Name(n) if *n == x.name);
-    let is_speed = model.states.iter().any(|s| is_multiple_of(&s.rate, &x.name));
-    (!is_speed && terms_of(model, sum).iter().any(is_itself)).then_some(sum)
+    (!is_speed(model, x) && terms_of(model, sum).iter().any(is_itself)).then_some(sum)
 }
 
 /// The terms of a sum without their signs; every definition that is a sum is opened once.

@@ -40,7 +40,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 /// A heading that spreads less than this does not show what goes with its sine and cosine beside a constant, rad.
-const ROUND: f64 = 0.5;
+pub(super) const ROUND: f64 = 0.5;
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let angles: Vec<&Signal> = scene.headings();

@@ -26,6 +26,7 @@
 //! A motor with 24 teeth that cogs; a pump of 5 Hz on the same frame; an encoder whose disc is eccentric; a fan out of
 //! balance, whose angle is recorded; the sun on a wall, which nobody measured.
 
+use super::misalignment::ROUND;
 use super::{
     Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY, edit, field,
 };
@@ -194,7 +195,8 @@ fn with_shaft(
 
 /// An error of a sensor of angle that repeats so many times a turn.
 fn on_turn(scene: &Scene, output: &str, n: u8) -> Option<Proposal> {
-    let signal = scene.signal(output).filter(|s| scene.is_angle(&s.name) && s.max - s.min > TAU)?;
+    let goes_round = |s: &&Signal| s.max - s.min > TAU || s.is_heading() && s.spread > ROUND;
+    let signal = scene.signal(output).filter(|s| scene.is_angle(&s.name)).filter(goes_round)?;
     let unit = scene.unit(output);
     let mut d = Draft::new(scene, "periodic-force", SiteKind::Output, output);
     let (a, b) = parts(&mut d, &unit, "the error");

@@ -37,7 +37,8 @@ pub fn conceal(
     let start = &p.starts[rng.random_range(0..p.starts.len().min(3))];
     let scale = rng.random_range(f64::ln(SCALES.start)..f64::ln(SCALES.end)).exp();
     let first_is_larger: bool = rng.random();
-    let mut hidden = Hidden { code: law.code.into(), place: p.site.name.clone(), values: Vec::new() };
+    let (code, place, term) = (law.code.into(), p.site.name.clone(), p.term.clone());
+    let mut hidden = Hidden { code, place, term, values: Vec::new() };
     for (i, a) in p.added.iter().enumerate() {
         let factor = match p.amplitudes.iter().position(|k| *k == i) {
             // Two amplitudes differ by half at least, so that it is not a simpler mechanism in disguise.

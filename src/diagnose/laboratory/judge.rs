@@ -40,7 +40,7 @@ pub struct Outcome {
     pub spurious: usize,
     /// For each claimed finding with the very code of what was concealed whether it stands at its place.
     pub placed: Vec<bool>,
-    /// For each interval of those whether it holds the truth.
+    /// For each interval of those, in the very form of what was concealed, whether it holds the truth.
     pub covered: Vec<bool>,
 }
 
@@ -56,7 +56,7 @@ pub fn judge(case: &Case, said: &Said) -> Outcome {
         findings: named.len(),
         spurious,
         placed: own().map(|(h, f)| h.place == f.place).collect(),
-        covered: own().filter(|(h, f)| h.place == f.place).flat_map(|(h, f)| covered(h, f)).collect(),
+        covered: own().filter(|(h, f)| is_same_law(h, f)).flat_map(|(h, f)| covered(h, f)).collect(),
     }
 }
 
@@ -87,12 +87,28 @@ fn tells(hidden: &[Hidden], named: &[&Named]) -> bool {
         .any(|i| named[i].is_of(&first.code) && tells(others, &[&named[..i], &named[i + 1..]].concat()))
 }
 
-/// For each interval of a finding whether it holds the true value. A second law's names have a number: `a` is `a_2` there.
-fn covered(hidden: &Hidden, found: &Named) -> Vec<bool> {
-    let bare = |name: &str| match name.rsplit_once('_') {
-        Some((bare, number)) if number.parse::<u8>().is_ok() => bare.to_owned(),
-        _ => name.to_owned(),
+/// Whether a finding has the form and the place of what was concealed: in another form a parameter of the same name is
+/// another.
+fn is_same_law(hidden: &Hidden, found: &Named) -> bool {
+    hidden.place == found.place && bare(&hidden.term) == bare(&found.term)
+}
+
+/// A text without the numbers of names: a second law's `a` is `a_2`.
+fn bare(text: &str) -> String {
+    let is_of_name = |c: char| c.is_alphanumeric() || c == '_';
+    let names = text.split_inclusive(|c| !is_of_name(c));
+    let one = |part: &str| {
+        let end = part.trim_end_matches(|c| !is_of_name(c));
+        match end.rsplit_once('_') {
+            Some((name, number)) if number.parse::<u8>().is_ok() => name.to_owned() + &part[end.len()..],
+            _ => part.to_owned(),
+        }
     };
+    names.map(one).collect()
+}
+
+/// For each interval of a finding whether it holds the true value.
+fn covered(hidden: &Hidden, found: &Named) -> Vec<bool> {
     let of = |(name, truth): &(String, f64)| {
         let own = found.intervals.iter().find(|(n, ..)| bare(n) == bare(name))?;
         Some((own.1..=own.2).contains(truth))
@@ -105,10 +121,16 @@ mod tests {
     use super::*;
 
     fn judged(kind: Kind, hidden: &[&str], verdict: Verdict, findings: &[&[&str]]) -> Judged {
-        let hide = |c: &&str| Hidden { code: (*c).into(), place: "x".into(), values: Vec::new() };
+        let hide = |c: &&str| Hidden {
+            code: (*c).into(),
+            place: "x".into(),
+            term: String::new(),
+            values: Vec::new(),
+        };
         let name = |names: &&[&str]| Named {
             code: names[0].into(),
             place: "x".into(),
+            term: String::new(),
             ties: names[1..].iter().map(ToString::to_string).collect(),
             resembles: false,
             intervals: Vec::new(),
@@ -122,6 +144,12 @@ mod tests {
             correlation: 0.0,
         };
         judge(&case, &Said { verdict, findings: findings.iter().map(name).collect() }).judged
+    }
+
+    #[test]
+    fn the_numbers_of_names_make_no_other_law() {
+        assert_eq!(bare("-(k*exp(a_2*(t - t_mid_2)))/M1"), "-(k*exp(a*(t - t_mid)))/M1");
+        assert_ne!(bare("(k*(1 + a*(t - t_mid)))"), bare("(k/(1 + a*(t - t_mid)))"));
     }
 
     #[test]

@@ -26,6 +26,8 @@ pub struct Hidden {
     pub code: String,
     /// Name of what it acts on.
     pub place: String,
+    /// The term in the equation.
+    pub term: String,
     /// Values of its parameters in their units.
     pub values: Vec<(String, f64)>,
 }

@@ -52,6 +52,8 @@ pub struct Named {
     pub code: String,
     /// Name of what it acts on.
     pub place: String,
+    /// The term in the equation.
+    pub term: String,
     /// Codes that fit as well.
     pub ties: Vec<String>,
     /// Whether it only resembles what is missing.
@@ -67,6 +69,7 @@ impl Named {
         Self {
             code: finding.code.clone(),
             place: finding.site.name.clone(),
+            term: finding.term.clone(),
             resembles: finding.resembles,
             ties: finding.ties.clone(),
             intervals: finding.parameters.iter().filter(bounded).map(ends).collect(),
