@@ -185,6 +185,9 @@ fn noted(call: &Call) -> Result<serde_json::Value> {
 /// Whether the folder holds this very call, ended before its time; else it is a new or an empty one.
 fn begun(call: &Call, folder: &Path) -> Result<bool> {
     let io = |e: std::io::Error| Error::io(folder, &e);
+    if folder.is_file() {
+        return Err(Error::usage(format!("--keep takes a folder, and {} is a file", folder.display())));
+    }
     std::fs::create_dir_all(folder).map_err(io)?;
     if std::fs::read_dir(folder).map_err(io)?.next().is_none() {
         return Ok(false);

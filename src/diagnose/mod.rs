@@ -347,7 +347,6 @@ impl Case<'_> {
             faults::take(self.request.model, found, recordings, (&mut self.spoiled, &mut self.told));
             base = compared::anew(&self.bench, &base)?;
         }
-        self.notes.extend(faults::lone(&self.bench, &base, &self.separate));
         Ok(base)
     }
 

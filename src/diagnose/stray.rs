@@ -21,6 +21,11 @@ use statrs::distribution::{Binomial, ContinuousCDF, DiscreteCDF, StudentsT};
 const BEYOND: [f64; 8] = [6.0, 8.0, 12.0, 16.0, 24.0, 32.0, 48.0, 64.0];
 /// The same with what lies one and a half times as far, for outliers of about one size.
 const NEARER: [f64; 4] = [4.0, 5.0, 6.0, 8.0];
+/// Robust deviations of a sample that may stand apart by itself, how many may, and the chance of as many nearer ones by luck from
+/// which on the tails are none.
+const LONE: f64 = 20.0;
+const FEW: usize = 2;
+const LIGHT: f64 = 0.05;
 /// Φ⁻¹(3/4) and that of Student's t with two degrees of freedom, √(2/3): what both call a robust deviation.
 const MIDDLES: (f64, f64) = (0.674_489_750_196_081_7, 0.816_496_580_927_726);
 
@@ -61,6 +66,19 @@ pub fn apart(sizes: &[(f64, bool)], known: usize) -> Option<Stray> {
     judged.min_by(|a, b| a.p_value.total_cmp(&b.p_value))
 }
 
+/// One or two samples beyond all that a noise of exponential tails reaches, where the others have no heavier tails: by Laplace's
+/// law, whose median of |e| is b ln 2, P(|e| > x) = exp(−x ln 2/Φ⁻¹(3/4)) for x robust deviations.
+pub fn lone(sizes: &[(f64, bool)]) -> Option<Stray> {
+    let beyond = |x: f64| (-x * std::f64::consts::LN_2 / MIDDLES.0).exp();
+    let far = sizes.iter().filter(|s| s.0 > LONE && s.1).count();
+    let between = sizes.iter().filter(|s| s.0 > BEYOND[0]).count() - far;
+    let by_luck = Binomial::new(beyond(BEYOND[0]), sizes.len() as u64).ok()?;
+    // P(at least so many between)
+    let is_light = between == 0 || by_luck.sf(between as u64 - 1) > LIGHT;
+    let p_value = (sizes.len() as f64 * beyond(LONE)).min(1.0);
+    ((1..=FEW).contains(&far) && is_light).then_some(Stray { count: far, beyond: LONE, p_value })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -91,6 +109,28 @@ mod tests {
             seen[2] += usize::from(is_seen(&draws(2000, seed, |r| heavy.sample(r))));
         }
         assert!(seen.iter().all(|n| *n <= 1), "{seen:?} of 200 each");
+    }
+
+    /// Of 200 noises each: of Student's t with 3 and 5 degrees of freedom, and of Laplace.
+    #[test]
+    fn a_sample_stands_apart_alone_where_the_rest_has_no_heavy_tails() {
+        let of = |e: &[f64]| {
+            let size = robust_deviation(e);
+            lone(&e.iter().map(|e| (e.abs() / size, true)).collect::<Vec<_>>()).filter(|s| s.p_value < SURE)
+        };
+        let mut seen = [0; 3];
+        for seed in 0..200 {
+            for (seen, degrees) in seen.iter_mut().zip([3.0, 5.0]) {
+                let heavy = StudentT::new(degrees).unwrap();
+                *seen += usize::from(of(&draws(2000, seed, |r| heavy.sample(r))).is_some());
+            }
+            seen[2] += usize::from(of(&draws(2000, seed, |r| Exp1.sample(r) - Exp1.sample(r))).is_some());
+        }
+        assert!(seen[0] <= 2 && seen[1] <= 4 && seen[2] == 0, "{seen:?} of 200 each");
+        let mut e = draws(2000, 5, |r| StandardNormal.sample(r));
+        assert_eq!(of(&e), None);
+        e[700] += 40.0;
+        assert_eq!(of(&e).unwrap().count, 1);
     }
 
     #[test]

@@ -244,6 +244,7 @@ fn turns_for_turns_are_converted() {
 
 /// What a diagnosis adds beside a rate constant by the minute is written so that it reads.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn what_a_diagnosis_adds_is_not_asked_about() {
     let folder = tempfile::tempdir().unwrap();
     let place = |name: &str| folder.path().join(name);

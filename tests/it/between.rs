@@ -74,6 +74,7 @@ fn is(found: &Finding, code: &str, place: &str, value: f64, within: f64) {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn play_in_a_coupling() {
     let free = |x: f64| x - x.clamp(-0.01, 0.01);
     is(&named(|twist, slip| 80.0 * free(twist) + 0.2 * slip), "backlash", "wm", 0.02, 2e-4);
@@ -106,6 +107,7 @@ fn a_stop_on_one_side_of_a_shaft() {
 
 /// A rubber stop and a damper that is harder one way, as in the suspension of a car.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_stop_beside_a_damper_that_is_harder_one_way() {
     let damper = |slip: f64| 0.9 * (1.0 + 0.5 * slip.signum()) * slip;
     let torque =

@@ -69,6 +69,7 @@ fn says_so(told: &Answer) -> bool {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn what_only_the_later_part_shows_is_named_there_and_proved_on_the_earlier() {
     let told = recorded(400.0, None, LARGE);
     assert_eq!(told.verdict, Verdict::Named, "{}", told.says);

@@ -537,6 +537,7 @@ const PLATFORM_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn an_ignored_motion_acts_as_the_other_component_of_a_vector_or_at_one_place_or_not() {
     let of = |both: f64, one: f64| {
         PLATFORM.diagnosed(PLATFORM_MODEL, |x, u| {

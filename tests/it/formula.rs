@@ -163,6 +163,10 @@ fn transfer_functions_multiply_and_cancel() {
     // a signal and its rate are uncorrelated
     request.second = Some("s/(T*s + 1)".into());
     assert_eq!(derived(&request).unwrap().formula.text(), "I = 0");
+    // a root of one filter is one of the mean square, too
+    let unstable = FormulaRequest { first: Some("1/(s - 1)".into()), ..FormulaRequest::default() };
+    let refused = derived(&unstable).unwrap_err();
+    assert_eq!(refused.message(), "H has 1 root in the right half plane");
 }
 
 #[test]

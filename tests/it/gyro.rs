@@ -64,6 +64,7 @@ fn agrees_by(name: &str, instrument: &Instrument, motion: &Motion, plan: MonteCa
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn every_exact_member_agrees_with_simulation() {
     let white = Motion::roll(&roll());
     let banded = white.band_limited(2.5, 2).unwrap();

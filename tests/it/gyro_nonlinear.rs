@@ -112,6 +112,7 @@ fn error(sphere: Gyrosphere, law: Law) -> HeadingError {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn friction_and_free_play_are_within_their_margins_of_the_true_law() {
     // σ of x without play: 1.3e-5 m of the seed's suspension, 4 cm of the soft one
     let cases = [
@@ -176,6 +177,7 @@ fn the_error_about_the_card_follows_from_its_first_quarter() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn along_the_parallel_nothing_pushes_and_the_part_rests() {
     let motion = Motion::roll(&roll()).band_limited(CORNER, 2).unwrap();
     for force in [0.5, 2.0, 50.0] {

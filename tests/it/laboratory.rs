@@ -23,7 +23,7 @@ fn a_run_goes_on_where_it_was_ended_and_says_the_same() {
     // One answer is not there yet; the other is another's, and is believed: it is not asked again.
     std::fs::remove_file(runs.join("answer-0.json")).unwrap();
     assert_eq!(laboratory(folder.path(), &call).1, whole);
-    let named = r#"{"verdict":"named","findings":[{"code":"backlash","place":"i","ties":[],"resembles":false,"intervals":[]}]}"#;
+    let named = r#"{"verdict":"named","findings":[{"code":"backlash","place":"i","term":"backlash(i, gap)","ties":[],"resembles":false,"intervals":[]}]}"#;
     std::fs::write(runs.join("answer-1.json"), named).unwrap();
     let (_, changed, _) = laboratory(folder.path(), &call);
     assert!(changed.contains("Named: backlash") && changed.contains("false alarms    1/2"), "{changed}");

@@ -75,6 +75,7 @@ fn a_rate_that_is_a_definition_beside_a_tilt() {
 /// Two axes of a platform whose rotor turns at a recorded speed that the model does not use: one coefficient, the
 /// rotor's moment of inertia, acts on both with opposite signs.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_rotor_on_two_axes() {
     let model = r#"
         name = "platform"

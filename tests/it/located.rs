@@ -36,6 +36,7 @@ fn an_unknown_law_sits_where_it_acts() {
 
 /// Each recording has its own clock: its stretches say whose they are.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn times_of_several_recordings_are_told_apart() {
     let (model, made) = recording(Some("8*step(t - 10)*step(12 - t)"));
     let part = |name: &str, from: usize, to: usize| {

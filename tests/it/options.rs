@@ -96,7 +96,7 @@ fn dropped(name: &str, folder: &Path, pair: [&Alone; 2], before: &[&str]) -> Opt
 
 /// Beyond so many pairs one of so many is tried, unless GYROSPEC_LONG is set.
 const MANY: usize = 150;
-const EACH: usize = 4;
+const EACH: usize = 8;
 
 /// Goes through all pairs of a subcommand's arguments beside other words.
 fn each_pair(name: &str, list: &[(&str, &str)], before: &[&str]) {

@@ -327,6 +327,7 @@ const OPTIONS: [&str; 8] = [
 ];
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn each_pair_of_parts_is_computed() {
     for (i, one) in OPTIONS.iter().enumerate() {
         for other in &OPTIONS[i + 1..] {

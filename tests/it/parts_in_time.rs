@@ -142,6 +142,7 @@ fn regressed(pairs: &[[f64; 2]]) -> (f64, f64) {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn friction_and_play_in_company_are_within_their_margins_of_the_true_law() {
     let sphere = Gyrosphere { lever: 0.05, ..soft() };
     let plain = Case { sphere, friction: 0.0, gap: 0.0, flow: None, slosh: None };
@@ -214,6 +215,7 @@ fn followed_in_company_a_law_is_that_of_the_part_alone() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_nonlinear_part_keeps_what_gives_way_along_the_meridian() {
     let sphere = Gyrosphere { pendulous: 40.0, damper: 16.0, flow: 0.02, lever: 0.05, ..soft() };
     let parts = all(&[Box::new(Friction { force: 0.03 }), boxed(&MERIDIAN), boxed(&VERTICAL)]);

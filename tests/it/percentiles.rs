@@ -49,6 +49,7 @@ fn agrees(name: &str, compass: &Instrument, motion: &Motion) -> f64 {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn percentiles_are_those_of_the_simulation() {
     let white = Motion::roll(&Roll::new(0.02, 0.05, 0.8).unwrap());
     let banded = white.band_limited(2.5, 2).unwrap();

@@ -36,6 +36,7 @@ fn told_with_time(lacks: Range<usize>, shows: impl Fn(f64, f64) -> f64) -> Answe
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn what_follows_a_gap_of_the_logger_is_compared() {
     let answer = told(|t| t);
     assert_eq!(answer.verdict, Verdict::DataFault, "{}", answer.says);

@@ -134,6 +134,7 @@ fn a_power_of_what_a_lag_settles_to() {
 /// A boat that turns, seen by its heading and its rate: the rudder acts late, and while that is not known another law
 /// than the cubic damping seems likelier.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_cubic_damping_beside_a_late_rudder() {
     let model = r#"
         name = "boat"
@@ -186,6 +187,7 @@ fn a_cubic_damping_beside_a_late_rudder() {
 /// A floor with a machine that hangs on it by a spring and a damper: both push back, and nothing else is named; where
 /// both rest at the beginning, and where both already swing.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn what_hangs_on_a_floor_pushes_by_its_damper_too() {
     let model = r#"
         name = "floor"

@@ -140,6 +140,7 @@ fn followed(s: &Gyrosphere, part: &dyn Elastic, count: usize) -> f64 {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn rubbed_and_swinging_it_is_as_simulated() {
     let sphere = pendulous();
     for swing in SWINGS {

@@ -121,6 +121,7 @@ const SWINGING: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn friction_of_a_trolley_is_felt_by_its_load() {
     let a = CRANE.diagnosed(SWINGING, |x, u| {
         let friction = 40.0 * (x[2] / 1e-3).tanh();

@@ -9,7 +9,7 @@ mod tell;
 pub use left::Left;
 pub use misread::misread;
 pub use odd::odd;
-pub use strays::{lone, strays};
+pub use strays::strays;
 
 use super::Request;
 use super::answer::DataFault;

@@ -7,7 +7,7 @@
 //! # Method
 //! The distance of a residual from the median of its three neighbours on each side, over the robust deviation of
 //! all such distances. A stray is one of at most two samples in a row that is far, and those before and after agree.
-//! Strays are taken out where so many stand apart as no noise of heavy tails has. Strays that go with the edges of
+//! Strays are taken out where so many stand apart as no noise of heavy tails has, and one or two where the rest has none. Strays that go with the edges of
 //! an input are none: what a thing does there is physics.
 //!
 //! # References
@@ -17,13 +17,12 @@ use super::Spoiled;
 use crate::diagnose::bench::Bench;
 use crate::diagnose::choose::{CHANCE, SURE};
 use crate::diagnose::prove;
-use crate::diagnose::stray::apart;
+use crate::diagnose::stray::{Stray, apart, lone};
 use crate::estimate::Fit;
 use crate::estimate::noise::robust_deviation;
-use crate::model::{Model, Output};
+use crate::model::Model;
 use crate::record::quality::{Fault, FaultKind};
 use crate::record::{Channel, Recording, Span};
-use crate::units::significant;
 use statrs::distribution::{Binomial, DiscreteCDF};
 
 /// Neighbours on each side.
@@ -38,8 +37,6 @@ const AGREE: (f64, f64) = (0.3, 3.0);
 const CLEAR: f64 = 6.0;
 /// More than one sample in so many are the output's nature.
 const MOST: usize = 20;
-/// Robust deviations from which on a sample is told though it is kept: beyond what noise of exponential tails reaches.
-const LONE: f64 = 20.0;
 /// Times the usual change of an input from which on a change is an edge.
 const EDGE: f64 = 6.0;
 /// Samples before and after an edge that go with it.
@@ -98,12 +95,17 @@ fn of_output(bench: &Bench, fit: &Fit, output: usize, lines: &[Line], known: &[S
     let name = &fit.model.outputs[output].name;
     let far = |s: &&Spoiled| s.fault.channel == *name && s.fault.kind == FaultKind::Outliers;
     let known: usize = known.iter().filter(far).map(|s| s.fault.samples).sum();
-    let Some((all, scale)) = distances(bench, name, lines) else { return Vec::new() };
+    let all: Vec<f64> = lines.iter().flat_map(|l| l.distance.iter().copied()).collect();
+    let scale = robust_deviation(&all).max(bench.tolerance * bench.spread(name));
+    if scale.is_nan() || scale <= 0.0 {
+        return Vec::new();
+    }
     let free = free_of_edges(bench, &fit.model, lines, CLEAR * scale);
     let marks = lines.iter().zip(&free).flat_map(|(l, free)| l.alone.iter().zip(free).map(|(a, f)| *a && *f));
     let sizes: Vec<(f64, bool)> = all.iter().map(|d| d.abs() / scale).zip(marks).collect();
     let outputs = fit.model.outputs.len() as f64;
-    let Some(stray) = apart(&sizes, known).filter(|s| outputs * s.p_value < SURE && s.count > 0) else {
+    let is_sure = |s: &Stray| outputs * s.p_value < SURE && s.count > 0;
+    let Some(stray) = apart(&sizes, known).filter(is_sure).or_else(|| lone(&sizes).filter(is_sure)) else {
         return Vec::new();
     };
     if stray.count > all.len() / MOST {
@@ -120,44 +122,6 @@ fn of_output(bench: &Bench, fit: &Fit, output: usize, lines: &[Line], known: &[S
         (samples > 0).then_some(Spoiled { recording: l.recording, fault })
     };
     lines.iter().zip(&free).filter_map(fault).collect()
-}
-
-/// All distances of an output, and their robust deviation where there is one.
-fn distances(bench: &Bench, output: &str, lines: &[Line]) -> Option<(Vec<f64>, f64)> {
-    let all: Vec<f64> = lines.iter().flat_map(|l| l.distance.iter().copied()).collect();
-    let scale = robust_deviation(&all).max(bench.tolerance * bench.spread(output));
-    (scale > 0.0).then_some((all, scale))
-}
-
-/// What a reader should know of samples that stand far off by themselves: too few to part them from a noise of heavy tails,
-/// they are kept.
-pub fn lone(bench: &Bench, fit: &Fit, separate: &[Recording]) -> Vec<String> {
-    let of_output = |(k, output): (usize, &Output)| {
-        let lines = lines(bench, fit, separate, k);
-        let (_, scale) = distances(bench, &output.name, &lines)?;
-        let free = free_of_edges(bench, &fit.model, &lines, CLEAR * scale);
-        let far = lines.iter().zip(&free).flat_map(|(l, free)| {
-            let is_far = |i: &usize| free[*i] && l.alone[*i] && l.distance[*i].abs() > LONE * scale;
-            (0..l.time.len()).filter(is_far).map(|i| (l.time[i], l.distance[i].abs() / scale))
-        });
-        let far: Vec<(f64, f64)> = far.collect();
-        (1..=IN_A_ROW).contains(&far.len()).then(|| said_of(&output.name, &far))
-    };
-    if bench.is_trials() {
-        return Vec::new();
-    }
-    fit.model.outputs.iter().enumerate().filter_map(of_output).collect()
-}
-
-fn said_of(output: &str, far: &[(f64, f64)]) -> String {
-    let times: Vec<String> = far.iter().map(|f| format!("{} s", significant(f.0, 6))).collect();
-    let most = significant(far.iter().map(|f| f.1).fold(0.0, f64::max), 2);
-    let (samples, stand) = if far.len() == 1 { ("a sample", "stands") } else { ("two samples", "stand") };
-    format!(
-        "{samples} of {output} at t = {} {stand} alone, {most} times the usual deviation from those beside; so few may be \
-         noise, so they are kept and count in every error: where they are no measurement, leave their cells empty",
-        times.join(" and ")
-    )
 }
 
 /// Which samples may be strays: all, or those away from the edges of inputs where far ones go with edges.

@@ -50,11 +50,18 @@ impl Numbers {
             Source::MeanProduct { first, second, shaping, density } => {
                 let shaping = of(shaping)?;
                 let (first, second) = (of(first)?.times(&shaping), of(second)?.times(&shaping));
-                let left = convolved(&first.above, &second.below);
-                let right = mirrored(&convolved(&second.above, &first.below));
+                // of one denominator every root counts once
+                let one = vec![1.0];
+                let (h, to_first, to_second) = if first.below == second.below {
+                    (first.below.clone(), &one, &one)
+                } else {
+                    (convolved(&first.below, &second.below), &second.below, &first.below)
+                };
+                let left = convolved(&first.above, to_first);
+                let right = mirrored(&convolved(&second.above, to_second));
                 let sizes = convolved(&magnitudes(&left), &magnitudes(&right));
                 let density = value(density, &|n| values.get(n).copied())?;
-                (convolved(&first.below, &second.below), convolved(&left, &right), sizes, density)
+                (h, convolved(&left, &right), sizes, density)
             }
         };
         let ((a, b), (_, sizes)) = (descending(&h, &g), descending(&h, &sizes));
