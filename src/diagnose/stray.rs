@@ -25,7 +25,7 @@ const NEARER: [f64; 4] = [4.0, 5.0, 6.0, 8.0];
 /// which on the tails are none.
 const LONE: f64 = 20.0;
 const FEW: usize = 2;
-const LIGHT: f64 = 0.05;
+const LIGHT: f64 = 0.5;
 /// Φ⁻¹(3/4) and that of Student's t with two degrees of freedom, √(2/3): what both call a robust deviation.
 const MIDDLES: (f64, f64) = (0.674_489_750_196_081_7, 0.816_496_580_927_726);
 
@@ -124,7 +124,11 @@ mod tests {
                 let heavy = StudentT::new(degrees).unwrap();
                 *seen += usize::from(of(&draws(2000, seed, |r| heavy.sample(r))).is_some());
             }
-            seen[2] += usize::from(of(&draws(2000, seed, |r| Exp1.sample(r) - Exp1.sample(r))).is_some());
+            let laplace = draws(2000, seed, |r| {
+                let (a, b): (f64, f64) = (Exp1.sample(r), Exp1.sample(r));
+                a - b
+            });
+            seen[2] += usize::from(of(&laplace).is_some());
         }
         assert!(seen[0] <= 2 && seen[1] <= 4 && seen[2] == 0, "{seen:?} of 200 each");
         let mut e = draws(2000, 5, |r| StandardNormal.sample(r));
