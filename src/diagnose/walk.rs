@@ -40,6 +40,9 @@ const MOST: usize = 3;
 /// Gain from which on an extension is added on trial: the error of blocks left out falls to six tenths.
 const TRIAL: f64 = 1.0;
 
+/// Gain in log-likelihood from which on one that lowers the error by little is.
+const SURELY_LIKELIER: f64 = 20.0;
+
 /// A search on its way.
 struct Walk<'a> {
     bench: &'a Bench,
@@ -209,7 +212,8 @@ impl Walk<'_> {
             let is_large = gain(now, &r.measure) > TRIAL && as_likely;
             (is_large || self.is_small(r, now)) && !r.is_pressed() && !r.is_cut
         };
-        let i = round.fitted.iter().position(is_hopeful)?;
+        let hopeful = round.fitted.iter().position(is_hopeful);
+        let i = hopeful.or_else(|| self.taken.is_empty().then(|| surest(round, now)).flatten())?;
         Some((i, ahead(self.bench, self.separate, &round.fitted[i].fit)?))
     }
 
@@ -283,6 +287,18 @@ impl Walk<'_> {
             is_trace,
         }
     }
+}
+
+/// The likeliest extension of a round that surely lowers the error, though by too little to be one: what makes it larger may be
+/// hidden in another output, whose large error has another reason.
+fn surest(round: &Round, now: &Measure) -> Option<usize> {
+    let likelier = |i: &usize| round.fitted[*i].measure.likelihood;
+    let is_sure = |i: &usize| {
+        let r = &round.fitted[*i];
+        let gains = gain(now, &r.measure) > 0.0 && likelier(i) > now.likelihood + SURELY_LIKELIER;
+        gains && r.p_value < choose::SURE && !r.is_pressed() && !r.is_cut
+    };
+    (0..round.fitted.len()).filter(is_sure).max_by(|a, b| likelier(a).total_cmp(&likelier(b)))
 }
 
 /// The best extension of a round, with what the next one sees of it. Those that cannot be run, there or over
