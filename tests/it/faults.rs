@@ -275,7 +275,9 @@ fn a_law_does_not_stand_on_two_samples() {
     let u: Vec<f64> = time.iter().map(|t| (0.3 * t).sin() + 1.5 * (29.0 * t).sin()).collect();
     let answered = |far: &[usize]| {
         let mut y: Vec<f64> = u.iter().zip(noise(1500, 5)).map(|(u, e)| 2.1 * u + 0.02 * e).collect();
-        far.iter().for_each(|i| y[*i] += 3.0);
+        for i in far {
+            y[*i] += 3.0;
+        }
         let channel =
             |name: &str, of: Vec<f64>| Channel::new(name, Unit::parse("V").unwrap(), time.clone(), of);
         let made = Recording::from_channels("made", vec![channel("u", u.clone()), channel("y", y)]).unwrap();
