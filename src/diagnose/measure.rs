@@ -125,7 +125,7 @@ pub fn stands_on_few(before: &Fit, after: &Fit, scale: &Scale) -> bool {
     let all: f64 = falls.iter().sum();
     falls.sort_by(|a, b| b.total_cmp(a));
     let (few, rest) = falls.split_at(FEW.min(falls.len()));
-    rest.len() >= MANY_MORE * FEW && few.iter().sum::<f64>() > MOSTLY * all
+    all > 0.0 && rest.len() >= MANY_MORE * FEW && few.iter().sum::<f64>() > MOSTLY * all
 }
 
 /// How good a fit is.

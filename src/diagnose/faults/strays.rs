@@ -7,8 +7,8 @@
 //! # Method
 //! The distance of a residual from the median of its three neighbours on each side, over the robust deviation of
 //! all such distances. A stray is one of at most two samples in a row that is far, and those before and after agree.
-//! Strays are taken out where so many stand apart as no noise of heavy tails has, and one or two where the rest has none. Strays that go with the edges of
-//! an input are none: what a thing does there is physics.
+//! Strays are taken out where so many stand apart as no noise of heavy tails has, and one or two where the rest has none.
+//! Strays that go with the edges of an input are none: what a thing does there is physics.
 //!
 //! # References
 //! P. J. Huber, E. M. Ronchetti, Robust Statistics, 2nd ed. (2009).
