@@ -17,7 +17,7 @@
 
 use super::answer::{Answer, Verdict};
 use super::bench::Bench;
-use super::choose::{Choice, TIE, choose, worth_of};
+use super::choose::{Choice, FLOOR, TIE, choose, worth_of};
 use super::free_law::surely_leaves;
 use super::measure::{Measure, SURELY};
 use super::search::{self, Found, Round, State, Taken, is_over};
@@ -81,11 +81,13 @@ pub fn beginning(
 const ALIKE: f64 = 0.01;
 
 /// Whether another answer has names and leaves nothing, and errors on what was held out that are no larger than those
-/// of the first.
+/// of the first; with more names than the first has, smaller ones.
 pub fn is_better(first: &Answer, other: &Answer) -> bool {
     let left = |a: &Answer| a.proof.iter().map(|p| p.holdout_after.ln()).sum::<f64>();
-    let explains = matches!(other.verdict, Verdict::Named | Verdict::Tie) && other.unexplained.is_none();
-    explains && left(other) < left(first) + ALIKE
+    let names = |a: &Answer| matches!(a.verdict, Verdict::Named | Verdict::Tie);
+    let has_more = names(first) && other.findings.len() > first.findings.len();
+    let most = left(first) + if has_more { (1.0 - FLOOR).ln() } else { ALIKE };
+    names(other) && other.unexplained.is_none() && left(other) < most
 }
 
 /// Puts the likeliest in the place of a finding, beside the others, where that is worth more.

@@ -195,7 +195,8 @@ fn with_shaft(
 
 /// An error of a sensor of angle that repeats so many times a turn.
 fn on_turn(scene: &Scene, output: &str, n: u8) -> Option<Proposal> {
-    let goes_round = |s: &&Signal| s.max - s.min > TAU || s.is_heading() && s.spread > ROUND;
+    // part of a turn shows what comes once in it, and takes much else for what comes more often
+    let goes_round = |s: &&Signal| s.max - s.min > TAU || n == 1 && s.is_heading() && s.spread > ROUND;
     let signal = scene.signal(output).filter(|s| scene.is_angle(&s.name)).filter(goes_round)?;
     let unit = scene.unit(output);
     let mut d = Draft::new(scene, "periodic-force", SiteKind::Output, output);
