@@ -14,12 +14,12 @@
 use super::backward;
 use super::bench::Bench;
 use super::catalogue::{self, Proposal, SiteKind};
-use super::choose::{self, RIVAL, gain, worth_of};
+use super::choose::{self, RIVAL, gain, is_elsewhere, worth_of};
 use super::inert;
 use super::measure::Measure;
 use super::propose::{Screened, explaining};
 use super::race::{self, Against, By, Finished};
-use super::search::{Found, Taken, is_elsewhere, is_over, is_pressed};
+use super::search::{Found, Taken, is_over, is_pressed};
 use super::view::View;
 use crate::estimate::fit::Progress;
 use crate::record::Recording;
@@ -81,7 +81,7 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
     // the same change of another parameter is as good a name though blocks left out may like it less
     let is_other = |k: usize| {
         let (p, q) = (&all[k].proposal, &all[best].proposal);
-        p.code == q.code && p.site.kind == SiteKind::Parameter && p.site != q.site
+        p.site.kind == SiteKind::Parameter && is_elsewhere(p, q)
     };
     let fits_as_well = |k: &usize| {
         let of = |k: usize| (&all[k].proposal, &measures[k]);

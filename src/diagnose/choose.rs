@@ -33,6 +33,8 @@ pub const MUCH: f64 = 0.2;
 pub const FLOOR: f64 = 0.02;
 /// Difference in log-likelihood up to which two extensions fit as well: odds of 20 to 1.
 pub const TIE: f64 = 3.0;
+/// Gain in log-likelihood from which on one is plainly likelier.
+pub const PLAINLY: f64 = 20.0;
 /// Share of the largest free-run gain that a likelier rival must reach.
 pub const RIVAL: f64 = 0.75;
 /// Share of it that is enough for one whose gains of both, multiplied, are larger.
@@ -106,6 +108,11 @@ pub fn chosen_from(p: &Proposal, samples: f64) -> f64 {
         _ if is_line(p) => (0.5 * samples).max(1.0),
         _ => 1.0,
     }
+}
+
+/// Whether a proposal is the same mechanism as another at another place.
+pub fn is_elsewhere(p: &Proposal, other: &Proposal) -> bool {
+    p.code == other.code && p.site != other.site
 }
 
 /// Whether a law was taken before at the same site on the same signals: twice, it is another law. Another harmonic of an angle
@@ -198,8 +205,7 @@ pub struct Choice {
 /// without either.
 pub fn alike((p, m): (&Proposal, &Measure), (to, best): (&Proposal, &Measure), now: &Measure) -> bool {
     let likelier = best.likelihood - now.likelihood;
-    let elsewhere = p.code == to.code && p.site != to.site;
-    let same = commute(p, to) || elsewhere;
+    let same = commute(p, to) || is_elsewhere(p, to);
     let tolerance = if same { TIE.max(COMMUTES * likelier) } else { TIE };
     let by_start_alone = commute(p, to) && gain(now, m) > (1.0 - STARTS) * gain(now, best);
     (by_start_alone || worth_of(p, m) > worth_of(to, best) - tolerance) && p.added.len() <= to.added.len()

@@ -78,8 +78,7 @@ impl Scale {
 
     /// Free-run sum of squares of a fit, every output weighed by this scale.
     pub fn squares(&self, fit: &Fit) -> f64 {
-        let series = fit.records.iter().flat_map(|r| &r.series);
-        series.map(|s| self.weights[s.output] * s.residual.iter().map(|e| e * e).sum::<f64>()).sum()
+        series(fit).map(|s| self.weights[s.output] * s.residual.iter().map(|e| e * e).sum::<f64>()).sum()
     }
 }
 
@@ -88,7 +87,7 @@ impl Scale {
 pub fn promised(fit: &Fit, scale: &Scale) -> f64 {
     let free = free_unknowns(fit);
     let mut triangle = Triangle::new(free.len());
-    for s in fit.records.iter().flat_map(|r| &r.series) {
+    for s in series(fit) {
         let root = scale.weights[s.output].sqrt();
         let weighed = |v: &[f64]| v.iter().map(|x| root * x).collect::<Vec<f64>>();
         let columns: Vec<Vec<f64>> = free.iter().map(|j| weighed(&s.sensitivities[*j])).collect();
@@ -110,13 +109,13 @@ pub fn made_by(fit: &Fit, is_one: &dyn Fn(&str) -> bool, scale: &Scale) -> f64 {
         let at = |i: usize| ones.iter().map(|(j, value)| s.sensitivities[*j][i] * value).sum::<f64>();
         scale.weights[s.output] * (0..s.residual.len()).map(|i| at(i).powi(2)).sum::<f64>()
     };
-    fit.records.iter().flat_map(|r| &r.series).map(of).sum()
+    series(fit).map(of).sum()
 }
 
 /// Whether what a fit lowers of another's sum of squares is that of one or two samples among many: these are far off, and a law
 /// that passes through them is none.
 pub fn stands_on_few(before: &Fit, after: &Fit, scale: &Scale) -> bool {
-    let both = series(before).into_iter().zip(series(after));
+    let both = series(before).zip(series(after));
     let of = |(old, new): (&Series, &Series)| {
         let squares = old.residual.iter().zip(&new.residual).map(|(a, b)| a * a - b * b);
         squares.map(|d| scale.weights[old.output] * d).collect::<Vec<f64>>()
@@ -144,7 +143,7 @@ pub struct Measure {
 impl Measure {
     /// Measures a fit.
     pub fn of(fit: &Fit, scale: &Scale) -> Self {
-        let series = series(fit);
+        let series: Vec<&Series> = series(fit).collect();
         let free = free_unknowns(fit);
         let (likelihood, samples) = likelihood(&series, &free, scale);
         // Initial states belong to their block alone: they stay where they are.
@@ -178,8 +177,8 @@ pub fn chance(ratio: f64, k: usize, samples: f64, degrees: f64) -> f64 {
     checked_beta_reg(0.5 * degrees, 0.5 * k as f64, (-ratio / samples).exp()).unwrap_or(1.0)
 }
 
-fn series(fit: &Fit) -> Vec<&Series> {
-    fit.records.iter().flat_map(|r| &r.series).collect()
+fn series(fit: &Fit) -> impl Iterator<Item = &Series> {
+    fit.records.iter().flat_map(|r| &r.series)
 }
 
 /// Unknowns that are inside their bounds.

@@ -19,7 +19,7 @@
 
 use super::bench::{Bench, Stand};
 use super::catalogue::Proposal;
-use super::choose::{MUCH, RIVAL, TIE, floor, is_anchored};
+use super::choose::{MUCH, PLAINLY, RIVAL, TIE, floor, is_anchored};
 use super::foretold::Foretold;
 use super::measure::{Measure, Scale, made_by};
 use super::propose::{Screened, starts};
@@ -41,9 +41,9 @@ const FAIR: [f64; 2] = [0.25, 0.6];
 const LAST: (usize, [usize; 2]) = (8, [3, 6]);
 /// Share of what a proposal's direction foretells that its first heat must keep.
 const KEPT: f64 = 0.5;
-/// Gain in log-likelihood from which on one is plainly likelier, and the shares of it that another must gain to go on to the
-/// second heat and to the end. None with less than a share of 1 - COMMUTES of it can be named.
-const LIKELIER: (f64, [f64; 2]) = (20.0, [0.3, 0.5]);
+/// Shares of the gain in log-likelihood of one that is plainly likelier that another must gain to go on to the second heat and
+/// to the end. None with less than a share of 1 - COMMUTES of it can be named.
+const LIKELIER: [f64; 2] = [0.3, 0.5];
 /// Share of the largest score of those that are fitted to the end from which on those with fewer parameters join them, and how
 /// many.
 const SIMPLER: f64 = 0.5;
@@ -239,8 +239,7 @@ fn likely(
     let of = gains.iter().zip(&falls);
     let largest = of.filter(|(_, f)| **f >= least).map(|(g, _)| *g).fold(0.0, f64::max);
     let likeliest = gains.iter().fold(f64::NEG_INFINITY, |all, g| all.max(*g));
-    let (plain, shares) = LIKELIER;
-    let enough = if largest < plain { likeliest.min(0.0) - plain } else { shares[heat] * largest };
+    let enough = if largest < PLAINLY { likeliest.min(0.0) - PLAINLY } else { LIKELIER[heat] * largest };
     gains.iter().enumerate().map(|(i, g)| *g >= enough || Some(i) == tried).collect()
 }
 

@@ -52,11 +52,6 @@ pub fn is_pressed(p: &Proposal, fit: &Fit) -> bool {
     p.added.iter().any(|a| fit.is_at_bound(&a.name))
 }
 
-/// Whether a proposal is the same mechanism as another at another place.
-pub fn is_elsewhere(p: &Proposal, other: &Proposal) -> bool {
-    p.code == other.code && p.site != other.site
-}
-
 /// A mechanism that was taken into the model.
 #[derive(Clone)]
 pub struct Taken {

@@ -22,12 +22,12 @@
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::{self, Choice, choose, gain};
+use super::choose::{self, Choice, choose, gain, is_elsewhere};
 use super::compared::patiently;
 use super::measure::{Measure, Scale};
 use super::propose::Screening;
 use super::prove;
-use super::search::{Found, Refitted, Round, State, Taken, ahead, is_elsewhere, is_over, round, trace};
+use super::search::{Found, Refitted, Round, State, Taken, ahead, is_over, round, trace};
 use super::small;
 use super::view::View;
 use crate::Result;
@@ -39,9 +39,6 @@ use crate::record::Recording;
 const MOST: usize = 3;
 /// Gain from which on an extension is added on trial: the error of blocks left out falls to six tenths.
 const TRIAL: f64 = 1.0;
-
-/// Gain in log-likelihood from which on one that lowers the error by little is.
-const SURELY_LIKELIER: f64 = 20.0;
 
 /// A search on its way.
 struct Walk<'a> {
@@ -212,8 +209,8 @@ impl Walk<'_> {
             let is_large = gain(now, &r.measure) > TRIAL && as_likely;
             (is_large || self.is_small(r, now)) && !r.is_pressed() && !r.is_cut
         };
-        let hopeful = round.fitted.iter().position(is_hopeful);
-        let i = hopeful.or_else(|| self.taken.is_empty().then(|| surest(round, now)).flatten())?;
+        let little = || if self.taken.is_empty() { surest(round, now) } else { None };
+        let i = round.fitted.iter().position(is_hopeful).or_else(little)?;
         Some((i, ahead(self.bench, self.separate, &round.fitted[i].fit)?))
     }
 
@@ -295,7 +292,7 @@ fn surest(round: &Round, now: &Measure) -> Option<usize> {
     let likelier = |i: &usize| round.fitted[*i].measure.likelihood;
     let is_sure = |i: &usize| {
         let r = &round.fitted[*i];
-        let gains = gain(now, &r.measure) > 0.0 && likelier(i) > now.likelihood + SURELY_LIKELIER;
+        let gains = gain(now, &r.measure) > 0.0 && likelier(i) > now.likelihood + choose::PLAINLY;
         gains && r.p_value < choose::SURE && !r.is_pressed() && !r.is_cut
     };
     (0..round.fitted.len()).filter(is_sure).max_by(|a, b| likelier(a).total_cmp(&likelier(b)))
