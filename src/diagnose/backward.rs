@@ -8,7 +8,7 @@
 //! The last model is refitted without each finding in turn. A finding stands if the likelihood that it adds is no
 //! noise, corrected for all that was tried beside it, and pays for its parameters; if it lowers the error over blocks
 //! left out, and, where it lowers that by little, what was held out too; and if its amplitude is not that of another
-//! finding with the other sign. Of those that do not stand the
+//! finding with the other sign, unless the error is far larger without it. Of those that do not stand the
 //! least likely is dropped, and the others are asked again; it and its ties count as look-alikes of what was found after it.
 //!
 //! # References
@@ -30,6 +30,9 @@ use rayon::prelude::*;
 
 /// Correlation of the amplitudes of two findings from which on they are one thing with two signs.
 const ONE: f64 = 0.98;
+
+/// Fall of ln of the squares of blocks left out from which on a finding is needed, however its amplitude is determined.
+const NEEDED: f64 = 1.0;
 
 /// Share of the fall of the held-out errors that is none.
 const NO_SHARE: f64 = 1e-3;
@@ -114,9 +117,11 @@ fn worth(last: &Measure, without: &Without, taken: &Taken) -> f64 {
 fn fails(found: &Found, last: &Measure, i: usize) -> bool {
     let taken = &found.taken[i];
     let Some(without) = found.without[i].as_ref().filter(|_| found.taken.len() > 1) else { return false };
-    let falls = gain(&without.1, last) >= -2.0 * (1.0 - 0.5 * FLOOR).ln();
+    let fall = gain(&without.1, last);
+    let falls = fall >= -2.0 * (1.0 - 0.5 * FLOOR).ln();
     let p_value = p_value(last, without, taken);
-    let mirrored = found.taken[..i].iter().any(|t| is_one(&found.last, &t.proposal, &taken.proposal));
+    let is_one = |t: &Taken| is_one(&found.last, &t.proposal, &taken.proposal);
+    let mirrored = fall < NEEDED && found.taken[..i].iter().any(is_one);
     !falls || p_value >= CHANCE || worth(last, without, taken) < 0.0 || mirrored
 }
 

@@ -1,0 +1,142 @@
+"""Times `gyrospec diagnose`, by itself or beside another build, on recordings made here and on the public ones.
+
+    python benches/speed/speed.py [--program gyrospec] [--beside OTHER] [--only TEXT] [--recordings DIR] [--folder DIR]
+                                  [--longest SECONDS]
+
+Each row is one recording, given to both programs one after the other: processor seconds, seconds by the clock, peak memory
+and what was said. The public recordings are those of benches/evidence, skipped where they are absent. The recordings come
+from one seed; `--folder` keeps them.
+"""
+
+import argparse
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent / "evidence")]
+
+from evidence import CLONE, SETS, placed  # noqa: E402
+from plants import PLANTS, Plant  # noqa: E402
+
+PUBLIC = ["silverbox", "emps", "roll-decay"]
+
+
+def simulated(plant: Plant, hidden: str) -> np.ndarray:
+    """States at each sample, fourth order of Runge and Kutta, inputs straight between samples."""
+    rates, h = plant.law(hidden), 1 / plant.rate / plant.substeps
+    inputs = np.column_stack([values for _, values in plant.inputs.values()])
+    x, out = np.array(plant.start), [plant.start]
+
+    def f(x, v):
+        return np.array(rates(x, v))
+
+    for a, b in zip(inputs[:-1], inputs[1:], strict=True):
+        for k in range(plant.substeps):
+            u, v, w = (a + (b - a) * (k + part) / plant.substeps for part in (0, 0.5, 1))
+            k1 = f(x, u)
+            k2 = f(x + h / 2 * k1, v)
+            k3 = f(x + h / 2 * k2, v)
+            x = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + f(x + h * k3, w))
+        out.append(x)
+    return np.array(out)
+
+
+def written(plant: Plant, hidden: str, folder: pathlib.Path, seed: int) -> list[str]:
+    """Model and recording of a case as files; the words of the call after `diagnose`."""
+    place = folder / f"{plant.name}-{hidden.replace(' ', '-')}"
+    place.mkdir(parents=True, exist_ok=True)
+    model, log = place / "model.toml", place / "recording.csv"
+    model.write_text(plant.models.get(hidden, plant.model))
+    if not log.exists():
+        rng, x = np.random.default_rng(seed), simulated(plant, hidden)
+        heads, columns = ["t [s]"], [np.arange(plant.samples) / plant.rate]
+        for name, (unit, values) in plant.inputs.items():
+            heads.append(f"{name} [{unit}]")
+            columns.append(values)
+        for name, (unit, noise, f) in plant.outputs.items():
+            clean = np.array([f(row, None) for row in x])
+            late = getattr(plant, "late", {}).get(hidden, 0)
+            if hidden == "lag":
+                clean = x[:, 2]
+            clean = np.concatenate([np.full(late, clean[0]), clean])[: plant.samples]
+            heads.append(f"{name} [{unit}]")
+            columns.append(clean + noise * rng.standard_normal(plant.samples))
+        np.savetxt(log, np.column_stack(columns), delimiter=",", header=",".join(heads), comments="", fmt="%.9g")
+    return [str(model), str(log)]
+
+
+def told(text: str) -> str:
+    try:
+        answer = json.loads(text)
+    except json.JSONDecodeError:
+        return "no answer"
+    own = ["|".join([f["code"], *f["ties"]]) for f in answer["findings"] if not f.get("resembles")]
+    return answer["verdict"] + (": " + ", ".join(own) if own and answer["verdict"] in ("named", "tie") else "")
+
+
+def timed(program: str, words: list[str], longest: float) -> dict:
+    """Processor and clock seconds of one diagnosis, its peak memory in MiB and its answer."""
+    begin = time.perf_counter()
+    with tempfile.TemporaryFile("w+") as out:
+        ran = subprocess.Popen([program, "diagnose", *words, "--json", "-"], stdout=out, stderr=subprocess.DEVNULL)
+        stop = threading.Timer(longest, ran.kill)
+        stop.start()
+        _, status, used = os.wait4(ran.pid, 0)
+        ended = stop.is_alive()
+        stop.cancel()
+        ran.returncode = os.waitstatus_to_exitcode(status)
+        out.seek(0)
+        said = told(out.read()) if ended else f"no answer in {longest:.0f} s"
+    return {"cpu": used.ru_utime + used.ru_stime, "wall": time.perf_counter() - begin, "MiB": used.ru_maxrss / 1024,
+            "said": said}
+
+
+def calls(args, folder: pathlib.Path):
+    """Name of each row and the words of its call."""
+    for make in PLANTS:
+        plant = make(np.random.default_rng(args.seed))
+        for hidden in plant.cases:
+            name = f"{plant.name}, {hidden}"
+            if args.only in name:
+                yield name, plant.samples, written(plant, hidden, folder, args.seed + 1)
+    there = pathlib.Path(args.recordings or os.environ.get("GYROSPEC_RECORDINGS") or CLONE / "recordings").resolve()
+    for name in PUBLIC:
+        if args.only not in name:
+            continue
+        if all((there / file).exists() for file in SETS[name]):
+            yield name, 0, placed(name, there, folder / name)
+        else:
+            print(f"{name}: SKIPPED, no recording in {there}", file=sys.stderr)
+
+
+def main() -> None:
+    ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    ask.add_argument("--program", default="gyrospec")
+    ask.add_argument("--beside")
+    ask.add_argument("--only", default="")
+    ask.add_argument("--recordings")
+    ask.add_argument("--folder")
+    ask.add_argument("--longest", type=float, default=900)
+    ask.add_argument("--seed", type=int, default=1978)
+    args = ask.parse_args()
+    programs = [p for p in (args.beside, args.program) if p]
+    heads = " | ".join("CPU s | clock s | MiB | says" for _ in programs)
+    print(f"| recording | {heads} |" + (" ratio of CPU |" if args.beside else ""))
+    print("|---" * (1 + 4 * len(programs) + bool(args.beside)) + "|", flush=True)
+    with tempfile.TemporaryDirectory() as kept:
+        for name, _, words in calls(args, pathlib.Path(args.folder or kept)):
+            ran = [timed(p, words, args.longest) for p in programs]
+            cells = [f"{r['cpu']:.1f} | {r['wall']:.1f} | {r['MiB']:.0f} | {r['said']}" for r in ran]
+            ratio = [f"{ran[0]['cpu'] / ran[1]['cpu']:.1f}"] if args.beside else []
+            print("| " + " | ".join([name, *cells, *ratio]) + " |", flush=True)
+
+
+main()
