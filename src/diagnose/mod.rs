@@ -35,6 +35,7 @@ pub mod laboratory;
 mod lines;
 mod locate;
 mod located;
+mod lost;
 mod measure;
 mod nameless;
 mod namesakes;

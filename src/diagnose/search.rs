@@ -10,7 +10,7 @@ use super::propose::{Screened, Screening, screen, worth_fitting};
 use super::race::{self, Against, By};
 use super::twins::{finer, twins};
 use super::view::View;
-use super::{cut, prove, scan};
+use super::{cut, lost, prove, scan};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::Progress;
@@ -215,7 +215,10 @@ pub fn round(
         false => floor(*gains).min(choose::MUCH),
     };
     let may = |s: &&Screened| avoids.is_none_or(|a| !is_alike(a, &s.proposal));
-    let chosen: Vec<&Screened> = worth_fitting(&screening, most, least).into_iter().filter(may).collect();
+    let mut chosen: Vec<&Screened> = worth_fitting(&screening, most, least).into_iter().filter(may).collect();
+    if taken.is_empty() && most > 0 {
+        chosen.extend(lost::simple(bench, current, &screening, &chosen).into_iter().filter(may));
+    }
     let squares = scale.squares(current);
     let judged = |p: Proposal, fit: Fit, is_cut: bool| {
         let measure = Measure::of(&fit, scale);
