@@ -10,6 +10,7 @@
 //! ```text
 //!     M v' = … - c v,  c >= 0
 //!     A h' = … - c h,  c >= 0
+//!     C T' = … - c (T - Ta),  c >= 0, of a temperature, to surroundings Ta that nobody recorded
 //! ```
 //!
 //! # What else looks like this
@@ -22,6 +23,7 @@
 //! # Example
 //! A pendulum modelled without any loss.
 
+use super::scene::{Signal, is_temperature};
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
 
 /// Damping in proportion to the speed, or a leak in proportion to a level.
@@ -33,8 +35,30 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
     propose,
 );
 
+/// Temperature of surroundings to begin with, K: that of a room.
+const ROOM: f64 = 293.15;
+/// Below this, K, a temperature counts from somewhere else than absolute zero.
+const ABSOLUTE: f64 = 100.0;
+
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    scene.motions().iter().filter_map(|m| at(scene, m)).collect()
+    let absolute = |m: &Motion| {
+        let signal = scene.signal(&m.state)?;
+        (m.speed.is_none() && is_temperature(&signal.unit) && signal.min > ABSOLUTE).then_some(signal)
+    };
+    let one = |m: &Motion| absolute(m).map_or_else(|| at(scene, m), |signal| cools(scene, m, signal));
+    scene.motions().iter().filter_map(one).collect()
+}
+
+/// A loss of heat to surroundings of one temperature.
+fn cools(scene: &Scene, m: &Motion, signal: &Signal) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "linear-damping", m);
+    let c = d.amplitude("c", &m.force.over(&signal.unit), POSITIVE, "loss of heat for a degree");
+    let around = d.parameter("Ta", &signal.unit, (ABSOLUTE, f64::INFINITY), "temperature of the surroundings");
+    d.force(&m.state, &format!("-{c}*({} - {around})", m.state));
+    for other in [ROOM, signal.min - signal.spread] {
+        d.start(&[m.size / (signal.mean - other).abs().max(signal.spread), other]);
+    }
+    d.done(&format!("a loss of heat of {}, {{0}}, to surroundings of {{1}} is missing", scene.words(&m.state)))
 }
 
 fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {

@@ -10,6 +10,7 @@ use crate::estimate::covariance::independent_samples;
 use crate::estimate::least_squares::Problem;
 use crate::record::Recording;
 use crate::simulate::Early;
+use rayon::prelude::*;
 
 /// A parameter whose interval widens by this when others leave their bounds, or what holds them along a direction that is
 /// not seen, does not rest on curvature.
@@ -72,12 +73,15 @@ fn profiled(fit: &Fit, recordings: &[Recording], options: &FitOptions<'_>) -> Re
     let trading: Vec<usize> = directions.trading().into_iter().filter(|j| *j < problem.free.len()).collect();
     let wanted: Vec<usize> =
         (0..problem.free.len()).filter(|j| is_doubtful(fit, &valley, &directions, *j, &trading)).collect();
-    let mut profiles = Vec::new();
-    for j in wanted {
-        let name = &fit.unknowns[j];
-        options.progress.report(&format!("how far {name} may go"), None);
-        profiles.push((problem.free[j], valley.profile(j)));
-    }
+    // each with its own share of the steps, so that it ends where it would alone
+    let profiled = |j: usize| {
+        options.progress.report(&format!("how far {} may go", fit.unknowns[j]), None);
+        let share = FitOptions { budget: options.budget.part(wanted.len() as u64), ..near.clone() };
+        let mut alone = problem::problem(&fit.model, &own, problem.parameters.clone(), &share);
+        alone.weights.clone_from(&problem.weights);
+        (problem.free[j], Valley { problem: &alone, ..valley }.profile(j))
+    };
+    let profiles: Vec<(usize, Profile)> = wanted.par_iter().with_max_len(1).map(|j| profiled(*j)).collect();
     let points: Vec<Vec<f64>> = profiles.iter().flat_map(|(_, p)| p.points.iter().cloned()).collect();
     let found = Search {
         model: &fit.model,
