@@ -93,6 +93,7 @@ mod set_by_reading;
 mod short_doses;
 mod side_by_side;
 mod simulate;
+mod simple_laws;
 mod simulated;
 mod site;
 mod skipped;

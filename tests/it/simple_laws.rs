@@ -1,0 +1,100 @@
+//! Laws of one size that hold all together, forgotten: a spring, a loss of heat to a room that nobody recorded.
+
+use crate::fields::{Plant, first, value};
+use gyrospec::diagnose::answer::Verdict;
+
+const CARRIAGE: Plant<'_> = Plant {
+    step: 0.05,
+    start: &[0.0, 0.0],
+    inputs: &[("force", "N")],
+    states: &[("q", "m"), ("v", "m/s")],
+    sizes: &[(0.0, 200.0)],
+    noise: 0.001,
+    measured: 1,
+};
+const CARRIAGE_MODEL: &str = r#"
+    name = "carriage"
+    [inputs]
+    force = { unit = "N" }
+    [parameters]
+    M = { value = 80, unit = "kg", fit = true, min = 1, max = 1000 }
+    d = { value = 150, unit = "N*s/m", fit = true, min = 0, max = 1e4 }
+    [states]
+    q = { rate = "v", unit = "m", initial = "fit" }
+    v = { rate = "(force - d*v)/M", unit = "m/s", initial = "fit" }
+    [outputs]
+    q_meas = { equals = "q", unit = "m" }
+"#;
+
+/// Without its spring the fit of the model ends far from all that is true, a thousand times the noise away.
+#[test]
+fn a_cable_pulls_a_carriage_back() {
+    let of = |k: f64, cubic: f64| {
+        CARRIAGE.diagnosed(CARRIAGE_MODEL, |x, u| {
+            vec![x[1], (u[0] - 200.0 * x[1] - k * x[0] - cubic * x[0].powi(3)) / 90.0]
+        })
+    };
+    let held = of(60.0, 0.0);
+    assert_eq!((held.verdict, first(&held)), (Verdict::Named, "linear-stiffness"), "{}", held.says);
+    assert_eq!(held.findings.len(), 1, "{}", held.says);
+    let [low, _, high] = value(&held, "k1");
+    assert!(low < 60.0 && 60.0 < high && high - low < 0.6, "{low} to {high}");
+    let hardening = of(0.0, 60.0);
+    assert_eq!(
+        (hardening.verdict, first(&hardening)),
+        (Verdict::Named, "cubic-stiffness"),
+        "{}",
+        hardening.says
+    );
+    assert_eq!(of(0.0, 0.0).verdict, Verdict::NothingMissing);
+}
+
+/// A spring that the model has, of another stiffness, is a value and no further spring.
+#[test]
+fn a_spring_of_another_stiffness_is_a_value() {
+    let model = CARRIAGE_MODEL
+        .replace("force - d*v", "force - d*v - k*q")
+        .replace("[states]", "k = { value = 45, unit = \"N/m\" }\n    [states]");
+    let other =
+        CARRIAGE.diagnosed(&model, |x, u| vec![x[1], (u[0] - 200.0 * x[1] - 60.0 * x[0]) / 90.0]);
+    let names = [&[other.findings[0].code.clone()][..], &other.findings[0].ties].concat();
+    assert!(matches!(other.verdict, Verdict::Named | Verdict::Tie), "{}", other.says);
+    assert!(names.iter().any(|n| n == "parameter-value"), "{}", other.says);
+}
+
+const VESSEL: Plant<'_> = Plant {
+    step: 20.0,
+    start: &[320.0],
+    inputs: &[("jacket", "K"), ("steam", "W")],
+    states: &[("T", "K")],
+    sizes: &[(330.0, 15.0), (2000.0, 1500.0)],
+    noise: 0.01,
+    measured: 1,
+};
+const VESSEL_MODEL: &str = r#"
+    name = "vessel"
+    [inputs]
+    jacket = { unit = "degC" }
+    steam = { unit = "W" }
+    [parameters]
+    C = { value = 200, unit = "kJ/K" }
+    UA = { value = 400, unit = "W/K", fit = true, min = 0 }
+    [states]
+    T = { rate = "(UA*(jacket - T) + steam)/C", unit = "degC", initial = "fit" }
+    [outputs]
+    T_meas = { equals = "T", unit = "degC" }
+"#;
+
+#[test]
+fn a_vessel_cools_to_a_room_that_nobody_recorded() {
+    let of = |loss: f64| {
+        VESSEL.diagnosed(VESSEL_MODEL, |x, u| {
+            vec![(450.0 * (u[0] - x[0]) + u[1] - loss * (x[0] - 291.0)) / 200e3]
+        })
+    };
+    let cooled = of(60.0);
+    assert_eq!((cooled.verdict, first(&cooled)), (Verdict::Named, "linear-damping"), "{}", cooled.says);
+    let [low, _, high] = value(&cooled, "Ta");
+    assert!(low < 291.0 && 291.0 < high && high - low < 6.0, "{low} to {high}: {}", cooled.says);
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}
