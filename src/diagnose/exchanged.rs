@@ -1,6 +1,6 @@
 //! Fit and proof in each other's place, once, where the later part shows what the earlier does not.
 
-use super::answer::Verdict;
+use super::answer::{Answer, Finding, Verdict};
 use super::at_rest::starting_anywhere;
 use super::prove::Held;
 use super::{Diagnosis, Request, locate};
@@ -11,18 +11,22 @@ use crate::model::Model;
 use crate::record::{Kind, Recording, Spans};
 
 /// The recordings with what was held out to be fitted and what was fitted to be held out, and the model that starts anywhere,
-/// where a diagnosis asks for that: its fitted part is explained with nothing added, what was held out is not, and nobody
-/// chose the spans.
+/// where a diagnosis asks for that: its fitted part is explained, by what was found or with nothing added, what was held out
+/// is not, and nobody chose the spans.
 pub fn asked(request: &Request<'_>, first: &Diagnosis) -> Option<(Model, Vec<Recording>)> {
     let answer = &first.answer;
     let fails = match answer.verdict {
         Verdict::NotIdentifiable => locate::astray(&first.before, &first.held.1).is_some(),
         Verdict::NothingMissing => is_more(&first.before, &first.held.1),
-        _ => false,
+        Verdict::Named | Verdict::Tie | Verdict::Unknown => {
+            answer.unexplained.is_none() && locate::astray(&first.after, &first.held.1).is_some()
+        }
+        Verdict::DataFault => false,
     };
+    let is_alone = answer.findings.is_empty() || answer.verdict != Verdict::NotIdentifiable;
     let of_default = |r: &Recording| !r.spans.given && r.kind != Kind::Trials;
     let ours = request.separate.is_empty() && request.recordings.iter().all(of_default);
-    let is_asked = fails && answer.findings.is_empty() && ours && answer.made.ended_early.is_none();
+    let is_asked = fails && is_alone && ours && answer.made.ended_early.is_none();
     let recordings = || request.recordings.iter().map(|r| exchanged(request.model, r)).collect();
     is_asked.then(|| (starting_anywhere(request.model), recordings()))
 }
@@ -47,14 +51,18 @@ fn exchanged(model: &Model, recording: &Recording) -> Recording {
     Recording { spans: Spans { fit: holdout, holdout: fit, given: true }, ..recording.clone() }
 }
 
-/// What the later part names, where the earlier proves it.
-pub fn proven(mut second: Diagnosis) -> Option<Diagnosis> {
-    let is_named = matches!(second.answer.verdict, Verdict::Named | Verdict::Tie);
-    is_named.then(|| {
+/// What the later part names, where the earlier proves it, and all that was named before is among it.
+pub fn proven(first: &Answer, mut second: Diagnosis) -> Option<Diagnosis> {
+    let is_named = |a: &Answer| matches!(a.verdict, Verdict::Named | Verdict::Tie);
+    let codes = |f: &Finding| [&[f.code.clone()][..], &f.ties].concat();
+    let found: Vec<String> = second.answer.findings.iter().flat_map(codes).collect();
+    let is_kept = |f: &Finding| codes(f).iter().any(|c| found.contains(c));
+    let keeps = !is_named(first) || first.findings.iter().all(is_kept);
+    (is_named(&second.answer) && keeps).then(|| {
         second.answer.notes.insert(0, EXCHANGED.into());
         second
     })
 }
 
 /// That the parts have changed places.
-const EXCHANGED: &str = "fit and proof have changed places: the earlier part alone is explained without anything added, so that the later part was fitted and the earlier one held out for the proof; states start where the parts show them, whatever `initial` says";
+const EXCHANGED: &str = "fit and proof have changed places: the earlier part alone is explained while the later one is not, so that the later part was fitted and the earlier one held out for the proof; states start where the parts show them, whatever `initial` says";

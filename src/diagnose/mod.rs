@@ -119,7 +119,7 @@ pub struct Diagnosis {
     pub pictures: pictures::Pictures,
 }
 
-/// Diagnoses a model against recordings. Where the fitted part is explained with nothing added, what was held out is
+/// Diagnoses a model against recordings. Where the fitted part is explained, with or without a finding, what was held out is
 /// not, and the spans are the default's, fit and proof change places once.
 ///
 /// # Errors
@@ -177,7 +177,7 @@ fn both_ways(request: &Request<'_>, gaps: &[DataFault]) -> Result<Diagnosis> {
     let time_limit = request.time_limit.map(|t| t.saturating_sub(begin.elapsed()));
     let second =
         as_it_stands(&Request { model: &model, recordings: &recordings, time_limit, ..*request }, gaps);
-    Ok(second.ok().and_then(exchanged::proven).unwrap_or(first))
+    Ok(second.ok().and_then(|second| exchanged::proven(&first.answer, second)).unwrap_or(first))
 }
 
 /// The diagnosis with fit and proof where they stand, beside gaps of what these recordings were cut from.

@@ -28,9 +28,18 @@ fn sampled(t: f64, later: f64) -> f64 {
 
 /// The axis with a spring that stiffens by k3·q³, solved by Runge and Kutta's method at a tenth of a sample; M = 2.2,
 /// b = 2.5, k = 70, noise of 50 um, in the later part as many times that.
-fn recorded(k3: f64, spans: Option<[Span; 2]>, (later, noisier): (f64, f64)) -> Answer {
+fn recorded(k3: f64, spans: Option<[Span; 2]>, sizes: (f64, f64)) -> Answer {
+    recorded_of(|force, q| force - k3 * q.powi(3), spans, sizes)
+}
+
+/// The same with what acts on it beside damping and spring, of force and position.
+fn recorded_of(
+    acts: impl Fn(f64, f64) -> f64,
+    spans: Option<[Span; 2]>,
+    (later, noisier): (f64, f64),
+) -> Answer {
     let force = |t| force(t, later);
-    let rate = |t: f64, [q, v]: [f64; 2]| [v, (force(t) - 2.5 * v - 70.0 * q - k3 * q.powi(3)) / 2.2];
+    let rate = |t: f64, [q, v]: [f64; 2]| [v, (acts(force(t), q) - 2.5 * v - 70.0 * q) / 2.2];
     let add = |[q, v]: [f64; 2], h: f64, [a, b]: [f64; 2]| [q + h * a, v + h * b];
     let (mut state, mut position, h) = ([0.0, 0.0], Vec::new(), STEP / 10.0);
     for i in 0..10 * COUNT {
@@ -112,4 +121,20 @@ fn what_the_later_part_shows_about_its_noise_is_named_there() {
 fn a_later_part_with_more_noise_misses_nothing() {
     let told = recorded(0.0, None, (1.6, 3.0));
     assert_eq!((told.verdict, says_so(&told)), (Verdict::NothingMissing, false), "{}", told.says);
+}
+
+/// What the earlier part names stays, and what only the later one shows comes to it.
+#[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
+fn a_limit_that_only_the_later_part_reaches_stands_beside_what_acts_all_the_time() {
+    let told = recorded_of(|force, _| force.clamp(-1.2, 1.2) + 0.1, None, (0.8, 1.0));
+    let names: Vec<&str> = told.findings.iter().map(|f| &*f.code).collect();
+    assert!(matches!(told.verdict, Verdict::Named | Verdict::Tie) && says_so(&told), "{}", told.says);
+    assert_eq!(names.len(), 2, "{}", told.says);
+    let limit = told.findings.iter().find(|f| f.code == "input-saturation").unwrap();
+    assert!(limit.parameters[0].low < 1.2 && 1.2 < limit.parameters[0].high, "{}", told.says);
+    assert!(
+        ["constant-force", "input-offset", "output-offset"].iter().any(|n| names.contains(n)),
+        "{names:?}"
+    );
 }
