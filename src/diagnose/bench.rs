@@ -271,7 +271,10 @@ impl Bench {
         if fit.unseen.is_empty() {
             return Ok(());
         }
-        ascertain(fit, &self.recordings, &self.options(Effort::Near, 30))
+        // what a fit may spend, or all where that is a matter of seconds
+        let one_in = (self.budget.most() / (2 * SECONDS)).clamp(1, FITS);
+        let options = FitOptions { budget: self.budget.part(one_in), ..self.options(Effort::Near, 30) };
+        ascertain(fit, &self.recordings, &options)
     }
 
     /// How many proposals are worth a fit in one round: fewer where one simulation is long.

@@ -74,14 +74,16 @@ fn profiled(fit: &Fit, recordings: &[Recording], options: &FitOptions<'_>) -> Re
     let wanted: Vec<usize> =
         (0..problem.free.len()).filter(|j| is_doubtful(fit, &valley, &directions, *j, &trading)).collect();
     // each with its own share of the steps, so that it ends where it would alone
-    let profiled = |j: usize| {
+    let profiled = |j: usize| -> Result<(usize, Profile)> {
         options.progress.report(&format!("how far {} may go", fit.unknowns[j]), None);
         let share = FitOptions { budget: options.budget.part(wanted.len() as u64), ..near.clone() };
+        let own = records(&fit.model, recordings, &share)?;
         let mut alone = problem::problem(&fit.model, &own, problem.parameters.clone(), &share);
         alone.weights.clone_from(&problem.weights);
-        (problem.free[j], Valley { problem: &alone, ..valley }.profile(j))
+        Ok((problem.free[j], Valley { problem: &alone, ..valley }.profile(j)))
     };
-    let profiles: Vec<(usize, Profile)> = wanted.par_iter().with_max_len(1).map(|j| profiled(*j)).collect();
+    let profiles: Vec<(usize, Profile)> =
+        wanted.par_iter().with_max_len(1).map(|j| profiled(*j)).collect::<Result<_>>()?;
     let points: Vec<Vec<f64>> = profiles.iter().flat_map(|(_, p)| p.points.iter().cloned()).collect();
     let found = Search {
         model: &fit.model,

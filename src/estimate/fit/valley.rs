@@ -220,13 +220,17 @@ impl Valley<'_> {
         if self.is_something(j) { (alone / self.x[j].abs()).clamp(0.02, 0.5) } else { alone }
     }
 
-    /// The lowest minimum with one unknown held at a value, from several starts while it is too high.
+    /// The lowest minimum with one unknown held at a value, from several starts while it is too high; nothing once the
+    /// steps are spent.
     fn refit(&self, walk: &Walk, x: f64) -> Tried {
         let mut ranges = self.ranges.to_vec();
         ranges[walk.j] = Range { min: x, max: x };
         let stopping = Stopping { iterations: 40, reduction: 1e-7, step: 1e-10 };
         let mut best = Tried { rise: f64::INFINITY, is_sure: false, point: None };
         for start in self.starts(walk, x) {
+            if self.problem.budget.over().is_some() {
+                break;
+            }
             let Ok(found) = minimise(self.problem, &start, &ranges, stopping) else { continue };
             let rise = ((found.sum_of_squares - self.sum).max(0.0) / self.noise).sqrt();
             if rise < best.rise {
