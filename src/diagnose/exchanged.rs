@@ -15,18 +15,18 @@ use crate::record::{Kind, Recording, Spans};
 /// is not, and nobody chose the spans.
 pub fn asked(request: &Request<'_>, first: &Diagnosis) -> Option<(Model, Vec<Recording>)> {
     let answer = &first.answer;
+    let is_bare = answer.findings.is_empty();
     let fails = match answer.verdict {
-        Verdict::NotIdentifiable => locate::astray(&first.before, &first.held.1).is_some(),
-        Verdict::NothingMissing => is_more(&first.before, &first.held.1),
+        Verdict::NotIdentifiable => is_bare && locate::astray(&first.before, &first.held.1).is_some(),
+        Verdict::NothingMissing => is_bare && is_more(&first.before, &first.held.1),
         Verdict::Named | Verdict::Tie | Verdict::Unknown => {
             answer.unexplained.is_none() && locate::astray(&first.after, &first.held.1).is_some()
         }
         Verdict::DataFault => false,
     };
-    let is_alone = answer.findings.is_empty() || answer.verdict != Verdict::NotIdentifiable;
     let of_default = |r: &Recording| !r.spans.given && r.kind != Kind::Trials;
     let ours = request.separate.is_empty() && request.recordings.iter().all(of_default);
-    let is_asked = fails && is_alone && ours && answer.made.ended_early.is_none();
+    let is_asked = fails && ours && answer.made.ended_early.is_none();
     let recordings = || request.recordings.iter().map(|r| exchanged(request.model, r)).collect();
     is_asked.then(|| (starting_anywhere(request.model), recordings()))
 }

@@ -97,3 +97,42 @@ fn a_vessel_cools_to_a_room_that_nobody_recorded() {
     assert!(low < 291.0 && 291.0 < high && high - low < 6.0, "{low} to {high}: {}", cooled.says);
     assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
 }
+
+const CULTURE: Plant<'_> = Plant {
+    step: 360.0,
+    start: &[2.0],
+    inputs: &[("food", "1"), ("dilution", "1/s")],
+    states: &[("X", "kg/m^3")],
+    sizes: &[(1.0, 0.5), (8e-5, 5e-5)],
+    noise: 0.003,
+    measured: 1,
+};
+const CULTURE_MODEL: &str = r#"
+    name = "culture"
+    [inputs]
+    food = { unit = "1" }
+    dilution = { unit = "1/s" }
+    [parameters]
+    growth = { value = 0.25, unit = "1/h", fit = true, min = 0 }
+    [states]
+    X = { rate = "(growth*food - dilution)*X", unit = "kg/m^3", initial = "fit" }
+    [outputs]
+    X_meas = { equals = "X", unit = "kg/m^3" }
+"#;
+
+/// Where a balance grows in proportion to itself, what is lost of it in proportion is no constant force.
+#[test]
+fn a_culture_dies_beside_its_growth() {
+    let of =
+        |death: f64| CULTURE.diagnosed(CULTURE_MODEL, |x, u| vec![(8.4e-5 * u[0] - u[1] - death) * x[0]]);
+    let dying = of(4e-6);
+    // as a constant in the bracket, or as a dilution that is off, it is the same equation
+    let mut names = [&[first(&dying).to_string()][..], &dying.findings[0].ties].concat();
+    names.sort();
+    assert_eq!(names, ["constant-force", "input-offset", "linear-damping"], "{}", dying.says);
+    assert_eq!((dying.verdict, dying.findings.len()), (Verdict::Tie, 1), "{}", dying.says);
+    let size = dying.findings[0].parameters[0].value.abs();
+    let death = if dying.findings[0].code == "input-offset" { 4e-6 } else { 4e-6 * 3600.0 };
+    assert!((size - death).abs() < 0.02 * death, "{size}");
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}

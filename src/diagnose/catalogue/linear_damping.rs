@@ -10,6 +10,7 @@
 //! ```text
 //!     M v' = … - c v,  c >= 0
 //!     A h' = … - c h,  c >= 0
+//!     X' = (… - c) X,  c >= 0, of what grows in proportion to itself
 //!     C T' = … - c (T - Ta),  c >= 0, of a temperature, to surroundings Ta that nobody recorded
 //! ```
 //!
@@ -25,6 +26,7 @@
 
 use super::scene::{Signal, is_temperature};
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::POSITIVE};
+use crate::units::Unit;
 
 /// Damping in proportion to the speed, or a leak in proportion to a level.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -46,19 +48,40 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         (m.speed.is_none() && is_temperature(&signal.unit) && signal.min > ABSOLUTE).then_some(signal)
     };
     let one = |m: &Motion| absolute(m).map_or_else(|| at(scene, m), |signal| cools(scene, m, signal));
-    scene.motions().iter().filter_map(one).collect()
+    let motions = scene.motions();
+    motions.iter().filter_map(one).chain(motions.iter().filter_map(|m| dies(scene, m))).collect()
+}
+
+/// A loss beside growth that stands as a rate for each unit: the sum is a rate where the state is none.
+fn dies(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let per_second = Unit::parse("1/s").ok()?;
+    let is_growth = m.speed.is_none()
+        && m.force.dimension() == per_second.dimension()
+        && scene.unit(&m.state).dimension() != Unit::one().dimension();
+    if !is_growth {
+        return None;
+    }
+    let mut d = Draft::at(scene, "linear-damping", m);
+    let c = d.amplitude("c", &m.force, POSITIVE, "rate of loss");
+    d.force(&m.state, &format!("-{c}"));
+    d.start(&[m.size]);
+    d.done(&format!("a loss of {{0}} in proportion to {} is missing", scene.words(&m.state)))
 }
 
 /// A loss of heat to surroundings of one temperature.
 fn cools(scene: &Scene, m: &Motion, signal: &Signal) -> Option<Proposal> {
     let mut d = Draft::at(scene, "linear-damping", m);
     let c = d.amplitude("c", &m.force.over(&signal.unit), POSITIVE, "loss of heat for a degree");
-    let around = d.parameter("Ta", &signal.unit, (ABSOLUTE, f64::INFINITY), "temperature of the surroundings");
+    let around =
+        d.parameter("Ta", &signal.unit, (ABSOLUTE, f64::INFINITY), "temperature of the surroundings");
     d.force(&m.state, &format!("-{c}*({} - {around})", m.state));
     for other in [ROOM, signal.min - signal.spread] {
         d.start(&[m.size / (signal.mean - other).abs().max(signal.spread), other]);
     }
-    d.done(&format!("a loss of heat of {}, {{0}}, to surroundings of {{1}} is missing", scene.words(&m.state)))
+    d.done(&format!(
+        "a loss of heat of {}, {{0}}, to surroundings of {{1}} is missing",
+        scene.words(&m.state)
+    ))
 }
 
 fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {

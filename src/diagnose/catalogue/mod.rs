@@ -128,8 +128,8 @@ macro_rules! mechanisms {
 mechanisms! {
     dry_friction, asymmetric_friction, stribeck_friction, load_friction, linear_damping,
     quadratic_damping, cubic_damping, power_law,
-    constant_force, linear_stiffness, cubic_stiffness, quadratic_stiffness, gravity_pendulum, end_stop, dead_zone,
-    backlash, hysteresis, periodic_force, drift_force,
+    constant_force, linear_stiffness, cubic_stiffness, quadratic_stiffness, gravity_pendulum,
+    end_stop, dead_zone, backlash, hysteresis, periodic_force, drift_force,
     neglected_inertia, extra_lag, extra_resonance, memory, product_coupling,
     rectified_motion,
     square_root_flow, overflow, exchange, radiation, saturable_rate,
