@@ -17,11 +17,12 @@ class Plant:
     inputs: dict  # name: (unit, values)
     start: list
     law: object  # concealed -> f(x, u) -> rates
-    outputs: dict  # name: (unit, noise, f(x, u))
+    outputs: dict  # name: (unit, noise, f(x))
     model: str
     cases: list
     substeps: int = 2
     models: dict = field(default_factory=dict)  # of a case that has a naive model of its own
+    senses: object = lambda hidden, clean, x: clean  # what a sensor makes of an output, of the states at each sample
 
 
 def wave(rng, n, rate, low, high, rms):
@@ -82,7 +83,7 @@ def gyrosphere(rng) -> Plant:
 
     inputs = {"roll_acc": ("rad/s^2", roll), "heading": ("deg", heading), "pitch_acc": ("rad/s^2", pitch)}
     return Plant("gyrosphere", rate, n, inputs, [0.002, 0.01, -0.002, 0.0, 0.0], law,
-                 {"alpha": ("deg", 0.005, lambda x, v: math.degrees(x[1]))}, GYROSPHERE,
+                 {"alpha": ("deg", 0.005, lambda x: math.degrees(x[1]))}, GYROSPHERE,
                  ["nothing", "inertia", "free play", "pitch", "precession alone", "stop"], 4,
                  {"precession alone": PRECESSION})
 
@@ -104,7 +105,9 @@ position = { equals = "q", unit = "mm" }
 def axis(rng) -> Plant:
     n, rate = 12_000, 200.0
     force = levels(rng, n, 130, 300)
-    late = {"delay": 12}
+    def senses(hidden, clean, x):
+        late = np.concatenate([np.full(12, clean[0]), clean])[:n]
+        return {"delay": late, "lag": x[:, 2]}.get(hidden, clean)
 
     def law(hidden):
         def rates(x, v):
@@ -120,12 +123,10 @@ def axis(rng) -> Plant:
         return rates
 
     inputs = {"force": ("N", force)}
-    plant = Plant("axis", rate, n, inputs, [0.0, 0.0, 0.0, 0.0], law,
-                  {"position": ("mm", 0.5, lambda x, v: 1000 * x[0])}, AXIS,
-                  ["nothing", "dry friction", "square damping", "spring", "delay", "input offset", "wave", "saturation",
-                   "damping jumps", "lag"], 4)
-    plant.late = late
-    return plant
+    return Plant("axis", rate, n, inputs, [0.0, 0.0, 0.0, 0.0], law,
+                 {"position": ("mm", 0.5, lambda x: 1000 * x[0])}, AXIS,
+                 ["nothing", "dry friction", "square damping", "spring", "delay", "input offset", "wave", "saturation",
+                  "damping jumps", "lag"], 4, senses=senses)
 
 
 CYLINDER = '''name = "hydraulic cylinder"
@@ -164,8 +165,8 @@ def cylinder(rng) -> Plant:
 
         return rates
 
-    outputs = {"stroke": ("mm", 0.05, lambda x, v: 1000 * x[0]), "head": ("bar", 0.1, lambda x, v: x[2] / 1e5),
-               "rod": ("bar", 0.1, lambda x, v: x[3] / 1e5)}
+    outputs = {"stroke": ("mm", 0.05, lambda x: 1000 * x[0]), "head": ("bar", 0.1, lambda x: x[2] / 1e5),
+               "rod": ("bar", 0.1, lambda x: x[3] / 1e5)}
     return Plant("cylinder", rate, n, {"valve": ("dm^3/min", levels(rng, n, 220, 8))}, [0.0, 0.0, 30e5, 30e5], law, outputs,
                  CYLINDER, ["nothing", "leak", "dry friction"], 4)
 
@@ -202,7 +203,7 @@ def speaker(rng) -> Plant:
 
         return rates
 
-    outputs = {"current": ("A", 0.003, lambda x, v: x[0]), "excursion": ("mm", 0.01, lambda x, v: 1000 * x[1])}
+    outputs = {"current": ("A", 0.003, lambda x: x[0]), "excursion": ("mm", 0.01, lambda x: 1000 * x[1])}
     return Plant("loudspeaker", rate, n, {"voltage": ("V", wave(rng, n, rate, 60, 2500, 6.0))}, [0.0, 0.0, 0.0], law,
                  outputs, SPEAKER, ["nothing", "stiffening", "force factor"], 4)
 

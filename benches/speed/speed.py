@@ -62,11 +62,7 @@ def written(plant: Plant, hidden: str, folder: pathlib.Path, seed: int) -> list[
             heads.append(f"{name} [{unit}]")
             columns.append(values)
         for name, (unit, noise, f) in plant.outputs.items():
-            clean = np.array([f(row, None) for row in x])
-            late = getattr(plant, "late", {}).get(hidden, 0)
-            if hidden == "lag":
-                clean = x[:, 2]
-            clean = np.concatenate([np.full(late, clean[0]), clean])[: plant.samples]
+            clean = plant.senses(hidden, np.array([f(row) for row in x]), x)
             heads.append(f"{name} [{unit}]")
             columns.append(clean + noise * rng.standard_normal(plant.samples))
         np.savetxt(log, np.column_stack(columns), delimiter=",", header=",".join(heads), comments="", fmt="%.9g")
@@ -106,13 +102,13 @@ def calls(args, folder: pathlib.Path):
         for hidden in plant.cases:
             name = f"{plant.name}, {hidden}"
             if args.only in name:
-                yield name, plant.samples, written(plant, hidden, folder, args.seed + 1)
+                yield name, written(plant, hidden, folder, args.seed + 1)
     there = pathlib.Path(args.recordings or os.environ.get("GYROSPEC_RECORDINGS") or CLONE / "recordings").resolve()
     for name in PUBLIC:
         if args.only not in name:
             continue
         if all((there / file).exists() for file in SETS[name]):
-            yield name, 0, placed(name, there, folder / name)
+            yield name, placed(name, there, folder / name)
         else:
             print(f"{name}: SKIPPED, no recording in {there}", file=sys.stderr)
 
@@ -132,7 +128,7 @@ def main() -> None:
     print(f"| recording | {heads} |" + (" ratio of CPU |" if args.beside else ""))
     print("|---" * (1 + 4 * len(programs) + bool(args.beside)) + "|", flush=True)
     with tempfile.TemporaryDirectory() as kept:
-        for name, _, words in calls(args, pathlib.Path(args.folder or kept)):
+        for name, words in calls(args, pathlib.Path(args.folder or kept)):
             ran = [timed(p, words, args.longest) for p in programs]
             cells = [f"{r['cpu']:.1f} | {r['wall']:.1f} | {r['MiB']:.0f} | {r['said']}" for r in ran]
             ratio = [f"{ran[0]['cpu'] / ran[1]['cpu']:.1f}"] if args.beside else []
