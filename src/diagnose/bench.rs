@@ -259,7 +259,7 @@ impl Bench {
     }
 
     /// Options of the fit of the model as given.
-    fn first_options(&self) -> FitOptions<'static> {
+    pub fn first_options(&self) -> FitOptions<'static> {
         FitOptions { budget: self.budget.part(FIRST_FIT), ..self.options(Effort::Full, 60) }
     }
 

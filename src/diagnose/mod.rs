@@ -14,6 +14,7 @@ mod beside;
 mod carried;
 pub mod catalogue;
 mod choose;
+mod coloured;
 mod company;
 mod compared;
 mod cut;
@@ -401,9 +402,23 @@ impl Case<'_> {
         self.model.parameters.iter().map(|p| p.value).collect()
     }
 
-    /// What the search finds and what of it stands; what was found first where inputs fit better beside it as they were
-    /// read before.
+    /// What the search finds; where something is left, from the fit in the colour of the noise, if that is likelier.
     fn named(
+        &self,
+        bench: &Bench,
+        separate: &[Recording],
+        base: Fit,
+        before: Option<&hold::Before>,
+    ) -> Result<Found> {
+        let found = self.found(bench, separate, base, before)?;
+        let is_open = found.rest.p_value < choose::CHANCE && !search::is_over(bench);
+        let other = is_open.then(|| coloured::refitted(bench, &found, &self.model)).flatten();
+        other.map_or(Ok(found), |fit| self.found(bench, separate, fit, before))
+    }
+
+    /// What the search finds from a fit and what of it stands; what was found first where inputs fit better beside it as
+    /// they were read before.
+    fn found(
         &self,
         bench: &Bench,
         separate: &[Recording],

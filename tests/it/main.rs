@@ -97,6 +97,7 @@ mod simulate;
 mod simulated;
 mod site;
 mod skipped;
+mod slow_noise;
 mod slower_rows;
 mod speed_error;
 mod steady_tone;
