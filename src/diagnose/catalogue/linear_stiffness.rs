@@ -20,7 +20,7 @@
 //! # Example
 //! The cable that trails behind a carriage; a hose that a platform bends.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, field};
+use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, edit, field};
 
 /// A force in proportion to the deflection.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -39,6 +39,11 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     // what is no speed loses in proportion to itself: linear-damping
     m.speed.as_ref()?;
     let q = m.position.as_ref()?;
+    let rate = &scene.model.states.iter().find(|s| s.name == m.state)?.rate;
+    // a spring that the model has is another value of its stiffness
+    if edit::has_term_in(scene.model, rate, q) {
+        return None;
+    }
     let mut d = Draft::at(scene, "linear-stiffness", m);
     let k = d.amplitude("k1", &m.force.over(&scene.unit(q)), ANY, "stiffness");
     d.force(&m.state, &format!("-{k}*{q}"));
