@@ -18,55 +18,14 @@ import tempfile
 import threading
 import time
 
-import numpy as np
-
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent / "evidence")]
+sys.path[:0] = [str(HERE), str(HERE.parent / "evidence"), str(HERE.parent / "fields")]
 
 from evidence import CLONE, SETS, placed  # noqa: E402
-from plants import PLANTS, Plant  # noqa: E402
+from fields import write  # noqa: E402
+from rows import ALL  # noqa: E402
 
 PUBLIC = ["silverbox", "emps", "roll-decay"]
-
-
-def simulated(plant: Plant, hidden: str) -> np.ndarray:
-    """States at each sample, fourth order of Runge and Kutta, inputs straight between samples."""
-    rates, h = plant.law(hidden), 1 / plant.rate / plant.substeps
-    inputs = np.column_stack([values for _, values in plant.inputs.values()])
-    x, out = np.array(plant.start), [plant.start]
-
-    def f(x, v):
-        return np.array(rates(x, v))
-
-    for a, b in zip(inputs[:-1], inputs[1:], strict=True):
-        for k in range(plant.substeps):
-            u, v, w = (a + (b - a) * (k + part) / plant.substeps for part in (0, 0.5, 1))
-            k1 = f(x, u)
-            k2 = f(x + h / 2 * k1, v)
-            k3 = f(x + h / 2 * k2, v)
-            x = x + h / 6 * (k1 + 2 * k2 + 2 * k3 + f(x + h * k3, w))
-        out.append(x)
-    return np.array(out)
-
-
-def written(plant: Plant, hidden: str, folder: pathlib.Path, seed: int) -> list[str]:
-    """Model and recording of a case as files; the words of the call after `diagnose`."""
-    place = folder / f"{plant.name}-{hidden.replace(' ', '-')}"
-    place.mkdir(parents=True, exist_ok=True)
-    model, log = place / "model.toml", place / "recording.csv"
-    model.write_text(plant.models.get(hidden, plant.model))
-    if not log.exists():
-        rng, x = np.random.default_rng(seed), simulated(plant, hidden)
-        heads, columns = ["t [s]"], [np.arange(plant.samples) / plant.rate]
-        for name, (unit, values) in plant.inputs.items():
-            heads.append(f"{name} [{unit}]")
-            columns.append(values)
-        for name, (unit, noise, f) in plant.outputs.items():
-            clean = plant.senses(hidden, np.array([f(row) for row in x]), x)
-            heads.append(f"{name} [{unit}]")
-            columns.append(clean + noise * rng.standard_normal(plant.samples))
-        np.savetxt(log, np.column_stack(columns), delimiter=",", header=",".join(heads), comments="", fmt="%.9g")
-    return [str(model), str(log)]
 
 
 def told(text: str) -> str:
@@ -97,12 +56,10 @@ def timed(program: str, words: list[str], longest: float) -> dict:
 
 def calls(args, folder: pathlib.Path):
     """Name of each row and the words of its call."""
-    for make in PLANTS:
-        plant = make(np.random.default_rng(args.seed))
-        for hidden in plant.cases:
-            name = f"{plant.name}, {hidden}"
-            if args.only in name:
-                yield name, written(plant, hidden, folder, args.seed + 1)
+    for field in ALL:
+        for case in field.cases:
+            if args.only in (name := f"{field.name}, {case}"):
+                yield name, [str(file) for file in write(field, case, folder, args.seed)]
     there = pathlib.Path(args.recordings or os.environ.get("GYROSPEC_RECORDINGS") or CLONE / "recordings").resolve()
     for name in PUBLIC:
         if args.only not in name:
@@ -128,7 +85,9 @@ def main() -> None:
     print(f"| recording | {heads} |" + (" ratio of CPU |" if args.beside else ""))
     print("|---" * (1 + 4 * len(programs) + bool(args.beside)) + "|", flush=True)
     with tempfile.TemporaryDirectory() as kept:
-        for name, words in calls(args, pathlib.Path(args.folder or kept)):
+        folder = pathlib.Path(args.folder or kept)
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, words in calls(args, folder):
             ran = [timed(p, words, args.longest) for p in programs]
             cells = [f"{r['cpu']:.1f} | {r['wall']:.1f} | {r['MiB']:.0f} | {r['said']}" for r in ran]
             ratio = [f"{ran[0]['cpu'] / ran[1]['cpu']:.1f}"] if args.beside else []

@@ -15,7 +15,7 @@
 //! # References
 //! A. J. Miller, Subset Selection in Regression, 2nd ed. (2002), 3.5 (sequential replacement).
 
-use super::answer::{Answer, Verdict};
+use super::answer::Answer;
 use super::bench::Bench;
 use super::choose::{Choice, FLOOR, TIE, choose, worth_of};
 use super::free_law::surely_leaves;
@@ -84,7 +84,7 @@ const ALIKE: f64 = 0.01;
 /// of the first; with more names than the first has, smaller ones.
 pub fn is_better(first: &Answer, other: &Answer) -> bool {
     let left = |a: &Answer| a.proof.iter().map(|p| p.holdout_after.ln()).sum::<f64>();
-    let names = |a: &Answer| matches!(a.verdict, Verdict::Named | Verdict::Tie);
+    let names = |a: &Answer| a.verdict.has_names();
     let has_more = names(first) && other.findings.len() > first.findings.len();
     let most = left(first) + if has_more { (1.0 - FLOOR).ln() } else { ALIKE };
     names(other) && other.unexplained.is_none() && left(other) < most

@@ -40,6 +40,13 @@ pub enum Verdict {
     NotIdentifiable,
 }
 
+impl Verdict {
+    /// Whether what is missing has a name, or one of several.
+    pub(super) fn has_names(self) -> bool {
+        matches!(self, Self::Named | Self::Tie)
+    }
+}
+
 /// A whole diagnosis; units are those of the model file.
 #[derive(Debug, Clone, Serialize)]
 pub struct Answer {

@@ -53,12 +53,11 @@ fn exchanged(model: &Model, recording: &Recording) -> Recording {
 
 /// What the later part names, where the earlier proves it, and all that was named before is among it.
 pub fn proven(first: &Answer, mut second: Diagnosis) -> Option<Diagnosis> {
-    let is_named = |a: &Answer| matches!(a.verdict, Verdict::Named | Verdict::Tie);
     let codes = |f: &Finding| [&[f.code.clone()][..], &f.ties].concat();
     let found: Vec<String> = second.answer.findings.iter().flat_map(codes).collect();
     let is_kept = |f: &Finding| codes(f).iter().any(|c| found.contains(c));
-    let keeps = !is_named(first) || first.findings.iter().all(is_kept);
-    (is_named(&second.answer) && keeps).then(|| {
+    let keeps = !first.verdict.has_names() || first.findings.iter().all(is_kept);
+    (second.answer.verdict.has_names() && keeps).then(|| {
         second.answer.notes.insert(0, EXCHANGED.into());
         second
     })

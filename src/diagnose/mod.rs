@@ -158,7 +158,7 @@ fn in_pieces(request: &Request<'_>) -> Result<Diagnosis> {
         Some(cut)
     });
     let Some(cut) = cut else { return in_time(request, &[]) };
-    let is_named = |d: &Diagnosis| matches!(d.answer.verdict, Verdict::Named | Verdict::Tie);
+    let is_named = |d: &Diagnosis| d.answer.verdict.has_names();
     if is_named(&cut) {
         return Ok(cut);
     }

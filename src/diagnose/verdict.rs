@@ -94,7 +94,7 @@ pub fn with_noise(verdict: Verdict, unlike: Option<&Unlike>, is_driven: bool) ->
 /// missing if it does not stand by its likelihood ratio. An interval of an amplitude may hold 0 where a shape trades
 /// with it, and asks only where there is no such ratio.
 pub fn settle(verdict: Verdict, findings: &[Finding], found: &Found) -> Verdict {
-    let Some(first) = findings.first().filter(|_| matches!(verdict, Verdict::Named | Verdict::Tie)) else {
+    let Some(first) = findings.first().filter(|_| verdict.has_names()) else {
         return verdict;
     };
     let doubtful = match &first.evidence {
@@ -125,9 +125,8 @@ const MOST: f64 = 0.5;
 /// Several names of which none explains most of the fall, while a law is left for sure, patch something that has
 /// another name: they only resemble it.
 pub fn with_patches(verdict: Verdict, findings: &[Finding], rest: &Rest) -> Verdict {
-    let named = matches!(verdict, Verdict::Named | Verdict::Tie);
     let patched = findings.len() > 1 && findings.iter().all(|f| f.share < MOST);
-    if named && patched && rest.p_value < SURE { Verdict::Unknown } else { verdict }
+    if verdict.has_names() && patched && rest.p_value < SURE { Verdict::Unknown } else { verdict }
 }
 
 /// Error at levels held out over the error of the fit, in a table of trials that still holds a law, from
@@ -174,8 +173,7 @@ impl Proven<'_> {
         let unproved =
             agree_by_luck(self.samples) || fails || rise(proof) > 0.0 || misses || blows_up || falls_short;
         let unproved = unproved || self.is_splinter();
-        let named = matches!(verdict, Verdict::Named | Verdict::Tie);
-        if named && unproved { Verdict::Unknown } else { verdict }
+        if verdict.has_names() && unproved { Verdict::Unknown } else { verdict }
     }
 
     fn is_splinter(&self) -> bool {
@@ -189,8 +187,7 @@ impl Proven<'_> {
 /// Names where an input follows a disturbance that nobody recorded only resemble what is missing: it goes round the loop and
 /// looks like a law of the input wherever it is tried.
 pub fn in_a_loop(verdict: Verdict, is_closed: bool) -> Verdict {
-    let named = matches!(verdict, Verdict::Named | Verdict::Tie);
-    if named && is_closed { Verdict::Unknown } else { verdict }
+    if verdict.has_names() && is_closed { Verdict::Unknown } else { verdict }
 }
 
 /// By how much the held-out errors rise, all outputs together, as a logarithm.

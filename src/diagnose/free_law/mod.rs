@@ -364,9 +364,8 @@ pub fn surely_leaves(a: &Answer) -> bool {
 
 /// Whether names that stand may yet be patches of something else: a law is surely left, or a wave had to help.
 pub fn may_be_better(a: &Answer) -> bool {
-    let named = matches!(a.verdict, Verdict::Named | Verdict::Tie);
     let helped = a.findings.len() > 1 && a.findings.iter().any(|f| f.code == "periodic-force");
-    named && (surely_leaves(a) || helped)
+    a.verdict.has_names() && (surely_leaves(a) || helped)
 }
 
 /// Whether a law without a name stands in a model.

@@ -46,7 +46,7 @@ pub struct Outcome {
 
 /// Compares what was said with the truth.
 pub fn judge(case: &Case, said: &Said) -> Outcome {
-    let claims = matches!(said.verdict, Verdict::Named | Verdict::Tie);
+    let claims = said.verdict.has_names();
     let named: Vec<&Named> = said.findings.iter().filter(|f| claims && !f.resembles).collect();
     let spurious = named.iter().filter(|f| !case.hidden.iter().any(|h| f.is_of(&h.code))).count();
     let own = || case.hidden.iter().filter_map(|h| Some((h, *named.iter().find(|f| f.code == h.code)?)));
