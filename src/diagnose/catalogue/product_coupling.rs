@@ -39,6 +39,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 /// Signals from which on pairs are too many.
 const MANY: usize = 8;
+/// The same of recorded channels that the model does not use.
+const FEW: usize = 5;
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let signals: Vec<&Signal> =
@@ -54,6 +56,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         }
         all.extend(scaled(scene, &m).into_iter().flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
         all.extend(turning(scene, &signals).flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
+        all.extend(unused(scene).into_iter().flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
     }
     all.extend(gyroscopic(scene, &signals));
     all.extend(centrifugal(scene, &signals));
@@ -91,6 +94,17 @@ fn turning<'s>(scene: &'s Scene, signals: &'s [&Signal]) -> impl Iterator<Item =
     let channels: Vec<&Signal> =
         scene.moving(&[SignalKind::Channel]).filter(|c| edit::is_rate(&c.unit)).collect();
     speeds.flat_map(move |s| channels.clone().into_iter().map(move |c| (s, c)))
+}
+
+/// Pairs of recorded channels that the model does not use, as the turns about the other two axes of a body.
+fn unused<'s>(scene: &'s Scene) -> Vec<(&'s Signal, &'s Signal)> {
+    let channels: Vec<&Signal> = scene.moving(&[SignalKind::Channel]).filter(|c| !c.is_heading()).collect();
+    if channels.len() > FEW {
+        return Vec::new();
+    }
+    let with_later =
+        |(i, a): (usize, &&'s Signal)| channels[i + 1..].iter().map(|b| (*a, *b)).collect::<Vec<_>>();
+    channels.iter().enumerate().flat_map(with_later).collect()
 }
 
 /// A state in its own rate with recorded channels that turn about 0 and that the model does not use. Where a fitted factor
