@@ -41,6 +41,8 @@ pub struct Bench {
     pub waits: bool,
     /// What all fits and runs may spend.
     pub budget: Budget,
+    /// Steps that one fit of a race may spend at most.
+    pub most: u64,
 }
 
 /// One series of a run: an output on a recording.
@@ -158,6 +160,7 @@ impl Bench {
             own_states: model.states.len(),
             own_inputs: model.inputs.len(),
             waits: true,
+            most: u64::MAX,
         }
     }
 
@@ -183,7 +186,14 @@ impl Bench {
     pub fn runs(&self, count: u64) -> Budget {
         let usual = self.budget.stages().into_iter().find(|s| s.name == foretold::FIRST_FIT && s.runs > 0);
         let part = self.part();
-        usual.map_or_else(|| part.clone(), |s| part.at_most((count * (s.steps / s.runs)).max(SECONDS)))
+        let most = usual.map_or(u64::MAX, |s| (count * (s.steps / s.runs)).max(SECONDS));
+        part.at_most(most.min(self.most))
+    }
+
+    /// The same bench, on which one fit of a race spends at most one part in so many of what is left: what is stiff leaves
+    /// something to the next. To be asked for while nothing runs.
+    pub fn sharing(&self, parts: usize) -> Self {
+        Self { most: self.budget.rest().most() / parts.max(1) as u64, ..self.clone() }
     }
 
     /// Options of a fit on this bench.

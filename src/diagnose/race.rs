@@ -56,6 +56,8 @@ const COUPLED: f64 = 0.01;
 /// Runs, as long as those of the model as given, that a heat and a last fit may spend. One with more sensitivities, events
 /// or shorter steps counts as several.
 const SPENT: [u64; 2] = [300, 1500];
+/// Parts of the steps that are left, times the proposals beside each other, of which a heat and a last fit may spend one.
+const SHARES: [usize; 2] = [4, 3];
 /// Runs that the heats of a proposal take, about, and as many its last fit.
 const RUNS: usize = 20;
 
@@ -126,7 +128,8 @@ pub fn run(
     bench.budget.begin("heats");
     let stage = format!("fitting the {} likeliest of them", chosen.len());
     let foretold = Foretold::begin(bench, progress, &stage, RUNS * (chosen.len() + LAST.1[0]));
-    let mut field = heats(bench, view, given, (chosen, &foretold), against);
+    let heated = bench.sharing(SHARES[0] * chosen.len());
+    let mut field = heats(&heated, view, given, (chosen, &foretold), against);
     let is_plain = fall(&field, now) > MUCH;
     let least = LAST.1[usize::from(!is_plain)];
     let mut last = ahead(&field, now, FAIR[1]).clamp(least, LAST.0).min(field.len());
@@ -144,6 +147,7 @@ pub fn run(
     }
     others.retain(|r| r.is_cut);
     bench.budget.begin("last fits");
+    let bench = &bench.sharing(SHARES[1] * LAST.0);
     let ended = field.into_par_iter().with_max_len(1).filter_map(|r| {
         let fit = to_the_end(bench, &r.screened.proposal, &r.fit, &bench.runs(SPENT[1]));
         foretold.done(RUNS);
