@@ -217,3 +217,63 @@ impl<'a> Rig<'a> {
         (if least.is_finite() { least } else { f64::INFINITY }, stand)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::catalogue;
+    use crate::estimate::fit::Effort;
+    use crate::model::Model;
+    use crate::record::{Channel, Recording};
+    use crate::units::Unit;
+
+    /// An axis with a further unknown, as the finding had that was taken first.
+    const MODEL: &str = r#"
+        name = "axis"
+        [inputs]
+        force = { unit = "N" }
+        [parameters]
+        M = { value = 4, unit = "kg", fit = true, min = 1, max = 10 }
+        Fv = { value = 6, unit = "N*s/m", fit = true, min = 1, max = 100 }
+        gone = { value = 0, unit = "N" }
+        [states]
+        q = { rate = "v", unit = "m", initial = 0 }
+        v = { rate = "(force - Fv*v)/M", unit = "m/s", initial = 0 }
+        [outputs]
+        position = { equals = "q", unit = "m" }
+    "#;
+
+    fn recording() -> Recording {
+        let time: Vec<f64> = (0..600).map(|i| 0.02 * f64::from(i)).collect();
+        let made = |name: &str, unit: &str, f: &dyn Fn(f64) -> f64| {
+            let values = time.iter().map(|t| f(*t)).collect();
+            Channel::new(name, Unit::parse(unit).unwrap(), time.clone(), values)
+        };
+        let channels = vec![
+            made("force", "N", &|t| 5.0 * (2.0 * t).sin()),
+            made("position", "m", &|t| 0.2 * (2.0 * t + 3.3).sin() + 0.01 * (31.0 * t).cos()),
+        ];
+        Recording::from_channels("made", channels).unwrap()
+    }
+
+    /// What was taken first has gone from the model that a later one stands in.
+    #[test]
+    fn a_finding_that_went_moves_no_other() {
+        let model = Model::parse(MODEL).unwrap();
+        let bench = Bench::new(&model, vec![recording()], false, 1);
+        let stand = Stand { parameters: vec![4.0, 6.0, 0.0], initials: vec![vec![0.0, 0.0]] };
+        let scene = bench.scene(&model, &stand).unwrap();
+        let mut all = catalogue::ALL.iter().flat_map(|m| (m.propose)(&scene));
+        let stop = all.find(|p| p.code == "end-stop").unwrap();
+        let mut fitted = stand.extended(&stop.model, &stop.starts[0]).placed(&stop.model);
+        fitted.parameters.retain(|p| p.name != "gone");
+        let fit = crate::estimate::fit(&fitted, &bench.recordings, &bench.options(Effort::Near, 3)).unwrap();
+        let view = View::of(&bench, &fit).unwrap();
+        let shape = (0..stop.added.len()).find(|k| !stop.amplitudes.contains(k)).unwrap();
+        let rig = Rig::new(&bench, &view, (&stop, shape), &fit, Metric::Whitened(&fit.noise)).unwrap();
+        let name = |i: &usize| fit.model.parameters[*i].name.as_str();
+        let sizes: Vec<&str> = stop.amplitudes.iter().map(|k| stop.added[*k].name.as_str()).collect();
+        assert_eq!(rig.amplitudes.iter().map(name).collect::<Vec<_>>(), sizes);
+        assert_eq!(name(&rig.shape), stop.added[shape].name);
+    }
+}

@@ -255,3 +255,88 @@ fn the_cross_coupling_error_of_a_gravimeter_is_a_product() {
     assert!(low < c && c < high && (c - 0.06).abs() < 0.006, "{low} {c} {high}");
     assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
 }
+
+/// A drone whose roll is modelled alone; the turns about its two other axes are recorded beside.
+const DRONE: Plant<'_> = Plant {
+    step: 0.01,
+    start: &[0.0, 0.0],
+    inputs: &[("torque", "N*m"), ("pitch_rate", "rad/s"), ("yaw_rate", "rad/s")],
+    states: &[("roll", "rad"), ("p", "rad/s")],
+    sizes: &[(0.0, 0.02), (0.0, 1.0), (0.0, 0.8)],
+    noise: 0.003,
+    measured: 1,
+};
+const DRONE_MODEL: &str = r#"
+    name = "roll axis"
+    [inputs]
+    torque = { unit = "N*m" }
+    [parameters]
+    J = { value = 0.009, unit = "kg*m^2", fit = true, min = 1e-4, max = 1 }
+    d = { value = 0.02, unit = "N*m*s", fit = true, min = 0, max = 1 }
+    [states]
+    roll = { rate = "p", unit = "rad", initial = "fit" }
+    p = { rate = "(torque - d*p)/J", unit = "rad/s", initial = "fit" }
+    [outputs]
+    roll_meas = { equals = "roll", unit = "rad" }
+"#;
+
+/// Euler's equation J p' = M - d p + (J_y - J_z) q r: neither of the two turns acts by itself.
+#[test]
+fn the_other_two_turns_of_a_body_act_on_the_third() {
+    let of = |c: f64| {
+        DRONE.diagnosed(DRONE_MODEL, |x, u| vec![x[1], (u[0] - 0.016 * x[1] + c * u[1] * u[2]) / 0.008])
+    };
+    let found = of(-0.008);
+    let names: Vec<&str> = found.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!((found.verdict, &names[..]), (Verdict::Named, &["product-coupling"][..]), "{}", found.says);
+    assert!(found.findings[0].term.contains("pitch_rate*yaw_rate"), "{}", found.findings[0].term);
+    let [low, c, high] = value(&found, &found.findings[0].parameters[0].name);
+    assert!(low < -0.008 && -0.008 < high, "{low} {c} {high}");
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}
+
+/// A wheelset on a track that is laid a little to one side and the other.
+const WHEELSET: Plant<'_> = Plant {
+    step: 0.01,
+    start: &[0.0, 0.0],
+    inputs: &[("wind", "N"), ("track", "m")],
+    states: &[("y", "m"), ("v", "m/s")],
+    sizes: &[(0.0, 3000.0), (0.0, 0.004)],
+    noise: 0.05,
+    measured: 1,
+};
+const WHEELSET_MODEL: &str = r#"
+    name = "wheelset"
+    [inputs]
+    wind = { unit = "N" }
+    track = { unit = "m" }
+    [parameters]
+    m = { value = 1000, unit = "kg" }
+    d = { value = 7000, unit = "N*s/m", fit = true, min = 0, max = 1e6 }
+    k = { value = 250e3, unit = "N/m", fit = true, min = 0, max = 1e8 }
+    kt = { value = 150e3, unit = "N/m", fit = true, min = 0, max = 1e8 }
+    [states]
+    y = { rate = "v", unit = "m", initial = "fit" }
+    v = { rate = "(wind - d*v - k*y + kt*track)/m", unit = "m/s", initial = "fit" }
+    [outputs]
+    y_meas = { equals = "y", unit = "mm" }
+"#;
+
+/// The flanges stand to both sides of the track, not of the place where the wheelset rests.
+#[test]
+fn flanges_stand_to_both_sides_of_the_track() {
+    let of = |stop: f64| {
+        WHEELSET.diagnosed(WHEELSET_MODEL, |x, u| {
+            let away = x[0] - u[1];
+            let flange = stop * ((away - 0.006).max(0.0) + (away + 0.006).min(0.0));
+            vec![x[1], (u[0] - 6000.0 * x[1] - 300e3 * x[0] + 180e3 * u[1] - flange) / 1000.0]
+        })
+    };
+    let found = of(600e3);
+    let names: Vec<&str> = found.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!((found.verdict, &names[..]), (Verdict::Named, &["end-stop"][..]), "{}", found.says);
+    assert!(found.findings[0].term.contains("y - track"), "{}", found.findings[0].term);
+    let [_, qs, _] = value(&found, "qs");
+    assert!((qs - 0.006).abs() < 2e-4, "{qs}");
+    assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
+}

@@ -6,7 +6,7 @@
 //!
 //! # Equation
 //! ```text
-//!     M v' = … - ks max(q - qs, 0) + ks max(-qs - q, 0)
+//!     M v' = … - ks max(q - qs, 0) + ks max(-qs - q, 0)        q from rest, or from a place that is an input
 //!     k d -> k d + ks max(d - qs, 0) - ks max(-qs - d, 0)      on one side or both, d between two bodies
 //!     k d -> k d + ks max(d - qs, 0)^2                         a rubber that comes to bear by and by
 //! ```
@@ -22,7 +22,9 @@
 //! A gyroscope's gimbal that reaches its stop in heavy roll; the bump stop of a car's suspension.
 
 use super::between::{self, Between, Of};
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY, draft::POSITIVE};
+use super::{
+    Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, draft::ANY, draft::POSITIVE,
+};
 
 /// An end stop.
 pub(super) const MECHANISM: Mechanism =
@@ -31,13 +33,39 @@ pub(super) const MECHANISM: Mechanism =
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
     let sides = |m: &Motion| [at(scene, m, 0), at(scene, m, 1), at(scene, m, -1)];
-    let own = motions.iter().filter(|m| m.speed.is_some()).flat_map(sides).flatten();
+    let moving = || motions.iter().filter(|m| m.speed.is_some());
+    let own = moving().flat_map(sides).flatten();
+    let about = moving().flat_map(|m| places(scene, m).filter_map(|x| from(scene, m, x)));
     let elements = between::all(scene, Of::Positions);
     let bears = |b: &Between| {
         let ways = [0, 1, -1].map(|side| (side, 1)).into_iter().chain([(1, 2), (-1, 2)]);
         ways.filter_map(|way| beside(scene, b, way)).collect::<Vec<_>>()
     };
-    own.chain(elements.iter().flat_map(bears)).collect()
+    own.chain(about).chain(elements.iter().flat_map(bears)).collect()
+}
+
+/// Inputs and recorded channels that are places as the position of a motion is one: a track, a floor, a casing.
+fn places<'s>(scene: &'s Scene, m: &'s Motion) -> impl Iterator<Item = &'s Signal> {
+    let unit = m.position.as_ref().map(|q| scene.unit(q));
+    let is_place = move |s: &&Signal| unit.as_ref().is_some_and(|u| u.dimension() == s.unit.dimension());
+    scene.moving(&[SignalKind::Input, SignalKind::Channel]).filter(is_place).filter(|s| !s.is_heading())
+}
+
+/// A stop on both sides of a place that moves.
+fn from(scene: &Scene, m: &Motion, place: &Signal) -> Option<Proposal> {
+    let (q, x) = (scene.signal(m.position.as_ref()?)?, &place.name);
+    let mut d = Draft::at(scene, "end-stop", m);
+    let k = d.amplitude("ks", &m.force.over(&q.unit), POSITIVE, "stiffness of the stop");
+    let qs = d.parameter("qs", &q.unit, POSITIVE, "how far the stop is");
+    d.uses(x);
+    let away = format!("({} - {x})", q.name);
+    d.force(&m.state, &format!("-{k}*(max({away} - {qs}, 0*{qs}) - max(-{qs} - {away}, 0*{qs}))"));
+    let size = q.size().hypot(place.size());
+    for fraction in [0.8, 1.6, 2.4] {
+        d.start(&[10.0 * m.size / size, fraction * size]);
+    }
+    let (q, x) = (scene.words(&q.name), scene.words(x));
+    d.done(&format!("a stop of stiffness {{0}} stands {{1}} to each side of {x} in the way of {q}"))
 }
 
 /// A stop beside a spring between two bodies, on one side or both, whose force grows with a power.
