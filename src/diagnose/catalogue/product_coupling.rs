@@ -9,6 +9,7 @@
 //! ```text
 //!     s' = … + c a b
 //!     v' = … + c w^2 r        the centrifugal force at a place r of what turns at w, where the model has no such turn
+//!     J w' = … + c a b         a, b recorded and not in the model: the turns about the other two axes of a body
 //!     J1 w1' = … + c h w2,  J2 w2' = … - c h w1      two axes of a body whose rotor turns at h
 //! ```
 //!
