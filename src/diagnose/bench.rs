@@ -130,6 +130,8 @@ fn steps(model: &Model, recordings: &[Recording]) -> u64 {
     BUDGET.0.saturating_mul(samples).max(BUDGET.1)
 }
 
+/// Share of its runs, one in so many, that a fit may spend whatever is left for others.
+const SHARED: u64 = 5;
 /// Steps that take some seconds.
 const SECONDS: u64 = 40_000_000;
 
@@ -186,12 +188,13 @@ impl Bench {
     pub fn runs(&self, count: u64) -> Budget {
         let usual = self.budget.stages().into_iter().find(|s| s.name == foretold::FIRST_FIT && s.runs > 0);
         let part = self.part();
-        let most = usual.map_or(u64::MAX, |s| (count * (s.steps / s.runs)).max(SECONDS));
-        part.at_most(most.min(self.most))
+        let Some(usual) = usual else { return part };
+        let runs = count * (usual.steps / usual.runs);
+        part.at_most(runs.max(SECONDS).min(self.most.max(runs / SHARED)))
     }
 
-    /// The same bench, on which one fit of a race spends at most one part in so many of what is left: what is stiff leaves
-    /// something to the next. To be asked for while nothing runs.
+    /// The same bench, on which one fit of a race spends at most one part in so many of what is left, where that is no too small
+    /// share of its runs: what is stiff leaves something to the next. To be asked for while nothing runs.
     pub fn sharing(&self, parts: usize) -> Self {
         Self { most: self.budget.rest().most() / parts.max(1) as u64, ..self.clone() }
     }

@@ -74,7 +74,7 @@ pub fn price(p: &Proposal, samples: f64) -> f64 {
 pub fn is_anchored(p: &Proposal) -> bool {
     let codes =
         ["drift-force", "output-drift", "parameter-change", "parameter-drift", "clock-jump", "clock-drift"];
-    codes.contains(&p.code) || is_timed_wave(p) || is_jump_of_zero(p)
+    codes.contains(&p.code) || is_timed_wave(p) || is_step(p)
 }
 
 /// Whether it is a wave, whose free frequency makes it look like much else.
@@ -87,9 +87,14 @@ pub fn is_timed_wave(p: &Proposal) -> bool {
     is_wave(p) && p.term.contains("*t)")
 }
 
+/// Whether it is a constant from a moment on.
+fn is_step(p: &Proposal) -> bool {
+    ["constant-force", "output-offset"].contains(&p.code) && p.term.contains("step(")
+}
+
 /// Whether it is an offset of a sensor from a moment on, which was read from the residual.
 fn is_jump_of_zero(p: &Proposal) -> bool {
-    p.code == "output-offset" && p.term.contains("step(")
+    p.code == "output-offset" && is_step(p)
 }
 
 /// Starts of a wave whose frequency was read from the residual, at most.
@@ -147,7 +152,9 @@ fn commute(p: &Proposal, q: &Proposal) -> bool {
     let is_one_way = !is_inside && p.model.inputs.len() == 1 && p.model.outputs.len() == 1;
     // a wave of one frequency on a linear model is one at its sensor, but for what the recording begins with
     let are_waves = is_timed_wave(p) && is_timed_wave(q) && p.site.kind != q.site.kind;
-    are_waves || p.code != q.code && (both(&STEADY) || is_one_way && both(&LATE))
+    // a force that sets in is followed by and by, an offset at once
+    let are_steady = both(&STEADY) && ![p, q].iter().any(|p| is_step(p));
+    are_waves || p.code != q.code && (are_steady || is_one_way && both(&LATE))
 }
 
 /// Whether an extension puts a recorded channel that the model did not read in the place of a wave in time, and lowers the

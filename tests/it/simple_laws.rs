@@ -138,3 +138,48 @@ fn a_culture_dies_beside_its_growth() {
     assert!((size - death).abs() < 0.02 * death, "{size}");
     assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
 }
+
+/// A buffer tank, and the clock by which it springs a leak.
+const BUFFER: Plant<'_> = Plant {
+    step: 2.0,
+    start: &[0.8, 0.0],
+    inputs: &[("feed", "m^3/s")],
+    states: &[("h", "m"), ("clock", "s")],
+    sizes: &[(0.004, 0.002)],
+    noise: 0.004,
+    measured: 1,
+};
+const BUFFER_MODEL: &str = r#"
+    name = "buffer tank"
+    [inputs]
+    feed = { unit = "m^3/s" }
+    [parameters]
+    A = { value = 1.5, unit = "m^2", fit = true, min = 0.1, max = 10 }
+    k = { value = 0.004, unit = "m^2/s", fit = true, min = 0, max = 0.1 }
+    [states]
+    h = { rate = "(feed - k*h)/A", unit = "m", initial = "fit" }
+    [outputs]
+    h_meas = { equals = "h", unit = "m" }
+"#;
+
+/// A constant loss from a moment on is neither a jump of the outlet's size nor a drift.
+#[test]
+fn a_tank_springs_a_leak() {
+    let of = |leak: f64, wider: f64| {
+        BUFFER.diagnosed(BUFFER_MODEL, |x, u| {
+            let is_late = x[1] > 1500.0;
+            let (lost, size) = if is_late { (leak, 0.005 * wider) } else { (0.0, 0.005) };
+            vec![(u[0] - size * x[0] - lost) / 1.8, 1.0]
+        })
+    };
+    let leaking = of(0.0012, 1.0);
+    assert_eq!((leaking.verdict, first(&leaking)), (Verdict::Named, "constant-force"), "{}", leaking.says);
+    assert_eq!(leaking.findings.len(), 1, "{}", leaking.says);
+    let [low, size, high] = value(&leaking, "F0");
+    assert!(low < -0.0012 && -0.0012 < high && (size + 0.0012).abs() < 6e-5, "{low} {size} {high}");
+    let [low, _, high] = value(&leaking, "tc");
+    assert!(low < 1500.0 && 1500.0 < high && high - low < 60.0, "{low} to {high}");
+    let widened = of(0.0, 1.5);
+    assert_eq!((widened.verdict, first(&widened)), (Verdict::Named, "parameter-change"), "{}", widened.says);
+    assert_eq!(of(0.0, 1.0).verdict, Verdict::NothingMissing);
+}
