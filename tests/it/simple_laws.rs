@@ -100,6 +100,19 @@ fn a_vessel_cools_to_a_room_that_nobody_recorded() {
     assert_eq!(of(0.0).verdict, Verdict::NothingMissing);
 }
 
+/// A temperature makes no flow with its root and never comes near the zero of a dead zone: both had been named for an offset.
+#[test]
+fn a_thermometer_that_reads_low_has_an_offset() {
+    let found = VESSEL.diagnosed(VESSEL_MODEL, |x, u| {
+        let warm = x[0] + 0.8;
+        vec![(450.0 * (u[0] - warm) + u[1]) / 200e3]
+    });
+    assert!(matches!(found.verdict, Verdict::Named | Verdict::Tie), "{}", found.says);
+    let names = [&[found.findings[0].code.clone()][..], &found.findings[0].ties].concat();
+    let is_none = |n: &String| ["square-root-flow", "dead-zone", "input-dead-zone"].contains(&n.as_str());
+    assert!(!names.iter().any(is_none) && names.iter().any(|n| n == "output-offset"), "{}", found.says);
+}
+
 const CULTURE: Plant<'_> = Plant {
     step: 360.0,
     start: &[2.0],

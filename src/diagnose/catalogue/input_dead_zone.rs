@@ -31,7 +31,7 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    let felt = scene.loops().filter(|u| !u.is_heading() && u.levels > 2);
+    let felt = scene.loops().filter(|u| !u.is_heading() && !u.stays_off_zero() && u.levels > 2);
     felt.filter_map(|u| at(scene, u)).collect()
 }
 

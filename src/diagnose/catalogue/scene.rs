@@ -47,6 +47,9 @@ pub struct Signal {
     pub is_turned: bool,
 }
 
+/// Spreads from zero that are far.
+const FAR: f64 = 3.0;
+
 impl Signal {
     /// The site of what stands between it and the system.
     pub fn site(&self) -> SiteKind {
@@ -67,6 +70,11 @@ impl Signal {
     /// Whether its mean outweighs its motion.
     pub fn is_off_zero(&self) -> bool {
         self.mean.abs() >= 2.0 * self.spread
+    }
+
+    /// Whether it stays so far from zero that what happens near zero cannot be seen, as a temperature does.
+    pub fn stays_off_zero(&self) -> bool {
+        self.min.max(-self.max) > FAR * self.spread
     }
 
     /// Whether it moves at all.

@@ -22,6 +22,7 @@
 //! Two tanks above each other, modelled with linear outflow.
 
 use super::draft::POSITIVE;
+use super::scene::is_temperature;
 use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, Signal, SignalKind, edit::Place};
 use crate::units::Unit;
 
@@ -77,8 +78,10 @@ fn leak(scene: &Scene, m: &Motion, outside: Option<&str>) -> Option<Proposal> {
     d.done(&format!("{s} leaks with the root of {s}{over}, by {{0}}"))
 }
 
+/// What flows by its own head: a temperature makes none.
 fn is_level(scene: &Scene, m: &Motion) -> bool {
-    let mostly_positive = |s: &Signal| s.mean > 0.5 * s.spread && s.max > 0.0;
+    let mostly_positive =
+        |s: &Signal| s.mean > 0.5 * s.spread && s.max > 0.0 && !is_temperature(&s.unit);
     m.speed.is_none() && scene.signal(&m.state).is_some_and(mostly_positive)
 }
 
