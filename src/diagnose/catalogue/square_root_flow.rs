@@ -80,8 +80,7 @@ fn leak(scene: &Scene, m: &Motion, outside: Option<&str>) -> Option<Proposal> {
 
 /// What flows by its own head: a temperature makes none.
 fn is_level(scene: &Scene, m: &Motion) -> bool {
-    let mostly_positive =
-        |s: &Signal| s.mean > 0.5 * s.spread && s.max > 0.0 && !is_temperature(&s.unit);
+    let mostly_positive = |s: &Signal| s.mean > 0.5 * s.spread && s.max > 0.0 && !is_temperature(&s.unit);
     m.speed.is_none() && scene.signal(&m.state).is_some_and(mostly_positive)
 }
 
