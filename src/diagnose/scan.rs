@@ -181,10 +181,9 @@ impl<'a> Rig<'a> {
             let mut keep = fit.unknowns.iter().filter(|n| !fit.is_at_bound(n)).map(|n| !moves(n));
             t.sensitivities.retain(|_| keep.next().unwrap_or(true));
         }
-        // findings may have gone since it was proposed: its places are those in the model that was fitted
-        let place = |k: usize| fit.model.parameters.iter().position(|m| m.name == p.added[k].name);
-        let (shape, now) = (place(shape)?, 0.0);
-        let amplitudes = p.amplitudes.iter().map(|k| place(*k)).collect::<Option<_>>()?;
+        let name = &p.added[shape].name;
+        let shape = fit.model.parameters.iter().position(|m| m.name == *name)?;
+        let (amplitudes, now) = (p.amplitude_numbers_in(&fit.model), 0.0);
         let mut rig = Self { records, own, stand, shape, amplitudes, metric, now };
         rig.now = (1.0 - SAVED) * rig.promise(rig.stand.parameters[shape]).0;
         Some(rig)

@@ -44,9 +44,8 @@ fn at(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
         let early = format!("{input}*(1 - step(t - {time}))");
         d.replace(input, &format!("({early} + delay({input}, -{jump})*step(t - {time}))"), |_| true);
     }
-    let parts = 10;
-    for i in 1..parts {
-        d.start(&[10.0 * scene.step, scene.from + scene.length() * f64::from(i) / f64::from(parts)]);
+    for moment in scene.moments() {
+        d.start(&[10.0 * scene.step, moment]);
     }
     d.done(&format!("the stamps of {} jump by {{0}} at {{1}}", scene.words(first)))
 }

@@ -39,19 +39,18 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     motions.iter().filter_map(|m| at(scene, m)).chain(late).collect()
 }
 
-/// Moments to start from, in equal parts of the recording.
-const PARTS: u32 = 10;
+/// Share of the recording at each end in which none sets in: one that does at the beginning is there always.
+const ENDS: f64 = 0.05;
 
 fn from_a_moment_on(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let mut d = Draft::at(scene, "constant-force", m);
     let f = d.amplitude("F0", &m.force, ANY, "force that sets in");
-    // one that sets in at the beginning is there always
-    let part = scene.length() / f64::from(PARTS);
-    let within = (scene.from + 0.5 * part, scene.to - 0.5 * part);
+    let end = ENDS * scene.length();
+    let within = (scene.from + end, scene.to - end);
     let time = d.parameter("tc", &Unit::parse("s").ok()?, within, "when it sets in");
     d.force(&m.state, &format!("{f}*step(t - {time})"));
-    for i in 1..PARTS {
-        d.start(&[m.size, scene.from + part * f64::from(i)]);
+    for moment in scene.moments() {
+        d.start(&[m.size, moment]);
     }
     d.done(&format!("a constant {{0}} acts on {} from {{1}} on", scene.words(&m.state)))
 }

@@ -38,10 +38,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
 
 fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let q = m.position.as_ref()?;
-    if scene.signal(q)?.stays_off_zero() {
-        return None;
-    }
-    let size = scene.size(q);
+    let size = scene.signal(q).filter(|s| !s.stays_off_zero())?.size();
     let mut d = Draft::at(scene, "dead-zone", m);
     let gap = d.parameter("dz", &scene.unit(q), (0.0, 3.0 * size), "half width of the gap");
     let own = m.state.clone();
@@ -54,8 +51,7 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
 }
 
 fn seen(scene: &Scene, output: &str) -> Option<Proposal> {
-    let signal = scene.signal(output).filter(|s| !s.stays_off_zero())?;
-    let size = signal.spread;
+    let size = scene.signal(output).filter(|s| !s.stays_off_zero())?.spread;
     let mut d = Draft::new(scene, "dead-zone", SiteKind::Output, output);
     let gap = d.parameter("dz", &scene.unit(output), (0.0, 3.0 * size), "half width of the gap");
     d.output(output, &format!("({{}} - clamp({{}}, -{gap}, {gap}))"));

@@ -153,9 +153,14 @@ impl Proposal {
         }
     }
 
-    /// Numbers of its amplitudes among the model's parameters.
+    /// Numbers of its amplitudes among its model's parameters.
     pub fn amplitude_numbers(&self) -> Vec<usize> {
-        let number = |k: &usize| self.model.parameters.iter().position(|p| p.name == self.added[*k].name);
+        self.amplitude_numbers_in(&self.model)
+    }
+
+    /// The same among those of a model in which others may have come or gone since it was proposed.
+    pub fn amplitude_numbers_in(&self, model: &Model) -> Vec<usize> {
+        let number = |k: &usize| model.parameters.iter().position(|p| p.name == self.added[*k].name);
         self.amplitudes.iter().filter_map(number).collect()
     }
 

@@ -43,9 +43,8 @@ fn at(scene: &Scene, p: &str) -> Option<Proposal> {
     let a = d.amplitude("a", &Unit::one(), (-3.0, 10.0), "relative jump of the parameter");
     let time = d.parameter("tc", &Unit::parse("s").ok()?, (scene.from, scene.to), "time of the jump");
     d.replace(p, &format!("({p}*(1 + {a}*step(t - {time})))"), |_| true);
-    let parts = 10;
-    for i in 1..parts {
-        d.start(&[0.3, scene.from + scene.length() * f64::from(i) / f64::from(parts)]);
+    for moment in scene.moments() {
+        d.start(&[0.3, moment]);
     }
     d.done(&format!("{} jumps relatively by {{0}} at {{1}}", scene.words(p)))
 }

@@ -49,6 +49,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if signals.len() > MANY {
         return Vec::new();
     }
+    let beside = unused(scene);
     let mut all = Vec::new();
     for m in scene.motions() {
         let levers = levers(scene, &m);
@@ -57,7 +58,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         }
         all.extend(scaled(scene, &m).into_iter().flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
         all.extend(turning(scene, &signals).flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
-        all.extend(unused(scene).into_iter().flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
+        all.extend(beside.iter().flat_map(|(a, b)| acting(scene, &m, [a, b], &levers)));
     }
     all.extend(gyroscopic(scene, &signals));
     all.extend(centrifugal(scene, &signals));

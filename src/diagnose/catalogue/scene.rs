@@ -47,6 +47,8 @@ pub struct Signal {
     pub is_turned: bool,
 }
 
+/// Parts of a recording between which something may begin.
+const PARTS: u32 = 10;
 /// Spreads from zero that are far.
 const FAR: f64 = 3.0;
 
@@ -261,6 +263,12 @@ impl Scene<'_> {
     /// Whether a signal is an angle by its unit.
     pub fn is_angle(&self, name: &str) -> bool {
         self.signal(name).is_some_and(|s| ["rad", "deg", "arcmin"].contains(&s.unit.text()))
+    }
+
+    /// Moments to start from, s: between equal parts of the recording.
+    pub fn moments(&self) -> impl Iterator<Item = f64> {
+        let part = |i| self.from + self.length() * f64::from(i) / f64::from(PARTS);
+        (1..PARTS).map(part)
     }
 
     /// Time constants to start from, s: over the decades between a step and the recording.
