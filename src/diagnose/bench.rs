@@ -358,6 +358,7 @@ impl Bench {
             peaks: Vec::new(),
             lines: std::collections::BTreeMap::new(),
             shifts: Vec::new(),
+            alone: super::alone::marks(&self.recordings),
             own_parameters: self.own_parameters,
             own_states: self.own_states,
         })

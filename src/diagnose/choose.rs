@@ -74,7 +74,7 @@ pub fn price(p: &Proposal, samples: f64) -> f64 {
 pub fn is_anchored(p: &Proposal) -> bool {
     let codes =
         ["drift-force", "output-drift", "parameter-change", "parameter-drift", "clock-jump", "clock-drift"];
-    codes.contains(&p.code) || is_timed_wave(p) || is_step(p)
+    p.alone.is_none() && (codes.contains(&p.code) || is_timed_wave(p) || is_step(p))
 }
 
 /// Whether it is a wave, whose free frequency makes it look like much else.
@@ -128,7 +128,9 @@ pub fn is_repeated(p: &Proposal, taken: &[Taken]) -> bool {
         let theirs = t.harmonics();
         theirs.is_empty() != own.is_empty() || !own.is_empty() && theirs.iter().all(|h| !own.contains(h))
     };
-    let same = |t: &Proposal| t.code == p.code && t.site == p.site && t.depends == p.depends && !is_new(t);
+    let same = |t: &Proposal| {
+        t.code == p.code && t.site == p.site && t.depends == p.depends && t.alone == p.alone && !is_new(t)
+    };
     !is_anchored(p) && taken.iter().any(|t| same(&t.proposal))
 }
 
@@ -153,7 +155,7 @@ fn commute(p: &Proposal, q: &Proposal) -> bool {
     // a wave of one frequency on a linear model is one at its sensor, but for what the recording begins with
     let are_waves = is_timed_wave(p) && is_timed_wave(q) && p.site.kind != q.site.kind;
     // a force that sets in is followed by and by, an offset at once
-    let are_steady = both(&STEADY) && ![p, q].iter().any(|p| is_step(p));
+    let are_steady = both(&STEADY) && p.alone == q.alone && ![p, q].iter().any(|p| is_step(p));
     are_waves || p.code != q.code && (are_steady || is_one_way && both(&LATE))
 }
 

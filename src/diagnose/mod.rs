@@ -3,6 +3,7 @@
 //! [`diagnose`] fits a model to recordings, looks for faults of the data, searches the catalogue for
 //! what the model leaves out, and proves what it finds on what was held out.
 
+mod alone;
 mod another;
 pub mod answer;
 mod apart;
@@ -137,6 +138,7 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
         (request.model.all_joined(request.recordings)?, request.model.all_joined(request.separate)?);
     let namesakes = Namesakes::of(request.model, recordings.iter().chain(&*separate));
     let (recordings, separate) = (namesakes.apart(&recordings), namesakes.apart(&separate));
+    let recordings = alone::marked(request.model, &recordings);
     let request = &Request { recordings: &recordings, separate: &separate, ..*request };
     setup::keep_apart(request.model, request.recordings, request.separate)?;
     let mut diagnosis = in_pieces(request)?;

@@ -300,6 +300,8 @@ pub struct Recording {
     pub(crate) time_unit: Option<Unit>,
     /// Whether it is a piece of one recording, so that it shares a clock with what it is given beside.
     pub(crate) is_piece: bool,
+    /// A parameter that is 1 in it and 0 in every other recording.
+    pub(crate) mark: Option<String>,
 }
 
 impl Recording {

@@ -222,9 +222,11 @@ pub(super) fn clocks(outputs: &[OutputSignal], program: &Program) -> (Vec<Clock>
 
 /// Parameters that the recording knows itself: (number, SI value).
 pub(super) fn constants(model: &Model, recording: &Recording) -> Result<Vec<(usize, f64)>> {
-    let mut found = Vec::new();
+    let number = |name: &str| model.parameters.iter().position(|p| p.name == name);
+    let mut found: Vec<(usize, f64)> =
+        recording.mark.as_deref().and_then(number).map(|k| (k, 1.0)).into_iter().collect();
     for c in &recording.constants {
-        if let Some(k) = model.parameters.iter().position(|p| p.name == c.name) {
+        if let Some(k) = number(&c.name) {
             let wanted = &model.parameters[k].unit;
             if wanted.dimension() != c.unit.dimension() {
                 let message = format!(

@@ -1,5 +1,5 @@
 //! # What it is
-//! A force or a flow that is always there, or from a moment on: a leaning axis, an unbalanced weight, an offset of the
+//! A force or a flow that is always there, from a moment on, or in one recording of several alone: a leaning axis, an unbalanced weight, an offset of the
 //! drive; a leak that opens, a load that is put down.
 //!
 //! # Signature in a recording
@@ -9,6 +9,7 @@
 //! ```text
 //!     M v' = … + F0
 //!     M v' = … + F0 step(t - tc)
+//!     M v' = … + F0 in            in: 1 in one recording, 0 in the others
 //! ```
 //!
 //! # What else looks like this
@@ -21,7 +22,7 @@
 //! # Example
 //! A positioning axis on a table that is not level.
 
-use super::{Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
+use super::{Alone, Draft, Group, Mechanism, Motion, Proposal, Scene, draft::ANY};
 use crate::units::Unit;
 
 /// A constant force.
@@ -36,7 +37,17 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
     let late = motions.iter().filter(|_| !scene.trials).filter_map(|m| from_a_moment_on(scene, m));
-    motions.iter().filter_map(|m| at(scene, m)).chain(late).collect()
+    let odd = motions.iter().flat_map(|m| scene.alone.iter().filter_map(|one| in_one_alone(scene, m, one)));
+    motions.iter().filter_map(|m| at(scene, m)).chain(late).chain(odd).collect()
+}
+
+fn in_one_alone(scene: &Scene, m: &Motion, one: &Alone) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "constant-force", m);
+    let f = d.amplitude("F0", &m.force, ANY, "constant force in one recording");
+    let mark = d.mark(one);
+    d.force(&m.state, &format!("{f}*{mark}"));
+    d.start(&[m.size]);
+    d.done(&format!("in the recording '{}' alone a constant {{0}} acts on {}", one.recording, scene.words(&m.state)))
 }
 
 /// Share of the recording at each end in which none sets in: one that does at the beginning is there always.

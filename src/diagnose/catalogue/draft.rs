@@ -2,7 +2,7 @@
 
 use super::edit::{self, Place};
 use super::felt;
-use super::scene::{Motion, Scene, Signal, is_temperature};
+use super::scene::{Alone, Motion, Scene, Signal, is_temperature};
 use crate::expression::{Expr, Function};
 use crate::model::{Initial, Model, Parameter, State};
 use crate::units::Unit;
@@ -76,6 +76,8 @@ pub struct Proposal {
     pub term: String,
     /// A sentence with `{name}` for the values of the added parameters.
     pub says: String,
+    /// The mark of the recording that it acts in alone.
+    pub alone: Option<String>,
     /// Signals that it brings in.
     pub depends: Vec<String>,
     /// Values of the added parameters at which it does nothing, where there are such.
@@ -208,6 +210,7 @@ impl<'a> Draft<'a> {
             amplitudes: Vec::new(),
             term: String::new(),
             says: String::new(),
+            alone: None,
             depends: Vec::new(),
             neutral: None,
             limits: Vec::new(),
@@ -279,6 +282,25 @@ impl<'a> Draft<'a> {
         });
         self.proposal.constants.push(name.clone());
         name
+    }
+
+    /// Lets it act in one recording alone: the name of what is 1 there and 0 elsewhere.
+    pub fn mark(&mut self, one: &Alone) -> String {
+        self.proposal.alone = Some(one.mark.clone());
+        let model = &mut self.proposal.model;
+        if model.parameters.iter().all(|p| p.name != one.mark) {
+            let meaning = format!("1 in the recording '{}', 0 elsewhere", one.recording);
+            model.parameters.push(Parameter {
+                name: one.mark.clone(),
+                value: 0.0,
+                unit: Unit::one(),
+                fit: false,
+                min: None,
+                max: None,
+                meaning: Some(meaning),
+            });
+        }
+        one.mark.clone()
     }
 
     /// Adds a state that starts at a number; returns its name.

@@ -62,7 +62,7 @@ fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let mut d = Draft::at(scene, "hysteresis", m);
     let k = d.amplitude("kz", &m.force.over(&signal.unit), POSITIVE, "stiffness of the slipping part");
     let range = signal.max - signal.min;
-    let gap = d.parameter("gap", &signal.unit, (1e-4 * range, 2.0 * range), "width of the loop");
+    let gap = d.parameter("gap", &signal.unit, (1e-4 * range, range), "width of the loop");
     d.force(&m.state, &format!("-{k}*hysteresis({q}, {gap})"));
     for fraction in [0.1, 0.5] {
         d.start(&[m.size / (fraction * signal.spread), fraction * 2.0 * signal.spread]);
@@ -76,7 +76,7 @@ fn dahl(d: &mut Draft, scene: &Scene, q: &str, act: impl FnOnce(&mut Draft, &str
     let signal = scene.signal(q)?;
     let range = signal.max - signal.min;
     let unit = scene.unit(q);
-    let slips = d.parameter("z0", &unit, (1e-4 * range, 2.0 * range), "deflection at which it slips");
+    let slips = d.parameter("z0", &unit, (1e-4 * range, range), "deflection at which it slips");
     let z = d.state("z_slip", &unit, Initial::Fit, "deflection of the slipping part");
     act(d, &z);
     let rate = d.rate_of(q);
@@ -107,7 +107,7 @@ fn read(scene: &Scene, o: &Output, q: &str) -> Vec<Proposal> {
         if slips {
             dahl(&mut d, scene, q, |d, z| d.output(&o.name, &format!("{{}} + {k}*{z}")))?;
         } else {
-            let gap = d.parameter("gap", &signal.unit, (1e-4 * range, 2.0 * range), "width of the loop");
+            let gap = d.parameter("gap", &signal.unit, (1e-4 * range, range), "width of the loop");
             d.output(&o.name, &format!("{{}} + {k}*hysteresis({q}, {gap})"));
         }
         for fraction in [0.1, 0.5] {
@@ -123,7 +123,7 @@ fn fed(scene: &Scene, u: &Signal) -> Option<Proposal> {
     let mut d = Draft::new(scene, "hysteresis", SiteKind::Input, &u.name);
     let a = d.amplitude("a", &Unit::one(), ANY, "share of the loop");
     let range = u.max - u.min;
-    let gap = d.parameter("gap", &u.unit, (1e-4 * range, 2.0 * range), "width of the loop");
+    let gap = d.parameter("gap", &u.unit, (1e-4 * range, range), "width of the loop");
     let name = &u.name;
     d.replace(name, &format!("({name} + {a}*hysteresis({name}, {gap}))"), |_| true);
     for fraction in [0.2, 0.7] {

@@ -18,7 +18,7 @@
 //! # Example
 //! A drive whose zero volts push a little.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
+use super::{Alone, Draft, Group, Mechanism, Proposal, Scene, Signal, SignalKind, SiteKind, draft::ANY};
 
 /// An offset of the input.
 pub(super) const MECHANISM: Mechanism = Mechanism::new(
@@ -31,7 +31,18 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());
-    inputs.filter_map(|u| at(scene, u)).collect()
+    let odd = |u| scene.alone.iter().filter_map(move |one| in_one_alone(scene, u, one));
+    inputs.flat_map(|u| at(scene, u).into_iter().chain(odd(u))).collect()
+}
+
+fn in_one_alone(scene: &Scene, u: &Signal, one: &Alone) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "input-offset", SiteKind::Input, &u.name);
+    let b = d.amplitude("b", &u.unit, ANY, "offset of the input in one recording");
+    let mark = d.mark(one);
+    d.replace(&u.name, &format!("({} + {b}*{mark})", u.name), |_| true);
+    d.start(&[0.3 * u.spread]);
+    let words = scene.words(&u.name);
+    d.done(&format!("in the recording '{}' alone what acts differs from {words} by {{0}}", one.recording))
 }
 
 fn at(scene: &Scene, u: &Signal) -> Option<Proposal> {

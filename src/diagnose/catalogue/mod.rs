@@ -14,7 +14,7 @@ mod scene;
 pub(crate) mod terms;
 
 pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind};
-pub use scene::{MasslessLag, Motion, Scene, Shift, Signal, SignalKind};
+pub use scene::{Alone, MasslessLag, Motion, Scene, Shift, Signal, SignalKind};
 
 use crate::error::nearest;
 use crate::{Error, Result};

@@ -21,7 +21,7 @@
 //! # Example
 //! An angle sensor whose zero was not set; a level gauge that is bumped in the middle of a trial.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind, draft::ANY, scene::Shift};
+use super::{Alone, Draft, Group, Mechanism, Proposal, Scene, SiteKind, draft::ANY, scene::Shift};
 use crate::units::Unit;
 
 /// An offset of the sensor.
@@ -36,7 +36,19 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let always = scene.model.outputs.iter().filter_map(|o| at(scene, &o.name));
     let jumps = scene.shifts.iter().filter(|_| !scene.trials).filter_map(|s| from_a_moment_on(scene, s));
-    always.chain(jumps).collect()
+    let outputs = &scene.model.outputs;
+    let odd = outputs.iter().flat_map(|o| scene.alone.iter().filter_map(|one| in_one_alone(scene, &o.name, one)));
+    always.chain(jumps).chain(odd).collect()
+}
+
+fn in_one_alone(scene: &Scene, output: &str, one: &Alone) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "output-offset", SiteKind::Output, output);
+    let b = d.amplitude("b", &scene.unit(output), ANY, "offset of the sensor in one recording");
+    let mark = d.mark(one);
+    d.output(output, &format!("{{}} + {b}*{mark}"));
+    d.start(&[0.5 * scene.signal(output)?.spread]);
+    let words = scene.words(output);
+    d.done(&format!("in the recording '{}' alone the sensor of {words} shows {{0}} too much", one.recording))
 }
 
 fn at(scene: &Scene, output: &str) -> Option<Proposal> {

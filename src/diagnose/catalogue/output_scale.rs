@@ -19,7 +19,7 @@
 //! # Example
 //! A potentiometer calibrated with another supply.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use super::{Alone, Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A wrong scale of the sensor.
@@ -32,7 +32,19 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    scene.model.outputs.iter().filter_map(|o| at(scene, &o.name)).collect()
+    let outputs = &scene.model.outputs;
+    let odd = outputs.iter().flat_map(|o| scene.alone.iter().filter_map(|one| in_one_alone(scene, &o.name, one)));
+    outputs.iter().filter_map(|o| at(scene, &o.name)).chain(odd).collect()
+}
+
+fn in_one_alone(scene: &Scene, output: &str, one: &Alone) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "output-scale", SiteKind::Output, output);
+    let a = d.amplitude("a", &Unit::one(), (-0.95, 30.0), "relative error of the scale in one recording");
+    let mark = d.mark(one);
+    d.output(output, &format!("(1 + {a}*{mark})*{{}}"));
+    d.start(&[0.3]);
+    let words = scene.words(output);
+    d.done(&format!("in the recording '{}' alone the sensor of {words} has another scale, relatively by {{0}}", one.recording))
 }
 
 fn at(scene: &Scene, output: &str) -> Option<Proposal> {

@@ -1,5 +1,6 @@
 //! # What it is
-//! From one moment on a parameter has another value: something broke, was switched or shifted.
+//! From one moment on, or in one recording of several, a parameter has another value: something broke, was switched or
+//! shifted.
 //!
 //! # Signature in a recording
 //! The residual is small before and large after one time, or the other way; two fits on both sides
@@ -8,6 +9,7 @@
 //! # Equation
 //! ```text
 //!     p -> p (1 + a step(t - tc))
+//!     p -> p (1 + a in)           in: 1 in one recording, 0 in the others
 //! ```
 //!
 //! # What else looks like this
@@ -19,7 +21,7 @@
 //! # Example
 //! A damper that loses its oil in the middle of the trial.
 
-use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
+use super::{Alone, Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
 
 /// A parameter that jumps.
@@ -35,7 +37,24 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    scene.acting_parameters().iter().filter_map(|p| at(scene, p)).collect()
+    let parameters = scene.acting_parameters();
+    let odd = parameters.iter().flat_map(|p| others(scene, p).iter().filter_map(|one| in_one_alone(scene, p, one)));
+    parameters.iter().filter_map(|p| at(scene, p)).chain(odd).collect()
+}
+
+/// The recordings in which a parameter may be another: of two, each is as good as the other where it is fitted.
+fn others<'s>(scene: &'s Scene, p: &str) -> &'s [Alone] {
+    let is_fitted = scene.model.parameters.iter().any(|q| q.name == p && q.fit);
+    if is_fitted && scene.alone.len() == 2 { &scene.alone[1..] } else { &scene.alone }
+}
+
+fn in_one_alone(scene: &Scene, p: &str, one: &Alone) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "parameter-change", SiteKind::Parameter, p);
+    let a = d.amplitude("a", &Unit::one(), (-3.0, 10.0), "relative change of the parameter in one recording");
+    let mark = d.mark(one);
+    d.replace(p, &format!("({p}*(1 + {a}*{mark}))"), |_| true);
+    d.start(&[0.3]);
+    d.done(&format!("in the recording '{}' alone {} is another, relatively by {{0}}", one.recording, scene.words(p)))
 }
 
 fn at(scene: &Scene, p: &str) -> Option<Proposal> {

@@ -120,6 +120,15 @@ pub struct Shift {
     pub size: f64,
 }
 
+/// A recording of several.
+#[derive(Debug, Clone)]
+pub struct Alone {
+    /// The parameter that is 1 in it and 0 in the others.
+    pub mark: String,
+    /// Its name.
+    pub recording: String,
+}
+
 /// The model as fitted so far, with what the recording showed.
 #[derive(Clone)]
 pub struct Scene<'a> {
@@ -153,6 +162,8 @@ pub struct Scene<'a> {
     pub lines: BTreeMap<String, Vec<f64>>,
     /// Steps of the level of the residual, one an output at most.
     pub shifts: Vec<Shift>,
+    /// The recordings, where there are several.
+    pub alone: Vec<Alone>,
     /// How many of the parameters are the given model's own; mechanisms added theirs behind.
     pub own_parameters: usize,
     /// The same of states.
