@@ -21,7 +21,8 @@ use super::propose::{Screened, explaining};
 use super::race::{self, Against, By, Finished};
 use super::search::{Found, Taken, is_over, is_pressed};
 use super::view::View;
-use crate::estimate::fit::Progress;
+use crate::estimate::fit::{Effort, Progress};
+use crate::estimate::{Fit, fit};
 use crate::record::Recording;
 
 /// Mechanisms, and what each is where one of its parameters is 0, or what it follows while something else is missing.
@@ -120,7 +121,8 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     }
     // what the finding has left of itself would forbid what acts in its place
     let base = &inert::bare(with, bench.own_parameters);
-    let view = View::of(bench, base).ok()?;
+    let place = placed(bench, base, &found.last);
+    let view = View::of(bench, place.as_ref().unwrap_or(base)).ok()?;
     let scene = bench.scene(&base.model, &view.stand).ok()?;
     // a law of the same signals and the same parameter, whatever its own parameters are called
     let is_form = |p: &Proposal| {
@@ -161,4 +163,17 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     let alone = cases.iter().map(std::slice::from_ref);
     let fields = std::iter::once(&rest[..]).chain(alone);
     Some(fields.flat_map(|field| race::run(bench, &view, &given, field, against, progress)).collect())
+}
+
+/// The model of a fit where a larger one has its parameters and beginnings: fitted without a finding, the others may have gone
+/// to their bounds, far from where they stand beside what takes its place.
+fn placed(bench: &Bench, base: &Fit, last: &Fit) -> Option<Fit> {
+    let mut model = base.model.clone();
+    for p in &mut model.parameters {
+        let own = last.model.parameters.iter().find(|q| q.name == p.name);
+        p.value = own.map_or(p.value, |q| q.value);
+    }
+    let mut options = bench.options(Effort::Near, 0);
+    options.initials = last.starts().iter().map(|x| inert::kept(&model, &last.model, x)).collect();
+    fit(&model, &bench.recordings, &options).ok()
 }

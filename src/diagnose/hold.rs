@@ -102,7 +102,7 @@ pub fn settle(
     given: Option<&Model>,
 ) -> Result<Settled> {
     let is_asked_again = given.is_some();
-    let weights = weighed(bench, &base).unwrap_or_default();
+    let weights = straight_ones(bench, &base).unwrap_or_default();
     let answering = feedback::answering(&bench.recordings, &base, Hold::Linear);
     let answers = |name: &String| answering.iter().any(|a| a.0 == *name);
     // where nothing is searched for that could show it later, a leap or two are enough to ask the likelihood
@@ -219,7 +219,7 @@ pub fn in_place_of_findings(bench: &mut Bench, separate: &mut [Recording], found
     for (i, t) in found.taken.iter().enumerate() {
         let without = |bench: &Bench| without(bench, &found.last, &t.proposal, steps);
         let fit = found.without.get(i).and_then(Option::as_ref).map(|w| &w.0);
-        let weights = fit.and_then(|fit| weighed(bench, fit)).unwrap_or_default();
+        let weights = fit.and_then(|fit| straight_ones(bench, fit)).unwrap_or_default();
         let shown = weights.into_iter().filter(|w| (w.held - 1.0).abs() <= ABOUT).map(|w| w.name);
         let shown = Some(shown.collect()).filter(|names: &Vec<String>| !names.is_empty());
         let Some(names) = shown.or_else(|| half_a_sample(bench, &found.last, &t.proposal)) else { continue };
@@ -262,13 +262,14 @@ fn half_a_sample(bench: &Bench, last: &Fit, late: &Proposal) -> Option<Vec<Strin
 }
 
 /// Inputs that somebody recorded; how a simulation runs between its samples is no question of the data.
-fn measured(model: &Model) -> impl Iterator<Item = &String> {
+pub fn measured(model: &Model) -> impl Iterator<Item = &String> {
     model.inputs.iter().map(|i| &i.name).filter(|n| !model.is_simulated(n))
 }
 
 /// How far the residual shows an input to be held, from 0 for straight to 1, and the standard deviation.
-struct Weight {
-    name: String,
+pub struct Weight {
+    /// The input.
+    pub name: String,
     held: f64,
     deviation: f64,
 }
@@ -282,6 +283,11 @@ impl Weight {
     /// Whether it may be held and surely does not run straight.
     fn is_not_straight(&self) -> bool {
         self.may_be() && self.held > SURELY * self.deviation
+    }
+
+    /// Whether it is rather read otherwise than not, where its looks speak for that too.
+    pub fn is_rather(&self) -> bool {
+        self.may_be() && self.held > NEARER.max(OPEN * self.deviation)
     }
 
     /// Whether it may be held.
@@ -315,16 +321,22 @@ fn is_so_everywhere(bench: &Bench, name: &str, stays: fn(&[f64]) -> bool) -> boo
 }
 
 /// How far the residual shows each straight input to be held.
-fn weighed(bench: &Bench, base: &Fit) -> Option<Vec<Weight>> {
-    if bench.is_trials() || base.model.states.is_empty() {
-        return None;
-    }
+fn straight_ones(bench: &Bench, base: &Fit) -> Option<Vec<Weight>> {
     let straight = |name: &&String| {
         let mut channels = bench.recordings.iter().map(|r| r.find(name));
         bench.moves(name) && channels.all(|c| c.is_some_and(|c| c.hold == Hold::Linear))
     };
-    let names: Vec<&String> = measured(&base.model).filter(straight).collect();
-    if names.is_empty() {
+    weighed(bench, base, measured(&base.model).filter(straight).collect(), read_held)
+}
+
+/// How far the residual shows inputs to be read in another way, from 0 for as they are to 1.
+pub fn weighed(
+    bench: &Bench,
+    base: &Fit,
+    names: Vec<&String>,
+    read: impl Fn(&mut [Recording], &[String]),
+) -> Option<Vec<Weight>> {
+    if bench.is_trials() || base.model.states.is_empty() || names.is_empty() {
         return None;
     }
     let (stand, tolerance) = (Stand::of(base), bench.rough(base));
@@ -338,7 +350,7 @@ fn weighed(bench: &Bench, base: &Fit) -> Option<Vec<Weight>> {
     let mut directions = Vec::new();
     for name in names {
         let mut other = bench.clone();
-        read_held(&mut other.recordings, std::slice::from_ref(name));
+        read(&mut other.recordings, std::slice::from_ref(name));
         let tracks = run(&other).filter(|t| same_tracks(t, &plain))?;
         let direction = screen.whitened(&difference(&plain, &tracks), |t| &t.residual);
         if direction.iter().all(|d| d.is_finite()) && direction.iter().any(|d| *d != 0.0) {

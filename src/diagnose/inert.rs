@@ -49,8 +49,12 @@ impl<'p> Inert<'p> {
         if matches!(self, Self::Values(_)) {
             return Some(model);
         }
+        let mut changes = false;
+        for state in &p.states {
+            changes |= followed(&mut model, state);
+        }
         model.states.retain(|s| !p.states.contains(&s.name));
-        let (mut changes, mut acts) = (false, false);
+        let mut acts = false;
         edit::for_each(&mut model, |_, e| {
             let without = self.expression(e, &|_| None);
             changes |= without != *e;
@@ -59,6 +63,23 @@ impl<'p> Inert<'p> {
         });
         (changes && !acts).then_some(model)
     }
+}
+
+/// Puts what a state follows, s' = (X - s)/T, in its place, however X was changed since; a law of s itself has nothing left.
+fn followed(model: &mut Model, state: &str) -> bool {
+    let rate = model.states.iter().find(|s| s.name == state).map(|s| s.rate.clone());
+    let Some(Expr::Binary(BinaryOp::Div, gap, _)) = rate else { return false };
+    let Expr::Binary(BinaryOp::Sub, followed, own) = *gap else { return false };
+    if *own != Expr::name(state) {
+        return false;
+    }
+    let alone = followed.substitute(state, &Expr::Number(0.0));
+    let alone = edit::rebuilt(&alone, &|part| folded(part, &[]));
+    edit::for_each(model, |_, e| *e = e.substitute(state, &alone));
+    let mut used = BTreeSet::new();
+    edit::for_each(model, |_, e| used.extend(e.names().into_iter().map(str::to_owned)));
+    model.parameters.iter_mut().filter(|q| !used.contains(&q.name)).for_each(|q| q.fit = false);
+    true
 }
 
 /// A model without the terms that parameters fixed at 0 have left of what was tried and dropped, nor these parameters; those of

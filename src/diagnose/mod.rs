@@ -23,6 +23,7 @@ mod exchanged;
 mod faults;
 mod feedback;
 mod few;
+mod filled;
 mod findings;
 mod foretold;
 mod forgotten;
@@ -377,6 +378,8 @@ impl Case<'_> {
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;
         self.bench.budget.tell(base.ended_early);
         self.notes.extend(settled);
+        let (base, filled) = filled::settle(&mut self.bench, &mut self.separate, base);
+        self.notes.extend(filled);
         let settled = hold::settle(&mut self.bench, &mut self.separate, base, Some(&self.model))?;
         let (base, found) = self.as_read(settled)?;
         let spent = self.bench.budget.cut();

@@ -126,7 +126,22 @@ pub fn screen(
     Screening { screened, free, p_value }
 }
 
+/// Share of the score of what was taken from which on another law was as steep.
+const AS_STEEP: f64 = 0.95;
+/// How many of these are remembered.
+const REMEMBERED: usize = 3;
+
 impl Screening {
+    /// Other laws whose first steps promised as much as one that is taken, the best first: what is still missing bends the
+    /// fits of some more than those of others.
+    pub fn as_steep(&self, taken: &Proposal) -> Vec<Proposal> {
+        let is = |s: &&Screened| s.proposal.code == taken.code && s.proposal.site == taken.site;
+        let own = self.screened.iter().find(is).map_or(f64::INFINITY, |s| s.score.statistic);
+        let others = self.screened.iter().filter(|s| s.proposal.code != taken.code);
+        let steep = others.filter(|s| s.score.statistic > AS_STEEP * own);
+        steep.take(REMEMBERED).map(|s| s.proposal.clone()).collect()
+    }
+
     /// One of nothing.
     pub fn nothing() -> Self {
         Self { screened: Vec::new(), free: Vec::new(), p_value: 1.0 }

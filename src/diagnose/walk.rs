@@ -162,7 +162,8 @@ impl Walk<'_> {
     }
 
     fn takes(&mut self, mut round: Round, choice: Choice, next: View, now: &Measure) {
-        let Choice { best, ties, elsewhere, rival, others, .. } = choice;
+        let Choice { best, ties, elsewhere, rival, mut others, .. } = choice;
+        others.extend(round.screening.as_steep(&round.fitted[best].proposal));
         let fits = |i: usize| (round.fitted[best].fit.clone(), round.fitted[i].fit.clone());
         let rivals = rival.map(|i| Box::new(fits(i)));
         let joint = self.joint(&round.fitted[best]);

@@ -1,5 +1,5 @@
 //! # What it is
-//! The clock of one table runs at another rate than that of the others.
+//! The clock of one table runs at another rate than that of the others, or did before both were joined row by row.
 //!
 //! # Signature in a recording
 //! A time shift that grows through the recording.
@@ -36,6 +36,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 /// with them, each part of which costs a mesh and a past.
 const PARTS: u32 = 8;
 const FEWER: u32 = 4;
+/// The same of rows that were joined, where it is a guess at most.
+const JOINED: u32 = 2;
 /// The largest rate.
 const MOST: f64 = 0.2;
 
@@ -44,10 +46,18 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         return Vec::new();
     }
     let of_inputs = scene.clocks().into_iter().map(|inputs| (inputs, Vec::new()));
-    of_inputs
-        .chain(scene.sensor_clocks())
-        .filter_map(|(inputs, outputs)| at(scene, &inputs, &outputs))
-        .collect()
+    let of_tables = of_inputs.chain(scene.sensor_clocks());
+    let all = of_tables.filter_map(|(inputs, outputs)| at(scene, &inputs, &outputs, None));
+    all.chain(of_rows(scene).and_then(|inputs| at(scene, &inputs, &[], Some(JOINED)))).collect()
+}
+
+/// The inputs of a model where one table holds all: who joined them by their times, row by row, took the clocks for one.
+fn of_rows(scene: &Scene) -> Option<Vec<String>> {
+    let inputs: Vec<String> = scene.model.inputs.iter().map(|i| i.name.clone()).collect();
+    let outputs = scene.model.outputs.iter().map(|o| &o.name);
+    let all: Vec<&String> = inputs.iter().chain(outputs).collect();
+    let is_one = scene.tables.iter().any(|t| all.iter().all(|n| t.contains(n)));
+    (is_one && !inputs.is_empty()).then_some(inputs)
 }
 
 /// A time that grows with the recording, straight over each of its parts.
@@ -86,9 +96,9 @@ impl Shift {
 
 /// What inputs hold is known before and after, what a model makes before alone: of several clocks with outputs one is fast
 /// and reads late.
-fn at(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal> {
+fn at(scene: &Scene, inputs: &[String], outputs: &[String], parts: Option<u32>) -> Option<Proposal> {
     let first = outputs.first().or(inputs.first())?;
-    let (kind, least, parts) = match (inputs.is_empty(), outputs.is_empty()) {
+    let (kind, least, most) = match (inputs.is_empty(), outputs.is_empty()) {
         (_, true) => (SiteKind::Input, -MOST, PARTS),
         (true, false) => (SiteKind::Output, 0.0, PARTS),
         (false, false) => (SiteKind::Output, 0.0, FEWER),
@@ -97,7 +107,7 @@ fn at(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Proposal> 
     let rate =
         d.amplitude("rate", &Unit::one(), (least, MOST), "by how much the clock runs fast, s a second");
     d.term(&format!("{first} on a clock of another rate"));
-    let shift = Shift::of(scene, &mut d, parts)?;
+    let shift = Shift::of(scene, &mut d, parts.unwrap_or(most))?;
     for input in inputs {
         d.replace(input, &format!("({})", shift.late(input, &format!("-{rate}"))), |_| true);
     }

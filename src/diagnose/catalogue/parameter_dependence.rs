@@ -216,7 +216,7 @@ fn on_arguments(scene: &Scene, p: &str, (terms, elements): (&[Expr], &[Between])
         elements.iter().any(|b| b.parameter == p && b.difference == *x)
             || matches!(x, Expr::Name(n) if stands_alone(scene, p, n))
     };
-    let forms = [Form::Quadratic, Form::Saturating, Form::SaturatingSquare];
+    let forms = [Form::Modulus, Form::Quadratic, Form::Saturating, Form::SaturatingSquare];
     let of = |x: &Expr| {
         let forms = forms.into_iter().filter(|f| f.saturates() || !is_element(x));
         forms.filter_map(|f| on_argument(scene, p, x, f)).collect::<Vec<_>>()
@@ -227,13 +227,14 @@ fn on_arguments(scene: &Scene, p: &str, (terms, elements): (&[Expr], &[Between])
 fn on_argument(scene: &Scene, p: &str, x: &Expr, form: Form) -> Option<Proposal> {
     let size = scene.arguments.iter().find(|(e, s)| e == x && *s > 0.0)?.1;
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
-    let power = if form == Form::Saturating { 1.0 } else { 2.0 };
+    let power = if matches!(form, Form::Modulus | Form::Saturating) { 1.0 } else { 2.0 };
     let limits = if form.saturates() { POSITIVE } else { ANY };
     let unit = Unit::one().over(&scene.unit_of(x).usual().power(power));
     let a = d.amplitude("a", &unit, limits, "relative change of the parameter");
     let law = match form {
         Form::Saturating => format!("({p}/(1 + {a}*abs({x})))"),
         Form::SaturatingSquare => format!("({p}/(1 + {a}*({x})^2))"),
+        Form::Modulus => format!("({p}*(1 + {a}*abs({x})))"),
         _ => format!("({p}*(1 + {a}*({x})^2))"),
     };
     let (own, new) = (Expr::name(p), Expr::parse(&law).ok()?);
@@ -245,7 +246,11 @@ fn on_argument(scene: &Scene, p: &str, x: &Expr, form: Form) -> Option<Proposal>
         d.divides(p, size.powf(power));
     }
     d.start(&[0.3 / size.powf(power)]);
-    let how = if form.saturates() { "saturates with" } else { "varies with the square of" };
+    let how = match form {
+        Form::Modulus => "varies with the size of",
+        Form::Saturating | Form::SaturatingSquare => "saturates with",
+        _ => "varies with the square of",
+    };
     let words = if let Expr::Name(n) = x { scene.words(n) } else { x.to_string() };
     d.done(&format!("{} {how} {words}, relatively by {{0}}", scene.words(p)))
 }
