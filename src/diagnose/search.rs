@@ -297,6 +297,13 @@ pub fn trace(bench: &Bench, round: &Round, now: &Measure) {
         bench.budget.spent() as f64,
         bench.budget.most() as f64
     );
+    for s in round.screening.free.iter().take(8) {
+        let p = &s.proposal;
+        let _ = std::fmt::Write::write_fmt(
+            &mut text,
+            format_args!("  e {:>9.2} {:.3} {:<22} {:<12} {}\n", s.score.statistic, s.explained, p.code, p.site.name, p.term),
+        );
+    }
     for s in round.screening.screened.iter().take(25) {
         text += &format!(
             "  s {:>9.2} {:.3} {:<22} {:<12} {}\n",

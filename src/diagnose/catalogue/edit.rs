@@ -127,8 +127,8 @@ pub fn home(model: &Model, rate: &Expr) -> Option<usize> {
     let i = model.definitions.iter().position(|d| d.name == *name)?;
     let own = model.states.iter().filter(|s| reaches(model, &s.rate, name)).count() == 1;
     let mut accelerated = model.states.iter().filter(|s| s.rate == *rate);
-    let is_acceleration =
-        accelerated.next().is_some_and(|v| is_speed(model, v)) && accelerated.next().is_none();
+    let is_moving = |v: &State| is_speed(model, v) || is_rate(&v.unit);
+    let is_acceleration = accelerated.next().is_some_and(is_moving) && accelerated.next().is_none();
     (own || is_acceleration).then(|| home(model, &model.definitions[i].equals).unwrap_or(i))
 }
 
