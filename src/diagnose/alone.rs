@@ -19,7 +19,8 @@ const MOST: usize = 5;
 
 /// The recordings with their marks, where there are several.
 pub fn marked<'r>(model: &Model, recordings: &'r [Recording]) -> Cow<'r, [Recording]> {
-    let is_asked = (2..=MOST).contains(&recordings.len()) && recordings.iter().all(|r| r.kind != Kind::Trials);
+    let is_asked =
+        (2..=MOST).contains(&recordings.len()) && recordings.iter().all(|r| r.kind != Kind::Trials);
     if !is_asked {
         return Cow::Borrowed(recordings);
     }

@@ -169,7 +169,8 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
 /// to their bounds, far from where they stand beside what takes its place.
 fn placed(bench: &Bench, base: &Fit, last: &Fit) -> Option<Fit> {
     let mut model = base.model.clone();
-    for p in &mut model.parameters {
+    // what is held keeps the finding from acting
+    for p in model.parameters.iter_mut().filter(|p| p.fit) {
         let own = last.model.parameters.iter().find(|q| q.name == p.name);
         p.value = own.map_or(p.value, |q| q.value);
     }

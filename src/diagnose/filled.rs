@@ -64,9 +64,8 @@ fn grid(channel: &Channel) -> Option<usize> {
     }
     between.sort_unstable();
     let step = between[between.len() / 2];
-    let share = |is: &dyn Fn(usize) -> bool| {
-        between.iter().filter(|n| is(**n)).count() as f64 / between.len() as f64
-    };
+    let share =
+        |is: &dyn Fn(usize) -> bool| between.iter().filter(|n| is(**n)).count() as f64 / between.len() as f64;
     // a step that is no whole number of samples is one sooner or later
     let one = share(&|n| n.abs_diff(step) <= 1);
     let whole = share(&|n| (n + 1) % step <= 2);

@@ -301,7 +301,10 @@ pub fn trace(bench: &Bench, round: &Round, now: &Measure) {
         let p = &s.proposal;
         let _ = std::fmt::Write::write_fmt(
             &mut text,
-            format_args!("  e {:>9.2} {:.3} {:<22} {:<12} {}\n", s.score.statistic, s.explained, p.code, p.site.name, p.term),
+            format_args!(
+                "  e {:>9.2} {:.3} {:<22} {:<12} {}\n",
+                s.score.statistic, s.explained, p.code, p.site.name, p.term
+            ),
         );
     }
     for s in round.screening.screened.iter().take(25) {

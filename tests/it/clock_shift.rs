@@ -209,3 +209,38 @@ fn the_clock_of_a_second_logger_runs_fast_or_slow() {
         assert!((rate - 7e-4).abs() < 3e-5, "{}", answer.says);
     }
 }
+
+/// Who joined two loggers row by row took both clocks for one.
+#[test]
+fn a_clock_that_ran_off_before_the_rows_were_joined_is_told() {
+    let fast = 8e-4;
+    let torque = |t: f64| (0.9 * t).sin() + 0.8 * (2.3 * t + 1.0).cos() + 0.6 * (0.31 * t).sin();
+    let (step, count) = (0.1, 1500);
+    let drifted = |early: f64| {
+        let pace = 1.0 + early;
+        let states = runge_kutta(
+            (step, count, 20),
+            |t| [torque(t * pace)],
+            |[a, w]: [f64; 2], [u]| [pace * w, pace * (u - 0.4 * w - 1.3 * a) / 2.0],
+        );
+        let time: Vec<f64> = (0..count).map(|i| step * i as f64).collect();
+        let unit = |text: &str| Unit::parse(text).unwrap();
+        let given = time.iter().map(|t| torque(*t)).collect();
+        let errors = crate::diagnose::noise(count, 8);
+        let read = states.iter().zip(errors).map(|(x, e)| x[0] + 0.005 * e).collect();
+        let channels = vec![
+            Channel::new("torque", unit("N*m"), time.clone(), given),
+            Channel::new("angle", unit("rad"), time, read),
+        ];
+        let model = TURNTABLE.replace(r#"speed = { equals = "w", unit = "rad/s" }"#, "");
+        diagnosed(&Model::parse(&model).unwrap(), Recording::from_channels("joined", channels).unwrap())
+            .answer
+    };
+    let answer = drifted(fast);
+    let finding = &answer.findings[0];
+    assert_eq!((answer.findings.len(), finding.code.as_str()), (1, "clock-drift"), "{}", answer.says);
+    // the angle at t is that of t (1 + 8e-4): against it the clock of the torque gains as much
+    let rate = finding.parameters[0].value;
+    assert!((rate - fast).abs() < 3e-5, "{}", answer.says);
+    assert_eq!(drifted(0.0).verdict, gyrospec::diagnose::answer::Verdict::NothingMissing);
+}

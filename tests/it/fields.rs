@@ -42,7 +42,7 @@ impl Plant<'_> {
         at(sample) + rest * (at(sample + 1.0) - at(sample))
     }
 
-    fn recorded(&self, rates: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Recording {
+    pub(crate) fn recorded(&self, rates: impl Fn(&[f64], &[f64]) -> Vec<f64>) -> Recording {
         let h = self.step / 4.0;
         let of = |x: &[f64], t: f64| {
             let u: Vec<f64> = (0..self.inputs.len()).map(|k| self.input(k, t)).collect();

@@ -196,3 +196,40 @@ fn a_tank_springs_a_leak() {
     assert_eq!((widened.verdict, first(&widened)), (Verdict::Named, "parameter-change"), "{}", widened.says);
     assert_eq!(of(0.0, 1.0).verdict, Verdict::NothingMissing);
 }
+
+const COLLECTOR: Plant<'_> = Plant {
+    step: 20.0,
+    start: &[320.0],
+    inputs: &[("G", "W/m^2"), ("air", "K")],
+    states: &[("T", "K")],
+    sizes: &[(520.0, 330.0), (285.0, 8.0)],
+    noise: 0.01,
+    measured: 1,
+};
+const COLLECTOR_MODEL: &str = r#"
+    name = "solar collector"
+    [inputs]
+    G = { unit = "W/m^2" }
+    air = { unit = "K" }
+    [parameters]
+    C = { value = 6800, unit = "J/K/m^2", fit = true, min = 1 }
+    eta = { value = 0.7, unit = "1", fit = true, min = 0 }
+    a1 = { value = 3, unit = "W/m^2/K", fit = true, min = 0 }
+    [states]
+    T = { rate = "(eta*G - a1*(T - air))/C", unit = "K", initial = "fit" }
+    [outputs]
+    T_meas = { equals = "T", unit = "K" }
+"#;
+
+/// The efficiency of a collector as it is measured, ISO 9806: a loss that grows with the square of the difference.
+#[test]
+fn a_collector_loses_more_the_hotter_it_is() {
+    let a = COLLECTOR.diagnosed(COLLECTOR_MODEL, |x, u| {
+        let over = x[0] - u[1];
+        vec![(0.78 * u[0] - 3.5 * over - 0.03 * over * over.abs()) / 6000.0]
+    });
+    assert_eq!(a.findings.len(), 1, "{}", a.says);
+    let f = &a.findings[0];
+    let alike = ["parameter-dependence", "power-law"];
+    assert!(alike.contains(&f.code.as_str()) && f.ties.iter().all(|t| alike.contains(&&**t)), "{}", a.says);
+}

@@ -132,3 +132,93 @@ fn friction_of_a_trolley_is_felt_by_its_load() {
     let [low, force, high] = value(&a, "Fc");
     assert!(low < force && force < high && (force - 40.0).abs() < 2.0, "{low} {force} {high}");
 }
+
+/// A drug in the blood and in the tissue behind it, and what a slow sensor shows of the former.
+const DRUG: Plant<'_> = Plant {
+    step: 120.0,
+    start: &[0.0, 0.0, 0.0],
+    inputs: &[("infusion", "kg/s")],
+    states: &[("seen", "kg/m^3"), ("c1", "kg/m^3"), ("c2", "kg/m^3")],
+    sizes: &[(2.4e-8, 1.2e-8)],
+    noise: 0.004,
+    measured: 1,
+};
+const DRUG_MODEL: &str = r#"
+    name = "two compartments"
+    [inputs]
+    infusion = { unit = "kg/s" }
+    [parameters]
+    V = { value = 10.4, unit = "l", fit = true, min = 1 }
+    ke = { value = 0.48, unit = "1/h", fit = true, min = 0 }
+    k12 = { value = 0.66, unit = "1/h", fit = true, min = 0 }
+    k21 = { value = 0.41, unit = "1/h", fit = true, min = 0 }
+    [states]
+    c1 = { rate = "infusion/V - ke*c1 - k12*c1 + k21*c2", unit = "kg/m^3", initial = 0 }
+    c2 = { rate = "k12*c1 - k21*c2", unit = "kg/m^3", initial = 0 }
+    [outputs]
+    seen_meas = { equals = "c1", unit = "kg/m^3" }
+"#;
+
+#[test]
+fn a_slow_sensor_beside_a_rate_that_saturates_is_no_inertia() {
+    let a = DRUG.diagnosed(DRUG_MODEL, |x, u| {
+        let hour = 1.0 / 3600.0;
+        let (leaves, back) = (0.45 * hour * x[1] / (1.0 + 50.0 * x[1]), 0.35 * hour * x[2]);
+        let over = 0.6 * hour * x[1];
+        vec![(x[1] - x[0]) / 1200.0, u[0] / 0.012 - leaves - over + back, over - back]
+    });
+    assert_eq!(names(&a), ["output-lag", "saturable-rate"], "{}", a.says);
+    let of = |code: &str, name: &str| {
+        let f = a.findings.iter().find(|f| f.code == code).unwrap();
+        let v = f.parameters.iter().find(|v| v.name == name).unwrap();
+        (v.low, v.high)
+    };
+    let (low, high) = of("output-lag", "Tl");
+    assert!(low < 1200.0 && 1200.0 < high, "{low} to {high}");
+    let (low, high) = of("saturable-rate", "a");
+    assert!(low < 50.0 && 50.0 < high, "{low} to {high}");
+}
+
+/// A crane's trolley, whose acceleration moves the load that hangs from it; no position is in the model.
+const TROLLEY: Plant<'_> = Plant {
+    step: 0.06,
+    start: &[0.0, 0.0, 0.0],
+    inputs: &[("force", "N")],
+    states: &[("v", "m/s"), ("th", "rad"), ("w", "rad/s")],
+    sizes: &[(0.0, 180.0)],
+    noise: 0.02,
+    measured: 2,
+};
+const TROLLEY_MODEL: &str = r#"
+    name = "crane"
+    [inputs]
+    force = { unit = "N" }
+    [parameters]
+    Mt = { value = 410, unit = "kg", fit = true, min = 1 }
+    ml = { value = 180, unit = "kg", fit = true, min = 1 }
+    L = { value = 4.2, unit = "m", fit = true, min = 0.1 }
+    b = { value = 150, unit = "N*s/m", fit = true, min = 0 }
+    d = { value = 0.07, unit = "1/s", fit = true, min = 0 }
+    gr = { value = 9.81, unit = "m/s^2" }
+    [definitions]
+    acc = { equals = "(force + ml*gr*th - b*v)/Mt", unit = "m/s^2" }
+    [states]
+    v = { rate = "acc", unit = "m/s", initial = "fit" }
+    th = { rate = "w", unit = "rad", initial = "fit" }
+    w = { rate = "-gr/L*th - acc/L - d*w", unit = "rad/s", initial = "fit" }
+    [outputs]
+    v_meas = { equals = "v", unit = "m/s" }
+    th_meas = { equals = "th", unit = "rad" }
+"#;
+
+#[test]
+fn friction_of_a_trolley_is_felt_by_what_hangs_from_it() {
+    let a = TROLLEY.diagnosed(TROLLEY_MODEL, |x, u| {
+        let acc = (u[0] + 200.0 * 9.81 * x[1] - 180.0 * x[0] - 35.0 * (x[0] / 0.005).tanh()) / 450.0;
+        vec![acc, x[2], -9.81 / 4.0 * x[1] - acc / 4.0 - 0.08 * x[2]]
+    });
+    assert_eq!((a.verdict, names(&a)), (Verdict::Named, vec!["dry-friction"]), "{}", a.says);
+    let [low, force, high] = value(&a, "Fc");
+    assert!(low < force && force < high && (force - 35.0).abs() < 1.5, "{low} {force} {high}");
+    assert_eq!(a.findings[0].parameters[0].unit, "N");
+}

@@ -47,7 +47,11 @@ fn in_one_alone(scene: &Scene, m: &Motion, one: &Alone) -> Option<Proposal> {
     let mark = d.mark(one);
     d.force(&m.state, &format!("{f}*{mark}"));
     d.start(&[m.size]);
-    d.done(&format!("in the recording '{}' alone a constant {{0}} acts on {}", one.recording, scene.words(&m.state)))
+    d.done(&format!(
+        "in the recording '{}' alone a constant {{0}} acts on {}",
+        one.recording,
+        scene.words(&m.state)
+    ))
 }
 
 /// Share of the recording at each end in which none sets in: one that does at the beginning is there always.

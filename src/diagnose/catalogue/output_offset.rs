@@ -37,7 +37,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     let always = scene.model.outputs.iter().filter_map(|o| at(scene, &o.name));
     let jumps = scene.shifts.iter().filter(|_| !scene.trials).filter_map(|s| from_a_moment_on(scene, s));
     let outputs = &scene.model.outputs;
-    let odd = outputs.iter().flat_map(|o| scene.alone.iter().filter_map(|one| in_one_alone(scene, &o.name, one)));
+    let odd =
+        outputs.iter().flat_map(|o| scene.alone.iter().filter_map(|one| in_one_alone(scene, &o.name, one)));
     always.chain(jumps).chain(odd).collect()
 }
 

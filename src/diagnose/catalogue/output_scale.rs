@@ -33,7 +33,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let outputs = &scene.model.outputs;
-    let odd = outputs.iter().flat_map(|o| scene.alone.iter().filter_map(|one| in_one_alone(scene, &o.name, one)));
+    let odd =
+        outputs.iter().flat_map(|o| scene.alone.iter().filter_map(|one| in_one_alone(scene, &o.name, one)));
     outputs.iter().filter_map(|o| at(scene, &o.name)).chain(odd).collect()
 }
 
@@ -44,7 +45,10 @@ fn in_one_alone(scene: &Scene, output: &str, one: &Alone) -> Option<Proposal> {
     d.output(output, &format!("(1 + {a}*{mark})*{{}}"));
     d.start(&[0.3]);
     let words = scene.words(output);
-    d.done(&format!("in the recording '{}' alone the sensor of {words} has another scale, relatively by {{0}}", one.recording))
+    d.done(&format!(
+        "in the recording '{}' alone the sensor of {words} has another scale, relatively by {{0}}",
+        one.recording
+    ))
 }
 
 fn at(scene: &Scene, output: &str) -> Option<Proposal> {

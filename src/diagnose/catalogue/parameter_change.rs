@@ -38,7 +38,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         return Vec::new();
     }
     let parameters = scene.acting_parameters();
-    let odd = parameters.iter().flat_map(|p| others(scene, p).iter().filter_map(|one| in_one_alone(scene, p, one)));
+    let odd =
+        parameters.iter().flat_map(|p| others(scene, p).iter().filter_map(|one| in_one_alone(scene, p, one)));
     parameters.iter().filter_map(|p| at(scene, p)).chain(odd).collect()
 }
 
@@ -54,7 +55,11 @@ fn in_one_alone(scene: &Scene, p: &str, one: &Alone) -> Option<Proposal> {
     let mark = d.mark(one);
     d.replace(p, &format!("({p}*(1 + {a}*{mark}))"), |_| true);
     d.start(&[0.3]);
-    d.done(&format!("in the recording '{}' alone {} is another, relatively by {{0}}", one.recording, scene.words(p)))
+    d.done(&format!(
+        "in the recording '{}' alone {} is another, relatively by {{0}}",
+        one.recording,
+        scene.words(p)
+    ))
 }
 
 fn at(scene: &Scene, p: &str) -> Option<Proposal> {
