@@ -1,6 +1,6 @@
 //! A model in which one of its findings does nothing.
 
-use super::catalogue::{Proposal, edit, free_law};
+use super::catalogue::{Proposal, edit, free_law, is_mark};
 use super::search::Taken;
 use crate::estimate::Fit;
 use crate::expression::{BinaryOp, Expr, Function};
@@ -86,7 +86,7 @@ fn followed(model: &mut Model, state: &str) -> bool {
 /// the given model, which stand first, stay.
 pub fn tidied(mut model: Model, own: usize) -> Model {
     let given: BTreeSet<String> = model.parameters.iter().take(own).map(|p| p.name.clone()).collect();
-    let is_idle = |p: &Parameter| !p.fit && p.value == 0.0 && !given.contains(&p.name);
+    let is_idle = |p: &Parameter| !p.fit && p.value == 0.0 && !given.contains(&p.name) && !is_mark(p);
     let idle: Vec<String> = model.parameters.iter().filter(|p| is_idle(p)).map(|p| p.name.clone()).collect();
     let mut used = BTreeSet::new();
     edit::for_each(&mut model, |_, e| {

@@ -181,6 +181,14 @@ impl Proposal {
     }
 }
 
+/// How the meaning of a mark begins.
+const MARKS: &str = "1 in the recording ";
+
+/// Whether a parameter is the mark of a recording, which is 0 in the others and yet not idle.
+pub fn is_mark(p: &Parameter) -> bool {
+    !p.fit && p.meaning.as_ref().is_some_and(|m| m.starts_with(MARKS))
+}
+
 /// Limits of an added parameter, SI.
 pub type Limits = (f64, f64);
 
@@ -289,7 +297,7 @@ impl<'a> Draft<'a> {
         self.proposal.alone = Some(one.mark.clone());
         let model = &mut self.proposal.model;
         if model.parameters.iter().all(|p| p.name != one.mark) {
-            let meaning = format!("1 in the recording '{}', 0 elsewhere", one.recording);
+            let meaning = format!("{MARKS}'{}', 0 elsewhere", one.recording);
             model.parameters.push(Parameter {
                 name: one.mark.clone(),
                 value: 0.0,

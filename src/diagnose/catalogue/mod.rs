@@ -13,7 +13,7 @@ mod field;
 mod scene;
 pub(crate) mod terms;
 
-pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind};
+pub use draft::{ANY, Added, Draft, Limits, POSITIVE, Proposal, Site, SiteKind, is_mark};
 pub use scene::{Alone, MasslessLag, Motion, Scene, Shift, Signal, SignalKind};
 
 use crate::error::nearest;
