@@ -175,6 +175,16 @@ fn may_stand_for_a_hold(found: &Found) -> bool {
     found.taken.iter().any(is)
 }
 
+/// The inputs that what is left beside findings shows to be held.
+pub fn shown_beside(bench: &Bench, found: &Found) -> Vec<String> {
+    if found.taken.is_empty() || found.rest.p_value >= CHANCE {
+        return Vec::new();
+    }
+    let weights = straight_ones(bench, &found.last).unwrap_or_default();
+    let shows = |w: &Weight| w.is_sure() || w.held > NEARER && w.is_not_straight();
+    weights.into_iter().filter(shows).map(|w| w.name).collect()
+}
+
 /// Whether what was found fits as well with inputs as a bench reads them.
 pub fn fits_as_well(bench: &Bench, found: &Found) -> bool {
     gain(bench, &found.last).is_some_and(|gain| gain > -TIE)

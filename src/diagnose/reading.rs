@@ -24,21 +24,32 @@ impl Case<'_> {
             let said = feedback::read_first(&mut self.bench.recordings, &mut self.separate, &straight);
             self.notes.extend(said);
             let found = self.named(&self.bench, &self.separate, straight.clone(), None)?;
-            return Ok((straight, found));
+            return self.or_held(hold::shown_beside(&self.bench, &found), straight, found);
         }
         // where the reading makes no difference it is no fault
         let matters = |f: &DataFault| !found.taken.is_empty() || hold::is_likelier(f);
         let (held, alike): (Vec<_>, Vec<_>) = held.into_iter().partition(matters);
         self.told.extend(held);
         self.notes.extend(alike.iter().map(|f| hold::looks(&f.finding.site.name)));
-        let is_open = !open.is_empty() && may(self) && hold::may_hide_a_hold(&found);
-        if is_open && let Some(other) = self.held(&open, &base, &found)? {
-            return Ok(other);
+        // what was missing may have hidden it
+        let open = if open.is_empty() { hold::shown_beside(&self.bench, &found) } else { open };
+        let asked = if hold::may_hide_a_hold(&found) { open.clone() } else { Vec::new() };
+        let told = self.told.len();
+        let (base, found) = self.or_held(asked, base, found)?;
+        if self.told.len() > told {
+            return Ok((base, found));
         }
         let fits = |name: &&String| self.bench.budget.cut().is_some() || self.fits_held(name, &found);
         let notes: Vec<String> = open.iter().filter(fits).map(|name| hold::note(name)).collect();
         self.notes.extend(notes);
         Ok((base, found))
+    }
+
+    /// What the search found, or finds with inputs held that may be.
+    fn or_held(&mut self, open: Vec<String>, base: Fit, found: Found) -> Result<(Fit, Found)> {
+        let may = !open.is_empty() && self.bench.budget.cut() != Some(Early::Time);
+        let other = if may { self.held(&open, &base, &found)? } else { None };
+        Ok(other.unwrap_or((base, found)))
     }
 
     /// Whether what was found fits as well with an input held.
