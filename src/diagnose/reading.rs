@@ -24,7 +24,8 @@ impl Case<'_> {
             let said = feedback::read_first(&mut self.bench.recordings, &mut self.separate, &straight);
             self.notes.extend(said);
             let found = self.named(&self.bench, &self.separate, straight.clone(), None)?;
-            return self.or_held(hold::shown_beside(&self.bench, &found), straight, found);
+            let shown = hold::shown_beside(&self.bench, &found);
+            return self.or_held(&shown, straight, found);
         }
         // where the reading makes no difference it is no fault
         let matters = |f: &DataFault| !found.taken.is_empty() || hold::is_likelier(f);
@@ -33,7 +34,7 @@ impl Case<'_> {
         self.notes.extend(alike.iter().map(|f| hold::looks(&f.finding.site.name)));
         // what was missing may have hidden it
         let open = if open.is_empty() { hold::shown_beside(&self.bench, &found) } else { open };
-        let asked = if hold::may_hide_a_hold(&found) { open.clone() } else { Vec::new() };
+        let asked: &[String] = if hold::may_hide_a_hold(&found) { &open } else { &[] };
         let told = self.told.len();
         let (base, found) = self.or_held(asked, base, found)?;
         if self.told.len() > told {
@@ -46,9 +47,9 @@ impl Case<'_> {
     }
 
     /// What the search found, or finds with inputs held that may be.
-    fn or_held(&mut self, open: Vec<String>, base: Fit, found: Found) -> Result<(Fit, Found)> {
+    fn or_held(&mut self, open: &[String], base: Fit, found: Found) -> Result<(Fit, Found)> {
         let may = !open.is_empty() && self.bench.budget.cut() != Some(Early::Time);
-        let other = if may { self.held(&open, &base, &found)? } else { None };
+        let other = if may { self.held(open, &base, &found)? } else { None };
         Ok(other.unwrap_or((base, found)))
     }
 
