@@ -121,7 +121,7 @@ impl Response {
         if !self.has_its_states(p) || proposal.amplitude_numbers().len() != proposal.amplitudes.len() {
             return None;
         }
-        if self.runs.iter().any(|along| probe::moves_jumps(proposal, &along.recording)) {
+        if probe::moves_bends(proposal) {
             return None;
         }
         let (terms, sites) = self.own_terms(proposal)?;

@@ -122,20 +122,19 @@ pub(super) fn nudged(model: &Model) -> (Model, Vec<usize>) {
     (nudged, (first..first + model.states.len()).collect())
 }
 
-/// Whether an amplitude of a proposal moves the times at which a held input jumps, of which no look at single moments
-/// shows anything.
-pub(super) fn moves_jumps(proposal: &Proposal, recording: &Recording) -> bool {
+/// Whether an amplitude of a proposal moves the times at which an input jumps or bends: of a jump no look at single moments
+/// shows anything, and of slopes it shows those beside each bend.
+pub(super) fn moves_bends(proposal: &Proposal) -> bool {
     let model = &proposal.model;
-    let held: Vec<&str> =
-        recording.channels.iter().filter(|c| c.hold.is_held()).map(|c| c.name.as_str()).collect();
+    let inputs: Vec<&str> = model.inputs.iter().map(|i| i.name.as_str()).collect();
     let amplitudes: Vec<&str> =
         proposal.amplitudes.iter().map(|k| proposal.added[*k].name.as_str()).collect();
     let reaches = |e: &Expr, names: &[&str]| names.iter().any(|name| edit::reaches(model, e, name));
     let delays = |e: &Expr| match e {
-        Expr::Call(Function::Delay, args) => reaches(&args[0], &held) && reaches(&args[1], &amplitudes),
+        Expr::Call(Function::Delay, args) => reaches(&args[0], &inputs) && reaches(&args[1], &amplitudes),
         _ => false,
     };
-    !held.is_empty() && parts(model).any(|e| edit::find(e, &delays).is_some())
+    parts(model).any(|e| edit::find(e, &delays).is_some())
 }
 
 /// Whether the past of a state, or of time itself, is remembered anywhere in a model.
