@@ -25,6 +25,7 @@ use super::prove::{Held, held_out, leaves_levels_out};
 use super::search::{Found, Taken, ahead, is_over};
 use crate::estimate::fit::Effort;
 use crate::estimate::{Fit, fit};
+use crate::model::Model;
 use crate::record::Recording;
 use rayon::prelude::*;
 
@@ -43,10 +44,14 @@ type Without = (Fit, Measure);
 /// The model of a fit in which one taken mechanism does nothing, refitted in so many steps; `None` where nothing keeps it
 /// from acting.
 pub fn without(bench: &Bench, last: &Fit, p: &Proposal, steps: usize) -> Option<Fit> {
-    let model = Inert::of(p)?.model(&last.model, p)?;
+    fitted_from(bench, &Inert::of(p)?.model(&last.model, p)?, last, steps)
+}
+
+/// A model fitted in so many steps from where it stands and where the states of a larger one begin; in none, it is run there.
+pub fn fitted_from(bench: &Bench, model: &Model, last: &Fit, steps: usize) -> Option<Fit> {
     let mut options = bench.options(Effort::Near, steps);
-    options.initials = last.starts().iter().map(|x| inert::kept(&model, &last.model, x)).collect();
-    fit(&model, &bench.recordings, &options).ok()
+    options.initials = last.starts().iter().map(|x| inert::kept(model, &last.model, x)).collect();
+    fit(model, &bench.recordings, &options).ok()
 }
 
 /// Drops what the others make needless, and keeps the fits without each of those that stand. A finding is no

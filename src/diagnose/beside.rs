@@ -21,8 +21,8 @@ use super::propose::{Screened, explaining};
 use super::race::{self, Against, By, Finished};
 use super::search::{Found, Taken, is_over, is_pressed};
 use super::view::View;
-use crate::estimate::fit::{Effort, Progress};
-use crate::estimate::{Fit, fit};
+use crate::estimate::Fit;
+use crate::estimate::fit::Progress;
 use crate::record::Recording;
 
 /// Mechanisms, and what each is where one of its parameters is 0, or what it follows while something else is missing.
@@ -174,7 +174,5 @@ fn placed(bench: &Bench, base: &Fit, last: &Fit) -> Option<Fit> {
         let own = last.model.parameters.iter().find(|q| q.name == p.name);
         p.value = own.map_or(p.value, |q| q.value);
     }
-    let mut options = bench.options(Effort::Near, 0);
-    options.initials = last.starts().iter().map(|x| inert::kept(&model, &last.model, x)).collect();
-    fit(&model, &bench.recordings, &options).ok()
+    backward::fitted_from(bench, &model, last, 0)
 }

@@ -15,8 +15,7 @@ impl Case<'_> {
         let said = feedback::read_first(&mut self.bench.recordings, &mut self.separate, &base);
         self.notes.extend(said.iter().cloned());
         let found = self.named(&self.bench, &self.separate, base.clone(), before.as_deref())?;
-        let may = |case: &Self| case.bench.budget.cut() != Some(Early::Time);
-        let before = before.filter(|_| may(self));
+        let before = before.filter(|_| self.bench.budget.cut() != Some(Early::Time));
         if let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found)) {
             // steps that were spent on a wrong reading are no reason to keep it
             self.bench.budget.renew();
@@ -25,7 +24,8 @@ impl Case<'_> {
             self.notes.extend(said);
             let found = self.named(&self.bench, &self.separate, straight.clone(), None)?;
             let shown = hold::shown_beside(&self.bench, &found);
-            return self.or_held(&shown, straight, found);
+            let other = self.held(&shown, &straight, &found)?;
+            return Ok(other.unwrap_or((straight, found)));
         }
         // where the reading makes no difference it is no fault
         let matters = |f: &DataFault| !found.taken.is_empty() || hold::is_likelier(f);
@@ -34,23 +34,15 @@ impl Case<'_> {
         self.notes.extend(alike.iter().map(|f| hold::looks(&f.finding.site.name)));
         // what was missing may have hidden it
         let open = if open.is_empty() { hold::shown_beside(&self.bench, &found) } else { open };
-        let asked: &[String] = if hold::may_hide_a_hold(&found) { &open } else { &[] };
-        let told = self.told.len();
-        let (base, found) = self.or_held(asked, base, found)?;
-        if self.told.len() > told {
-            return Ok((base, found));
+        if hold::may_hide_a_hold(&found)
+            && let Some(other) = self.held(&open, &base, &found)?
+        {
+            return Ok(other);
         }
         let fits = |name: &&String| self.bench.budget.cut().is_some() || self.fits_held(name, &found);
         let notes: Vec<String> = open.iter().filter(fits).map(|name| hold::note(name)).collect();
         self.notes.extend(notes);
         Ok((base, found))
-    }
-
-    /// What the search found, or finds with inputs held that may be.
-    fn or_held(&mut self, open: &[String], base: Fit, found: Found) -> Result<(Fit, Found)> {
-        let may = !open.is_empty() && self.bench.budget.cut() != Some(Early::Time);
-        let other = if may { self.held(open, &base, &found)? } else { None };
-        Ok(other.unwrap_or((base, found)))
     }
 
     /// Whether what was found fits as well with an input held.
@@ -62,6 +54,9 @@ impl Case<'_> {
 
     /// What the search finds with inputs held, where that is likelier than what it found.
     fn held(&mut self, names: &[String], base: &Fit, found: &Found) -> Result<Option<(Fit, Found)>> {
+        if names.is_empty() || self.bench.budget.cut() == Some(Early::Time) {
+            return Ok(None);
+        }
         self.bench.budget.renew();
         let (mut bench, mut separate) = (self.bench.clone(), self.separate.clone());
         hold::read_held(&mut bench.recordings, names);
