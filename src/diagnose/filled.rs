@@ -16,7 +16,9 @@ use super::hold::{Weight, measured, weighed};
 use super::measure::{Measure, Scale};
 use crate::estimate::Fit;
 use crate::record::{Channel, Hold, Recording};
+use crate::simulate::GAP_STEPS;
 use crate::units::figure;
+use std::collections::BTreeMap;
 
 /// Changes that show a grid.
 const FEWEST: usize = 20;
@@ -26,32 +28,40 @@ const ON_GRID: (f64, f64) = (0.5, 0.9);
 /// Reads inputs as straight lines between their changes where the recordings show it: the model fitted so, with what a reader
 /// should know.
 pub fn settle(bench: &mut Bench, separate: &mut [Recording], base: Fit) -> (Fit, Vec<String>) {
-    let is_filled = |name: &&String| {
-        let mut channels = bench.recordings.iter().map(|r| r.find(name));
-        channels.all(|c| c.is_some_and(|c| c.hold == Hold::Linear && grid(c).is_some()))
-    };
-    let names: Vec<&String> = measured(&base.model).filter(is_filled).collect();
-    let weights = if names.is_empty() { None } else { weighed(bench, &base, names, read) };
+    let steps: BTreeMap<String, f64> = measured(&base.model)
+        .filter_map(|name| Some((name.clone(), common_step(&bench.recordings, name)?)))
+        .collect();
+    let read = |recordings: &mut [Recording], names: &[String]| read(recordings, names, &steps);
+    let weights = if steps.is_empty() { None } else { weighed(bench, &base, steps.keys().collect(), read) };
     let shown = weights.into_iter().flatten().filter(Weight::is_rather);
     let names: Vec<String> = shown.map(|w| w.name).collect();
     if names.is_empty() {
         return (base, Vec::new());
     }
     let as_given = bench.recordings.clone();
-    let notes = names.iter().filter_map(|name| note(as_given[0].find(name)?)).collect();
     read(&mut bench.recordings, &names);
     let scale = Scale::of(&base, false);
     let likelihood = |fit: &Fit| Measure::of(fit, &scale).likelihood;
     match anew(bench, &base) {
         Ok(fit) if likelihood(&fit) > likelihood(&base) + TIE => {
             read(separate, &names);
-            (fit, notes)
+            (fit, names.iter().map(|name| note(name, steps[name])).collect())
         }
         _ => {
             bench.recordings = as_given;
             (base, Vec::new())
         }
     }
+}
+
+/// The step of an input that was repeated in between in all recordings, s.
+fn common_step(recordings: &[Recording], name: &str) -> Option<f64> {
+    let step = |r: &Recording| {
+        let channel = r.find(name).filter(|c| c.hold == Hold::Linear)?;
+        Some(grid(channel)? as f64 * channel.median_step()?)
+    };
+    let steps: Option<Vec<f64>> = recordings.iter().map(step).collect();
+    steps?.first().copied()
 }
 
 /// Samples between changes of a channel that was repeated in between.
@@ -72,29 +82,44 @@ fn grid(channel: &Channel) -> Option<usize> {
     (step > 2 && one >= ON_GRID.0 && whole >= ON_GRID.1).then_some(step)
 }
 
-/// Reads inputs as straight lines between their changes; what stays longer is repeated on the grid.
-fn read(recordings: &mut [Recording], names: &[String]) {
+/// Reads inputs as straight lines between their changes, each with its step in s.
+fn read(recordings: &mut [Recording], names: &[String], steps: &BTreeMap<String, f64>) {
     for c in recordings.iter_mut().flat_map(|r| &mut r.channels).filter(|c| names.contains(&c.name)) {
-        let Some(step) = grid(c) else { continue };
-        let (mut kept, mut last) = (Vec::new(), 0);
-        for i in 0..c.len() {
-            let is_new = i == 0 || c.values[i] != c.values[i - 1];
-            if is_new || i - last >= step || i + 1 == c.len() {
-                kept.push(i);
-                last = i;
-            }
+        let samples = c.median_step().map(|usual| (steps[&c.name] / usual).round() as usize);
+        if let Some(samples) = samples.filter(|n| *n > 1) {
+            straighten(c, samples);
         }
-        c.values = kept.iter().map(|i| c.values[*i]).collect();
-        c.time = kept.iter().map(|i| c.time[*i]).collect();
     }
 }
 
+/// Straight lines between the changes of a channel, at the times that it has; what stays longer is repeated on the grid, and no
+/// line runs over a gap.
+fn straighten(c: &mut Channel, step: usize) {
+    let longest = c.longest_step(GAP_STEPS);
+    let is_lost = |i: usize| c.values[i].is_nan();
+    let is_open = |i: usize| is_lost(i) || is_lost(i - 1) || c.time[i] - c.time[i - 1] > longest;
+    let mut straight = c.values.clone();
+    let mut last = 0;
+    for i in 1..c.len() {
+        let is_kept = c.values[i] != c.values[i - 1] || i - last >= step || i + 1 == c.len();
+        let is_end = i + 1 < c.len() && is_open(i + 1);
+        if is_open(i) || is_kept || is_end {
+            let (from, to) = (c.time[last], c.time[i]);
+            let lines = if is_open(i) { i..i } else { last + 1..i };
+            for k in lines {
+                straight[k] =
+                    c.values[last] + (c.values[i] - c.values[last]) * ((c.time[k] - from) / (to - from));
+            }
+            last = i;
+        }
+    }
+    c.values = straight;
+}
+
 /// What a reader should know.
-fn note(channel: &Channel) -> Option<String> {
-    let step = grid(channel)? as f64 * channel.median_step()?;
-    Some(format!(
-        "{} was recorded every {} s and repeated in between: it is read as straight lines between its changes, which fits better",
-        channel.name,
+fn note(name: &str, step: f64) -> String {
+    format!(
+        "{name} was recorded every {} s and repeated in between: it is read as straight lines between its changes, which fits better",
         figure(step)
-    ))
+    )
 }

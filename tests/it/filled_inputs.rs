@@ -3,6 +3,8 @@
 use crate::diagnose::{diagnosed, noise};
 use crate::laws_met::runge_kutta;
 use gyrospec::diagnose::answer::{Answer, Verdict};
+use gyrospec::diagnose::{Request, diagnose};
+use gyrospec::estimate::fit::Silent;
 use gyrospec::record::Channel;
 use gyrospec::{Model, Recording, Unit};
 use std::f64::consts::TAU;
@@ -34,8 +36,8 @@ fn last_read(t: f64) -> f64 {
     ((t / (ROWS * STEP) + 1e-9).floor()) * ROWS * STEP
 }
 
-/// The answer for a room beside air that is as it is, or that a machine holds between readings.
-fn room(is_held: bool) -> Answer {
+/// A room beside air that is as it is, or that a machine holds between readings.
+fn room(is_held: bool) -> Recording {
     let power = |t: f64| if (t / 400.0).sin() + (t / 170.0).sin() > 0.3 { 900.0 } else { 100.0 };
     let air = |t: f64| if is_held { outside(last_read(t)) } else { outside(t) };
     let states = runge_kutta(
@@ -54,21 +56,52 @@ fn room(is_held: bool) -> Answer {
         Channel::new("outside", unit("K"), time.clone(), read),
         Channel::new("inside", unit("K"), time, inside),
     ];
-    let recording = Recording::from_channels("week", channels).unwrap();
-    diagnosed(&Model::parse(ROOM).unwrap(), recording).answer
+    Recording::from_channels("week", channels).unwrap()
+}
+
+/// The rows of a recording that are kept.
+fn rows(whole: &Recording, is_kept: impl Fn(usize) -> bool) -> Recording {
+    let kept: Vec<usize> = (0..COUNT).filter(|i| is_kept(*i)).collect();
+    let time: Vec<f64> = kept.iter().map(|i| STEP * *i as f64).collect();
+    let cut = |c: &Channel| {
+        Channel::new(&c.name, c.unit.clone(), time.clone(), kept.iter().map(|i| c.values[*i]).collect())
+    };
+    Recording::from_channels(&whole.name, whole.channels.iter().map(cut).collect()).unwrap()
+}
+
+fn is_told(a: &Answer) -> bool {
+    a.notes.iter().any(|n| n.contains("outside was recorded every 40 s and repeated in between"))
 }
 
 #[test]
 fn a_slow_input_that_is_repeated_in_a_quick_table_runs_straight() {
-    let a = room(false);
+    let model = Model::parse(ROOM).unwrap();
+    let a = diagnosed(&model, room(false)).answer;
     assert_eq!(a.verdict, Verdict::NothingMissing, "{}", a.says);
-    let told = "outside was recorded every 40 s and repeated in between";
-    assert!(a.notes.iter().any(|n| n.contains(told)), "{:?}", a.notes);
-    let a = room(true);
-    assert!(
-        a.findings.is_empty() && !a.notes.iter().any(|n| n.contains("repeated")),
-        "{} {:?}",
-        a.says,
-        a.notes
-    );
+    assert!(is_told(&a), "{:?}", a.notes);
+    let a = diagnosed(&model, room(true)).answer;
+    assert!(a.findings.is_empty() && !is_told(&a), "{} {:?}", a.says, a.notes);
+}
+
+#[test]
+fn a_repeated_input_runs_straight_beside_lost_rows_and_in_what_is_held_out() {
+    let (model, whole) = (Model::parse(ROOM).unwrap(), room(false));
+    let a = diagnosed(&model, rows(&whole, |i| !(700..760).contains(&i) && !(1303..1309).contains(&i))).answer;
+    assert_eq!(a.verdict, Verdict::NothingMissing, "{}", a.says);
+    assert!(is_told(&a), "{:?}", a.notes);
+    // too short for a grid of its own
+    let short = rows(&whole, |i| i >= COUNT - 140);
+    let request = Request {
+        model: &model,
+        source: None,
+        recordings: &[rows(&whole, |i| i < COUNT - 140)],
+        separate: &[short],
+        time_limit: None,
+        seed: 1,
+        progress: &Silent,
+    };
+    let a = diagnose(&request).unwrap().answer;
+    assert!(is_told(&a) && a.findings.is_empty(), "{} {:?}", a.says, a.notes);
+    // the noise is 0.1 K, and what the steps of a repeated input leave is 0.05
+    assert!(a.proof[0].holdout_before < 0.105, "{:?}", a.proof[0]);
 }
