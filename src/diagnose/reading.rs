@@ -1,8 +1,8 @@
 //! What is found with inputs as they are read, and with another reading where that may have led to it.
 
 use super::answer::DataFault;
-use super::search::Found;
-use super::{Case, compared, feedback, hold};
+use super::search::{Found, Taken};
+use super::{Case, catalogue, compared, feedback, filled, hold};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::simulate::Early;
@@ -15,6 +15,9 @@ impl Case<'_> {
         let said = feedback::read_first(&mut self.bench.recordings, &mut self.separate, &base);
         self.notes.extend(said.iter().cloned());
         let found = self.named(&self.bench, &self.separate, base.clone(), before.as_deref())?;
+        if let Some(other) = self.filled(&base, &found)? {
+            return Ok(other);
+        }
         let before = before.filter(|_| self.bench.budget.cut() != Some(Early::Time));
         if let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found)) {
             // steps that were spent on a wrong reading are no reason to keep it
@@ -43,6 +46,29 @@ impl Case<'_> {
         let notes: Vec<String> = open.iter().filter(fits).map(|name| hold::note(name)).collect();
         self.notes.extend(notes);
         Ok((base, found))
+    }
+
+    /// What the search finds with inputs that were repeated in between, where what was found beside shows that.
+    fn filled(&mut self, base: &Fit, found: &Found) -> Result<Option<(Fit, Found)>> {
+        if found.taken.is_empty() || self.bench.budget.cut() == Some(Early::Time) {
+            return Ok(None);
+        }
+        let is_shift = |t: &Taken| catalogue::find(t.proposal.code).is_ok_and(|m| m.shifts_time);
+        // what makes an input earlier hides it
+        let shift = found.taken.iter().position(is_shift);
+        let bare = shift.and_then(|i| found.without.get(i)?.as_ref());
+        let asked = bare.map_or(&found.last, |(fit, _)| fit).clone();
+        let (mut bench, mut separate) = (self.bench.clone(), self.separate.clone());
+        let (_, notes) = filled::settle(&mut bench, &mut separate, asked);
+        if notes.is_empty() {
+            return Ok(None);
+        }
+        bench.budget.renew();
+        let base = compared::anew(&bench, base)?;
+        let found = self.named(&bench, &separate, base.clone(), None)?;
+        (self.bench, self.separate) = (bench, separate);
+        self.notes.extend(notes);
+        Ok(Some((base, found)))
     }
 
     /// Whether what was found fits as well with an input held.

@@ -37,21 +37,8 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let motions = scene.motions();
     let late = motions.iter().filter(|_| !scene.trials).filter_map(|m| from_a_moment_on(scene, m));
-    let odd = motions.iter().flat_map(|m| scene.alone.iter().filter_map(|one| in_one_alone(scene, m, one)));
-    motions.iter().filter_map(|m| at(scene, m)).chain(late).chain(odd).collect()
-}
-
-fn in_one_alone(scene: &Scene, m: &Motion, one: &Alone) -> Option<Proposal> {
-    let mut d = Draft::at(scene, "constant-force", m);
-    let f = d.amplitude("F0", &m.force, ANY, "constant force in one recording");
-    let mark = d.mark(one);
-    d.force(&m.state, &format!("{f}*{mark}"));
-    d.start(&[m.size]);
-    d.done(&format!(
-        "in the recording '{}' alone a constant {{0}} acts on {}",
-        one.recording,
-        scene.words(&m.state)
-    ))
+    let always = motions.iter().flat_map(|m| scene.all_or_one().filter_map(|one| at(scene, m, one)));
+    always.chain(late).collect()
 }
 
 /// Share of the recording at each end in which none sets in: one that does at the beginning is there always.
@@ -70,8 +57,8 @@ fn from_a_moment_on(scene: &Scene, m: &Motion) -> Option<Proposal> {
     d.done(&format!("a constant {{0}} acts on {} from {{1}} on", scene.words(&m.state)))
 }
 
-fn at(scene: &Scene, m: &Motion) -> Option<Proposal> {
-    let mut d = Draft::at(scene, "constant-force", m);
+fn at(scene: &Scene, m: &Motion, one: Option<&Alone>) -> Option<Proposal> {
+    let mut d = Draft::at(scene, "constant-force", m).alone(one);
     let f = d.amplitude("F0", &m.force, ANY, "constant force");
     d.force(&m.state, &f);
     d.start(&[m.size]);

@@ -201,6 +201,8 @@ pub const POSITIVE: Limits = (0.0, f64::INFINITY);
 pub struct Draft<'a> {
     scene: &'a Scene<'a>,
     proposal: Proposal,
+    /// The recording in which it acts alone.
+    one: Option<&'a Alone>,
     failed: bool,
 }
 
@@ -227,7 +229,7 @@ impl<'a> Draft<'a> {
             refines: false,
             replaced: Vec::new(),
         };
-        Self { scene, proposal, failed: false }
+        Self { scene, proposal, one: None, failed: false }
     }
 
     /// Begins a mechanism in the sum of forces at a state.
@@ -273,7 +275,13 @@ impl<'a> Draft<'a> {
     /// Adds a fitted parameter that scales the effect.
     pub fn amplitude(&mut self, wanted: &str, unit: &Unit, limits: Limits, meaning: &str) -> String {
         self.proposal.amplitudes.push(self.proposal.added.len());
-        self.parameter(wanted, unit, limits, meaning)
+        match self.one {
+            None => self.parameter(wanted, unit, limits, meaning),
+            Some(one) => {
+                let name = self.parameter(wanted, unit, limits, &format!("{meaning} in one recording"));
+                format!("{name}*{}", one.mark)
+            }
+        }
     }
 
     /// Adds a parameter that is not fitted; returns its name.
@@ -292,14 +300,15 @@ impl<'a> Draft<'a> {
         name
     }
 
-    /// Lets it act in one recording alone: the name of what is 1 there and 0 elsewhere.
-    pub fn mark(&mut self, one: &Alone) -> String {
-        self.proposal.alone = Some(one.mark.clone());
+    /// Lets it act in one recording alone, where one is given: its amplitudes are multiplied by what is 1 there and 0 elsewhere.
+    pub fn alone(mut self, one: Option<&'a Alone>) -> Self {
+        let Some(own) = one else { return self };
+        (self.one, self.proposal.alone) = (one, Some(own.mark.clone()));
         let model = &mut self.proposal.model;
-        if model.parameters.iter().all(|p| p.name != one.mark) {
-            let meaning = format!("{MARKS}'{}', 0 elsewhere", one.recording);
+        if model.parameters.iter().all(|p| p.name != own.mark) {
+            let meaning = format!("{MARKS}'{}', 0 elsewhere", own.recording);
             model.parameters.push(Parameter {
-                name: one.mark.clone(),
+                name: own.mark.clone(),
                 value: 0.0,
                 unit: Unit::one(),
                 fit: false,
@@ -308,7 +317,7 @@ impl<'a> Draft<'a> {
                 meaning: Some(meaning),
             });
         }
-        one.mark.clone()
+        self
     }
 
     /// Adds a state that starts at a number; returns its name.
@@ -552,7 +561,8 @@ impl<'a> Draft<'a> {
 
     /// The proposal with its sentence, unless a step failed.
     pub fn done(mut self, says: &str) -> Option<Proposal> {
-        self.proposal.says = says.to_string();
+        let alone = self.one.map(|one| format!("in the recording '{}' alone ", one.recording));
+        self.proposal.says = format!("{}{says}", alone.unwrap_or_default());
         self.in_plain_units();
         self.proposal.neutral = neutral(&self.proposal);
         // The simulator chooses its steps at the model's own values.

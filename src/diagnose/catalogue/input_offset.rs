@@ -31,22 +31,11 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
     let inputs = scene.moving(&[SignalKind::Input]).filter(|u| !u.is_heading());
-    let odd = |u| scene.alone.iter().filter_map(move |one| in_one_alone(scene, u, one));
-    inputs.flat_map(|u| at(scene, u).into_iter().chain(odd(u))).collect()
+    inputs.flat_map(|u| scene.all_or_one().filter_map(move |one| at(scene, u, one))).collect()
 }
 
-fn in_one_alone(scene: &Scene, u: &Signal, one: &Alone) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "input-offset", SiteKind::Input, &u.name);
-    let b = d.amplitude("b", &u.unit, ANY, "offset of the input in one recording");
-    let mark = d.mark(one);
-    d.replace(&u.name, &format!("({} + {b}*{mark})", u.name), |_| true);
-    d.start(&[0.3 * u.spread]);
-    let words = scene.words(&u.name);
-    d.done(&format!("in the recording '{}' alone what acts differs from {words} by {{0}}", one.recording))
-}
-
-fn at(scene: &Scene, u: &Signal) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "input-offset", SiteKind::Input, &u.name);
+fn at(scene: &Scene, u: &Signal, one: Option<&Alone>) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "input-offset", SiteKind::Input, &u.name).alone(one);
     let b = d.amplitude("b", &u.unit, ANY, "offset of the input");
     d.replace(&u.name, &format!("({} + {b})", u.name), |_| true);
     d.start(&[0.3 * u.spread]);

@@ -34,26 +34,14 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    let always = scene.model.outputs.iter().filter_map(|o| at(scene, &o.name));
+    let outputs = scene.model.outputs.iter();
+    let always = outputs.flat_map(|o| scene.all_or_one().filter_map(|one| at(scene, &o.name, one)));
     let jumps = scene.shifts.iter().filter(|_| !scene.trials).filter_map(|s| from_a_moment_on(scene, s));
-    let outputs = &scene.model.outputs;
-    let odd =
-        outputs.iter().flat_map(|o| scene.alone.iter().filter_map(|one| in_one_alone(scene, &o.name, one)));
-    always.chain(jumps).chain(odd).collect()
+    always.chain(jumps).collect()
 }
 
-fn in_one_alone(scene: &Scene, output: &str, one: &Alone) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "output-offset", SiteKind::Output, output);
-    let b = d.amplitude("b", &scene.unit(output), ANY, "offset of the sensor in one recording");
-    let mark = d.mark(one);
-    d.output(output, &format!("{{}} + {b}*{mark}"));
-    d.start(&[0.5 * scene.signal(output)?.spread]);
-    let words = scene.words(output);
-    d.done(&format!("in the recording '{}' alone the sensor of {words} shows {{0}} too much", one.recording))
-}
-
-fn at(scene: &Scene, output: &str) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "output-offset", SiteKind::Output, output);
+fn at(scene: &Scene, output: &str, one: Option<&Alone>) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "output-offset", SiteKind::Output, output).alone(one);
     let b = d.amplitude("b", &scene.unit(output), ANY, "offset of the sensor");
     d.output(output, &format!("{{}} + {b}"));
     d.start(&[0.5 * scene.signal(output)?.spread]);

@@ -32,27 +32,12 @@ pub(super) const MECHANISM: Mechanism = Mechanism::new(
 );
 
 fn propose(scene: &Scene) -> Vec<Proposal> {
-    let outputs = &scene.model.outputs;
-    let odd =
-        outputs.iter().flat_map(|o| scene.alone.iter().filter_map(|one| in_one_alone(scene, &o.name, one)));
-    outputs.iter().filter_map(|o| at(scene, &o.name)).chain(odd).collect()
+    let outputs = scene.model.outputs.iter();
+    outputs.flat_map(|o| scene.all_or_one().filter_map(|one| at(scene, &o.name, one))).collect()
 }
 
-fn in_one_alone(scene: &Scene, output: &str, one: &Alone) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "output-scale", SiteKind::Output, output);
-    let a = d.amplitude("a", &Unit::one(), (-0.95, 30.0), "relative error of the scale in one recording");
-    let mark = d.mark(one);
-    d.output(output, &format!("(1 + {a}*{mark})*{{}}"));
-    d.start(&[0.3]);
-    let words = scene.words(output);
-    d.done(&format!(
-        "in the recording '{}' alone the sensor of {words} has another scale, relatively by {{0}}",
-        one.recording
-    ))
-}
-
-fn at(scene: &Scene, output: &str) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "output-scale", SiteKind::Output, output);
+fn at(scene: &Scene, output: &str, one: Option<&Alone>) -> Option<Proposal> {
+    let mut d = Draft::new(scene, "output-scale", SiteKind::Output, output).alone(one);
     let a = d.amplitude("a", &Unit::one(), (-0.95, 30.0), "relative error of the scale");
     d.output(output, &format!("(1 + {a})*{{}}"));
     d.start(&[0.3]);

@@ -50,16 +50,11 @@ fn others<'s>(scene: &'s Scene, p: &str) -> &'s [Alone] {
 }
 
 fn in_one_alone(scene: &Scene, p: &str, one: &Alone) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "parameter-change", SiteKind::Parameter, p);
-    let a = d.amplitude("a", &Unit::one(), (-3.0, 10.0), "relative change of the parameter in one recording");
-    let mark = d.mark(one);
-    d.replace(p, &format!("({p}*(1 + {a}*{mark}))"), |_| true);
+    let mut d = Draft::new(scene, "parameter-change", SiteKind::Parameter, p).alone(Some(one));
+    let a = d.amplitude("a", &Unit::one(), (-3.0, 10.0), "relative change of the parameter");
+    d.replace(p, &format!("({p}*(1 + {a}))"), |_| true);
     d.start(&[0.3]);
-    d.done(&format!(
-        "in the recording '{}' alone {} is another, relatively by {{0}}",
-        one.recording,
-        scene.words(p)
-    ))
+    d.done(&format!("{} is another, relatively by {{0}}", scene.words(p)))
 }
 
 fn at(scene: &Scene, p: &str) -> Option<Proposal> {

@@ -171,6 +171,11 @@ pub struct Scene<'a> {
 }
 
 impl Scene<'_> {
+    /// Where a constant may act: in all recordings, or in one of several alone.
+    pub fn all_or_one(&self) -> impl Iterator<Item = Option<&Alone>> {
+        std::iter::once(None).chain(self.alone.iter().map(Some))
+    }
+
     /// The signal of a name.
     pub fn signal(&self, name: &str) -> Option<&Signal> {
         self.signals.iter().find(|s| s.name == name)
