@@ -56,6 +56,7 @@ mod rest;
 mod scan;
 mod screen;
 mod search;
+mod single;
 mod small;
 mod stray;
 mod twins;
@@ -439,6 +440,7 @@ impl Case<'_> {
         }
         backward::stand(bench, separate, &mut found);
         beside::settle(bench, separate, &mut found, self.request.progress);
+        single::settle(bench, separate, &mut found, self.request.progress);
         Self::rests(bench, &mut found);
         Ok(found)
     }

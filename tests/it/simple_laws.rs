@@ -233,3 +233,62 @@ fn a_collector_loses_more_the_hotter_it_is() {
     let alike = ["parameter-dependence", "power-law"];
     assert!(alike.contains(&f.code.as_str()) && f.ties.iter().all(|t| alike.contains(&&**t)), "{}", a.says);
 }
+
+/// A third state is the clock.
+const TIMED: Plant<'_> =
+    Plant { start: &[0.0, 0.0, 0.0], states: &[("q", "m"), ("v", "m/s"), ("clock", "s")], ..CARRIAGE };
+
+/// Had been a drift beside a damping that was missing, though the model has one that is fitted.
+#[test]
+fn a_grease_that_warms_up_settles() {
+    let of = |damping: fn(f64) -> f64| {
+        TIMED.diagnosed(CARRIAGE_MODEL, |x, u| vec![x[1], (u[0] - damping(x[2]) * x[1]) / 90.0, 1.0])
+    };
+    let warm = of(|t| 200.0 * (1.0 + 0.6 * (-t / 15.0).exp()));
+    assert_eq!((warm.verdict, first(&warm)), (Verdict::Named, "parameter-drift"), "{}", warm.says);
+    assert_eq!(warm.findings.len(), 1, "{}", warm.says);
+    for (name, truth) in [("a", 0.6), ("tau", 15.0)] {
+        let [low, _, high] = value(&warm, name);
+        assert!(low < truth && truth < high && high - low < 0.2 * truth, "{name} {low} to {high}");
+    }
+    let worn = of(|t| 200.0 * (1.0 + 0.004 * t));
+    assert_eq!((worn.verdict, first(&worn)), (Verdict::Named, "parameter-drift"), "{}", worn.says);
+    assert!(!worn.findings[0].term.contains("exp"), "{}", worn.findings[0].term);
+}
+
+const ARM: Plant<'_> = Plant {
+    step: 0.01,
+    start: &[0.0, 0.0],
+    inputs: &[("torque", "N*m")],
+    states: &[("q", "rad"), ("w", "rad/s")],
+    sizes: &[(0.0, 3.0)],
+    noise: 0.002,
+    measured: 1,
+};
+const ARM_MODEL: &str = r#"
+    name = "arm with a counterbalance"
+    [inputs]
+    torque = { unit = "N*m" }
+    [parameters]
+    J = { value = 0.3, unit = "kg*m^2", fit = true, min = 0.01 }
+    B = { value = 1.1, unit = "N*m*s", fit = true, min = 0 }
+    K = { value = 8, unit = "N*m", fit = true, min = 0 }
+    [states]
+    q = { rate = "w", unit = "rad", initial = "fit" }
+    w = { rate = "(torque - B*w - K*q)/J", unit = "rad/s", initial = "fit" }
+    [outputs]
+    q_meas = { equals = "q", unit = "rad" }
+"#;
+
+/// Its spring holds it level, wherever its weight is: had been a weight below the axis and a spring of another power.
+#[test]
+fn a_weight_that_is_balanced_at_rest() {
+    let found = ARM.diagnosed(ARM_MODEL, |x, u| {
+        let weight = 2.2 * ((x[0] + 0.6).sin() - 0.6f64.sin());
+        vec![x[1], (u[0] - 0.9 * x[1] - 6.0 * x[0] - weight) / 0.32]
+    });
+    assert_eq!((found.verdict, first(&found)), (Verdict::Named, "gravity-pendulum"), "{}", found.says);
+    assert_eq!(found.findings.len(), 1, "{}", found.says);
+    let [low, _, high] = value(&found, "Gc");
+    assert!(low < 2.2 * 0.6f64.sin() && 2.2 * 0.6f64.sin() < high, "{low} to {high}");
+}

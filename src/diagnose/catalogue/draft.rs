@@ -118,6 +118,17 @@ impl Proposal {
         signals.filter(|s| edit::is_plainly_in(&term, s)).cloned().collect()
     }
 
+    /// States and inputs that its term follows in any way.
+    pub fn follows(&self) -> Vec<&str> {
+        // a term with a derivative is no expression
+        let Ok(term) = Expr::parse(&self.term) else {
+            return self.depends.iter().map(String::as_str).collect();
+        };
+        let inputs = self.model.inputs.iter().map(|i| &i.name);
+        let signals = self.model.states.iter().map(|s| &s.name).chain(inputs);
+        signals.filter(|s| term.mentions(s)).map(String::as_str).collect()
+    }
+
     /// Whether its term is a sine or cosine of a state or of time, which may be faster than either.
     pub fn turns(&self) -> bool {
         let Ok(term) = Expr::parse(&self.term) else { return false };
@@ -196,6 +207,9 @@ pub type Limits = (f64, f64);
 pub const ANY: Limits = (f64::NEG_INFINITY, f64::INFINITY);
 /// Zero and above.
 pub const POSITIVE: Limits = (0.0, f64::INFINITY);
+
+/// Shares of the recording in which what settles does so: sooner, it is how the recording begins; later, a straight line.
+const SETTLES: (f64, f64) = (0.04, 1.0);
 
 /// A proposal in the making; a step that fails makes [`Draft::done`] give nothing.
 pub struct Draft<'a> {
@@ -298,6 +312,16 @@ impl<'a> Draft<'a> {
         });
         self.proposal.constants.push(name.clone());
         name
+    }
+
+    /// What is 1 at the beginning of the recording and settles to 0 in a time that is fitted, and places from which that time
+    /// may be started, s.
+    pub fn settling(&mut self, second: &Unit) -> (String, [f64; 2]) {
+        let (begin, length) = (self.scene.from, self.scene.length());
+        let begin = self.constant("t0", second, begin, "beginning of the recording");
+        let limits = (SETTLES.0 * length, SETTLES.1 * length);
+        let time = self.parameter("tau", second, limits, "time in which it settles");
+        (format!("exp(-(t - {begin})/{time})"), [0.15, 0.5].map(|share| share * length))
     }
 
     /// Lets it act in one recording alone, where one is given: its amplitudes are multiplied by what is 1 there and 0 elsewhere.
