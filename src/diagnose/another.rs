@@ -80,23 +80,13 @@ pub fn beginning(
 /// By how much the logarithm of held-out errors differs where nothing tells them apart.
 const ALIKE: f64 = 0.01;
 
-/// Share of the fall of the held-out errors that a curve without a name makes, as logarithms, from which on names do as well: a
-/// curve follows what a formula rounds off.
-const AS_WELL: f64 = 0.9;
-
 /// Whether another answer has names and leaves nothing, and errors on what was held out that are no larger than those
-/// of the first; with more names than the first has, smaller ones, and not much larger ones where the first has no names.
+/// of the first; with more names than the first has, smaller ones.
 pub fn is_better(first: &Answer, other: &Answer) -> bool {
     let left = |a: &Answer| a.proof.iter().map(|p| p.holdout_after.ln()).sum::<f64>();
     let names = |a: &Answer| a.verdict.has_names();
     let has_more = names(first) && other.findings.len() > first.findings.len();
-    let fall = first.proof.iter().map(|p| p.holdout_before.ln()).sum::<f64>() - left(first);
-    let more = match (names(first), has_more) {
-        (_, true) => (1.0 - FLOOR).ln(),
-        (true, false) => ALIKE,
-        (false, false) => ALIKE.max((1.0 - AS_WELL) * fall),
-    };
-    let most = left(first) + more;
+    let most = left(first) + if has_more { (1.0 - FLOOR).ln() } else { ALIKE };
     names(other) && other.unexplained.is_none() && left(other) < most
 }
 

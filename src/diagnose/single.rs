@@ -5,8 +5,8 @@
 //! rest: a square and a sine of an angle for a weight that is balanced in no upright place. Neither can be left out alone.
 //!
 //! # Method
-//! The model without both is asked for a law of the same signals at that place. One that is worth as much as the two, each for
-//! the price of its parameters, takes their place.
+//! The model without both is asked for a law of the same signals at that place. One that fits as well as the two, each for the
+//! price of its parameters, takes their place.
 //!
 //! # References
 //! A. J. Miller, Subset Selection in Regression, 2nd ed. (2002), 3.5 (replacing several at a time).
@@ -14,7 +14,7 @@
 use super::backward;
 use super::bench::Bench;
 use super::catalogue::{self, Proposal};
-use super::choose::{RIVAL, gain, worth_of};
+use super::choose::{RIVAL, TIE, gain, worth_of};
 use super::inert;
 use super::measure::Measure;
 use super::propose::{Screened, explaining};
@@ -90,6 +90,6 @@ fn in_place_of(
     let worth = |(m, f): &(Measure, Finished)| worth_of(&f.proposal, m);
     let best = measured.max_by(|a, b| worth(a).total_cmp(&worth(b)))?;
     let both = worth_of(q, &last) + worth_of(p, &last) - last.likelihood;
-    let is_as_good = worth(&best) >= both && gain(&now, &best.0) >= RIVAL * gain(&now, &last);
+    let is_as_good = worth(&best) > both - TIE && gain(&now, &best.0) >= RIVAL * gain(&now, &last);
     is_as_good.then_some((best.1, scored.len() as f64))
 }

@@ -61,6 +61,7 @@ fn a_chain_of_halves_costs_what_its_links_cost() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_chain_of_fibonacci_numbers_costs_what_its_links_cost() {
     let link = |k: usize| if k == 1 { "q0".to_string() } else { format!("q{} + q{}", k - 1, k - 2) };
     // the 41st Fibonacci number stands before the first link in the last one

@@ -78,6 +78,7 @@ fn is_named(answer: &Answer) -> bool {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn waves_that_an_autopilot_answers_are_no_law_of_the_rudder() {
     for waves in [0.002, 0.005, 0.01] {
         let answer = found(Steering::Autopilot, waves, 0.0);

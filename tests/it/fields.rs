@@ -170,6 +170,7 @@ const ROOMS_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn what_leaves_one_room_enters_the_other() {
     let of = |wall: f64, one_way: f64| {
         ROOMS.diagnosed(ROOMS_MODEL, |x, u| {
@@ -278,6 +279,7 @@ fn what_has_no_name_is_put_into_the_model_as_a_curve() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_law_of_two_signals_is_put_into_the_model_as_a_surface() {
     // a draught through a gap that is widest about 650 K, against the wind on one side of the house
     let plant = Plant {
@@ -491,6 +493,7 @@ const MOTOR_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn the_torque_of_a_motor_goes_with_current_times_field_or_friction_brakes_it_in_newton_metres() {
     let of = |bilinear: f64, friction: f64| {
         MOTOR.diagnosed(MOTOR_MODEL, |x, u| {

@@ -7,6 +7,7 @@ use crate::laws_met::{inputs, named, run, run_with_two, runge_kutta, second_inpu
 /// A panel of a fifth of the craft's inertia, damped by 2 %: what the recording shows is the swing of both against each
 /// other.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_heavy_panel_behind_a_speed() {
     let model = r#"
         name = "craft"
@@ -228,6 +229,7 @@ fn what_is_late_beside_a_slow_room() {
 
 /// Friction that turns over within a range of speeds, beside another effect: no third one is named for the difference.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn friction_that_turns_over_not_at_once() {
     let model = r#"
         name = "gate"

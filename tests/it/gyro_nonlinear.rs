@@ -158,6 +158,7 @@ fn without_friction_or_play_the_part_is_linear() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_part_that_always_sticks_has_no_error_within_a_margin_that_is_not_zero() {
     let said = error(seed(), Law::Friction(1e6));
     assert!(said.rectified == 0.0 && said.rectified_margin > 0.0);
@@ -165,6 +166,7 @@ fn a_part_that_always_sticks_has_no_error_within_a_margin_that_is_not_zero() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn the_error_about_the_card_follows_from_its_first_quarter() {
     let motion = Motion::roll(&roll()).band_limited(CORNER, 2).unwrap();
     let compass = Instrument::new(seed(), Box::new(Friction { force: 2.0 }));

@@ -70,6 +70,7 @@ fn a_controller_whose_small_demands_do_nothing() {
 
 /// A controller whose gains have the wrong sign runs away, and no law of physics says so.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_controller_that_feeds_back_the_wrong_way() {
     let wrong = OVEN.replace("value = 4,", "value = -4,").replace("value = 0.8,", "value = -0.8,");
     let answer = oven_of(&wrong, 6.0, |power, _| (power, 0.0));
@@ -472,6 +473,7 @@ fn a_limit_and_a_loss_that_a_bend_of_the_input_stands_for() {
 
 /// A friction that the model has, smoothed, and its excess near rest, which the model lacks.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn friction_that_is_larger_near_rest_than_the_model_says() {
     let model = r#"
         name = "wrist"

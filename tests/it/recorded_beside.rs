@@ -164,6 +164,7 @@ const COOLER_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_current_heats_by_its_square_beside_what_it_pumps() {
     let of = |r: f64| {
         COOLER.diagnosed(COOLER_MODEL, |x, u| {
@@ -207,6 +208,7 @@ const SEAT_MODEL: &str = r#"
 
 /// A spring that hardens and a force that saturates look like one that a force softens, at first.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_limit_of_a_force_beside_a_spring_that_hardens() {
     let found = SEAT.diagnosed(SEAT_MODEL, |x, u| {
         let force = u[0].clamp(-330.0, 330.0) - 160.0 * x[1] - 11500.0 * x[0] - 3.2e6 * x[0].powi(3);

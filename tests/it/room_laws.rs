@@ -117,6 +117,7 @@ const CABINET_MODEL: &str = r#"
 
 /// A leak to the air outside, whose humidity is recorded, is one law of one size; one into nothing is a loss.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_loss_goes_to_surroundings_that_are_recorded() {
     let of = |leak: f64, share: f64, power: f64| {
         CABINET.diagnosed(CABINET_MODEL, |x, u| {

@@ -261,7 +261,7 @@ const ARM: Plant<'_> = Plant {
     start: &[0.0, 0.0],
     inputs: &[("torque", "N*m")],
     states: &[("q", "rad"), ("w", "rad/s")],
-    sizes: &[(0.0, 3.0)],
+    sizes: &[(0.0, 7.0)],
     noise: 0.002,
     measured: 1,
 };
