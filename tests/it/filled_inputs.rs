@@ -86,7 +86,8 @@ fn a_slow_input_that_is_repeated_in_a_quick_table_runs_straight() {
 #[test]
 fn a_repeated_input_runs_straight_beside_lost_rows_and_in_what_is_held_out() {
     let (model, whole) = (Model::parse(ROOM).unwrap(), room(false));
-    let a = diagnosed(&model, rows(&whole, |i| !(700..760).contains(&i) && !(1303..1309).contains(&i))).answer;
+    let a =
+        diagnosed(&model, rows(&whole, |i| !(700..760).contains(&i) && !(1303..1309).contains(&i))).answer;
     assert_eq!(a.verdict, Verdict::NothingMissing, "{}", a.says);
     assert!(is_told(&a), "{:?}", a.notes);
     // too short for a grid of its own

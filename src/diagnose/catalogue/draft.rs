@@ -325,6 +325,7 @@ impl<'a> Draft<'a> {
     }
 
     /// Lets it act in one recording alone, where one is given: its amplitudes are multiplied by what is 1 there and 0 elsewhere.
+    #[must_use]
     pub fn alone(mut self, one: Option<&'a Alone>) -> Self {
         let Some(own) = one else { return self };
         (self.one, self.proposal.alone) = (one, Some(own.mark.clone()));
