@@ -39,8 +39,22 @@ const MOST: usize = 6;
 
 /// Settles what stands in the place of each of several findings, and drops what that makes needless.
 pub fn settle(bench: &Bench, separate: &[Recording], found: &mut Found, progress: &dyn Progress) {
-    let mut is_other = false;
-    for i in 0..found.taken.len() {
+    let replaced = pass(bench, found, found.taken.len(), progress);
+    if let Some(last) = replaced {
+        // those before it were asked while another stood there
+        pass(bench, found, last, progress);
+    }
+    if replaced.is_some() {
+        // what was left beside others
+        found.small = None;
+        backward::stand(bench, separate, found);
+    }
+}
+
+/// Settles what stands in the place of each of the first findings; the last in whose place another stands now.
+fn pass(bench: &Bench, found: &mut Found, first: usize, progress: &dyn Progress) -> Option<usize> {
+    let mut replaced = None;
+    for i in 0..first {
         let Taken { proposal, others, .. } = &found.taken[i];
         let may_be_elsewhere = others.iter().any(|o| is_elsewhere(proposal, o));
         if found.taken.len() < 2 && !may_be_elsewhere || is_over(bench) {
@@ -49,24 +63,20 @@ pub fn settle(bench: &Bench, separate: &[Recording], found: &mut Found, progress
         if settled(bench, found, i, progress).unwrap_or(false) {
             // what stands in the place of the next one stands beside this
             found.without = backward::each(bench, found);
-            is_other = true;
+            replaced = Some(i);
         }
     }
-    if is_other {
-        // what was left beside others
-        found.small = None;
-        backward::stand(bench, separate, found);
-    }
+    replaced
 }
 
 /// Whether another takes the place of a finding; its ties are those that still fit as well.
 fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) -> Option<bool> {
-    let others = others(bench, found, i, progress)?;
-    let Taken { proposal: own, p_value, tried, elsewhere, .. } = found.taken[i].clone();
+    let finished = others(bench, found, i, progress)?;
+    let Taken { proposal: own, p_value, tried, elsewhere, ties: tied, others, .. } = found.taken[i].clone();
     let scale = &found.scale;
     let base = Measure::of(&found.without.get(i)?.as_ref()?.0, scale);
     let mut all = vec![Finished { proposal: own.clone(), fit: found.last.clone(), is_cut: false }];
-    let (cut, whole): (Vec<Finished>, Vec<Finished>) = others.into_iter().partition(|f| f.is_cut);
+    let (cut, whole): (Vec<Finished>, Vec<Finished>) = finished.into_iter().partition(|f| f.is_cut);
     let was_tied = |p: &Proposal| found.taken[i].ties.iter().any(|t| (t.code, &t.site) == (p.code, &p.site));
     let unsettled: Vec<Proposal> = cut.into_iter().map(|f| f.proposal).filter(was_tied).collect();
     all.extend(whole.into_iter().filter(|f| !is_pressed(&f.proposal, &f.fit)));
@@ -97,11 +107,13 @@ fn settled(bench: &Bench, found: &mut Found, i: usize, progress: &dyn Progress) 
     let rivals = near.first().map(|k| Box::new((all[best].fit.clone(), all[*k].fit.clone())));
     let elsewhere = if best == 0 { elsewhere } else { Vec::new() };
     let chosen = all.swap_remove(best);
-    found.replaces(
-        i,
-        Taken { proposal: chosen.proposal, p_value, tried, ties, elsewhere, others: Vec::new(), rivals },
-        chosen.fit,
-    );
+    let stands = |p: &Proposal| {
+        let mut standing = ties.iter().chain([&chosen.proposal]);
+        standing.any(|q| (q.code, &q.site) == (p.code, &p.site))
+    };
+    let others = tied.into_iter().chain(others).filter(|p| !stands(p)).collect();
+    let taken = Taken { proposal: chosen.proposal, p_value, tried, ties, elsewhere, others, rivals };
+    found.replaces(i, taken, chosen.fit);
     Some(best != 0)
 }
 
@@ -142,7 +154,12 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     }
     let mut scored = explaining(bench, &view, proposed);
     let fitted_as_well = |p: &Proposal| ties.iter().any(|t| (t.code, &t.site) == (p.code, &p.site));
-    scored.sort_by_key(|s| !fitted_as_well(&s.proposal));
+    // the form that was fitted goes before others of its law
+    let was_fitted = |p: &Proposal| {
+        let mut fitted = ties.iter().chain(others);
+        fitted.any(|t| (t.code, &t.site, &t.says) == (p.code, &p.site, &p.says))
+    };
+    scored.sort_by_key(|s| (!fitted_as_well(&s.proposal), !was_fitted(&s.proposal)));
     let mut chosen: Vec<&Screened> = Vec::new();
     for s in &scored {
         let is_same = |c: &&Screened| {
