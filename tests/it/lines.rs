@@ -1,6 +1,7 @@
 //! Forces that repeat with a position are named at any number of periods.
 
-use crate::diagnose::diagnosed;
+use crate::diagnose::{diagnosed, noise};
+use crate::laws_met::runge_kutta;
 use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};
@@ -78,4 +79,58 @@ fn a_torque_of_many_teeth_is_named() {
 fn a_smooth_shaft_gets_no_name() {
     let told = shaft(11.0, 0.0, 3);
     assert_eq!((told.verdict, told.findings.len()), (Verdict::NothingMissing, 0), "{}", told.says);
+}
+
+/// A motor with seven teeth of 0.006 N m, whose angle is read to a twelfth of a radian only, in four seconds: had been found to lack nothing.
+#[test]
+fn teeth_of_a_motor_whose_angle_is_read_coarsely() {
+    const COUNT: usize = 3500;
+    let model = r#"
+        name = "motor"
+        [inputs]
+        voltage = { unit = "V" }
+        [parameters]
+        R = { value = 1.3, unit = "V/A", fit = true, min = 0.05 }
+        L = { value = 0.0023, unit = "V*s/A", fit = true, min = 1e-4 }
+        k = { value = 0.055, unit = "N*m/A", fit = true, min = 1e-3 }
+        J = { value = 3.3e-4, unit = "kg*m^2", fit = true, min = 1e-5 }
+        b = { value = 2.7e-4, unit = "N*m*s", fit = true, min = 1e-6 }
+        [definitions]
+        ke = { equals = "k", unit = "V*s" }
+        [states]
+        cur = { rate = "(voltage - R*cur - ke*w)/L", unit = "A", initial = 0.0 }
+        w = { rate = "(k*cur - b*w)/J", unit = "rad/s", initial = 0.0 }
+        th = { rate = "w", unit = "rad", initial = 0.0 }
+        [outputs]
+        current = { equals = "cur", unit = "A" }
+        angle = { equals = "th", unit = "rad" }
+    "#;
+    let time: Vec<f64> = (0..COUNT).map(|i| 0.002 * i as f64).collect();
+    let volts = |t: f64| 1.1 + 0.7 * (2.3 * t).sin() + 0.5 * (5.9 * t + 1.0).sin() + 0.2 * (17.0 * t).sin();
+    let states = runge_kutta(
+        (0.002, COUNT, 10),
+        |t| [volts(t)],
+        |[i, w, th]: [f64; 3], [u]| {
+            let teeth = 0.006 * (7.0 * th + 0.4).sin();
+            [(u - 1.2 * i - 0.05 * w) / 0.002, (0.05 * i - 3e-4 * w - teeth) / 4e-4, w]
+        },
+    );
+    let read = |of: usize, size: f64, seed: u64| -> Vec<f64> {
+        states.iter().zip(noise(COUNT, seed)).map(|(x, e)| x[of] + size * e).collect()
+    };
+    let channel =
+        |name: &str, unit: &str, values| Channel::new(name, Unit::parse(unit).unwrap(), time.clone(), values);
+    let channels = vec![
+        channel("voltage", "V", time.iter().map(|t| volts(*t)).collect()),
+        channel("current", "A", read(0, 0.0025, 8)),
+        channel("angle", "rad", read(2, 0.085, 9)),
+    ];
+    let told =
+        diagnosed(&Model::parse(model).unwrap(), Recording::from_channels("motor", channels).unwrap()).answer;
+    assert_eq!(told.verdict, Verdict::Named, "{}", told.says);
+    let finding = &told.findings[0];
+    assert_eq!((finding.code.as_str(), told.findings.len()), ("periodic-force", 1), "{}", told.says);
+    let value = |name: &str| finding.parameters.iter().find(|p| p.name == name).unwrap().value;
+    assert!((value("n") - 7.0).abs() < 0.02, "{}", value("n"));
+    assert!((value("A_sin").hypot(value("A_cos")) - 0.006).abs() < 6e-4, "{}", told.says);
 }

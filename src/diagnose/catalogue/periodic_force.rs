@@ -58,6 +58,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     all.extend(turns.filter(|_| !scene.trials).filter_map(|(o, n)| on_turn(scene, &o.name, n)));
     for m in motions.iter().filter(|m| m.speed.is_some()) {
         all.extend(with_place(scene, m));
+        all.extend(with_teeth(scene, m));
         let lines = scene.lines.get(&m.state).into_iter().flatten();
         all.extend(lines.filter_map(|n| with_line(scene, m, *n)));
     }
@@ -219,15 +220,30 @@ fn frequency(d: &mut Draft, scene: &Scene, peak: f64) -> Option<String> {
     Some(d.parameter("w", &Unit::parse("rad/s").ok()?, limits, "angular frequency"))
 }
 
+/// Angles of the force over the whole way of a position between which a few guesses find its frequency, rad.
+const FEW_PERIODS: f64 = 9.0;
+const MANY_PERIODS: f64 = 400.0;
+/// Periods a turn that are tried one by one, at most.
+const MOST_TEETH: u8 = 24;
+
 fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let signal = scene.signal(m.position.as_ref()?)?;
     let range = signal.max - signal.min;
     let turns = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
     let mut starts: Vec<f64> = turns.iter().map(|turn| turn * TAU / range).collect();
     if scene.is_angle(&signal.name) {
-        starts.extend((1..=12).map(f64::from).filter(|n| (9.0..400.0).contains(&(n * range))));
+        starts.extend((1..=12).map(f64::from).filter(|n| (FEW_PERIODS..MANY_PERIODS).contains(&(n * range))));
     }
-    repeating(scene, m, (9.0 / range, 400.0 / range), &starts)
+    repeating(scene, m, (FEW_PERIODS / range, MANY_PERIODS / range), &starts)
+}
+
+/// Whole numbers of periods a turn, where the shaft turns so often that a few guesses over all of its way find none of them.
+fn with_teeth(scene: &Scene, m: &Motion) -> Option<Proposal> {
+    let signal = scene.signal(m.position.as_ref()?).filter(|s| scene.is_angle(&s.name))?;
+    let range = signal.max - signal.min;
+    let starts: Vec<f64> = (1..=MOST_TEETH).map(f64::from).filter(|n| n * range >= MANY_PERIODS).collect();
+    let (first, last) = (*starts.first()?, *starts.last()?);
+    repeating(scene, m, (first - 0.5, last + 0.5), &starts)
 }
 
 /// A force of one frequency in space that was read from the residual, about as exactly as it can be told there.
