@@ -234,28 +234,6 @@ fn a_collector_loses_more_the_hotter_it_is() {
     assert!(alike.contains(&f.code.as_str()) && f.ties.iter().all(|t| alike.contains(&&**t)), "{}", a.says);
 }
 
-/// A third state is the clock.
-const TIMED: Plant<'_> =
-    Plant { start: &[0.0, 0.0, 0.0], states: &[("q", "m"), ("v", "m/s"), ("clock", "s")], ..CARRIAGE };
-
-/// Had been a drift beside a damping that was missing, though the model has one that is fitted.
-#[test]
-fn a_grease_that_warms_up_settles() {
-    let of = |damping: fn(f64) -> f64| {
-        TIMED.diagnosed(CARRIAGE_MODEL, |x, u| vec![x[1], (u[0] - damping(x[2]) * x[1]) / 90.0, 1.0])
-    };
-    let warm = of(|t| 200.0 * (1.0 + 0.6 * (-t / 15.0).exp()));
-    assert_eq!((warm.verdict, first(&warm)), (Verdict::Named, "parameter-drift"), "{}", warm.says);
-    assert_eq!(warm.findings.len(), 1, "{}", warm.says);
-    for (name, truth) in [("a", 0.6), ("tau", 15.0)] {
-        let [low, _, high] = value(&warm, name);
-        assert!(low < truth && truth < high && high - low < 0.2 * truth, "{name} {low} to {high}");
-    }
-    let worn = of(|t| 200.0 * (1.0 + 0.004 * t));
-    assert_eq!((worn.verdict, first(&worn)), (Verdict::Named, "parameter-drift"), "{}", worn.says);
-    assert!(!worn.findings[0].term.contains("exp"), "{}", worn.findings[0].term);
-}
-
 const ARM: Plant<'_> = Plant {
     step: 0.01,
     start: &[0.0, 0.0],

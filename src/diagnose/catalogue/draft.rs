@@ -208,9 +208,6 @@ pub const ANY: Limits = (f64::NEG_INFINITY, f64::INFINITY);
 /// Zero and above.
 pub const POSITIVE: Limits = (0.0, f64::INFINITY);
 
-/// Shares of the recording in which what settles does so: sooner, it is how the recording begins; later, a straight line.
-const SETTLES: (f64, f64) = (0.04, 1.0);
-
 /// A proposal in the making; a step that fails makes [`Draft::done`] give nothing.
 pub struct Draft<'a> {
     scene: &'a Scene<'a>,
@@ -312,16 +309,6 @@ impl<'a> Draft<'a> {
         });
         self.proposal.constants.push(name.clone());
         name
-    }
-
-    /// What is 1 at the beginning of the recording and settles to 0 in a time that is fitted, and places from which that time
-    /// may be started, s.
-    pub fn settling(&mut self, second: &Unit) -> (String, [f64; 2]) {
-        let (begin, length) = (self.scene.from, self.scene.length());
-        let begin = self.constant("t0", second, begin, "beginning of the recording");
-        let limits = (SETTLES.0 * length, SETTLES.1 * length);
-        let time = self.parameter("tau", second, limits, "time in which it settles");
-        (format!("exp(-(t - {begin})/{time})"), [0.15, 0.5].map(|share| share * length))
     }
 
     /// Lets it act in one recording alone, where one is given: its amplitudes are multiplied by what is 1 there and 0 elsewhere.

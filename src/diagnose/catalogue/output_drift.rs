@@ -7,7 +7,6 @@
 //! # Equation
 //! ```text
 //!     y -> y + d (t - t0)
-//!     y -> y + d exp(-(t - t0)/tau) of what warms up
 //! ```
 //!
 //! # What else looks like this
@@ -35,20 +34,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    let outputs = scene.model.outputs.iter();
-    outputs.flat_map(|o| [at(scene, &o.name), settling(scene, &o.name)]).flatten().collect()
-}
-
-/// It comes to rest in a time of its own, as what warms up does.
-fn settling(scene: &Scene, output: &str) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "output-drift", SiteKind::Output, output);
-    let first = d.amplitude("first", &scene.unit(output), ANY, "error at the beginning of the recording");
-    let (settles, times) = d.settling(&Unit::parse("s").ok()?);
-    d.output(output, &format!("{{}} + {first}*{settles}"));
-    for time in times {
-        d.start(&[0.3 * scene.signal(output)?.spread, time]);
-    }
-    d.done(&format!("the sensor of {} begins off by {{0}} and settles in {{1}}", scene.words(output)))
+    scene.model.outputs.iter().filter_map(|o| at(scene, &o.name)).collect()
 }
 
 fn at(scene: &Scene, output: &str) -> Option<Proposal> {

@@ -9,7 +9,6 @@
 //!     p -> p (1 + a (t - t0)),  t0 the middle of the fitted part
 //!     p -> p exp(a (t - t0)) of what decays
 //!     p -> p/(1 + a (t - t0)) of what has a growing resistance in series
-//!     p -> p (1 + a exp(-(t - t0)/tau)) of what warms up, t0 the beginning
 //! ```
 //!
 //! # What else looks like this
@@ -39,23 +38,8 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     if scene.trials {
         return Vec::new();
     }
-    let forms = |p: &String| {
-        let steady = [Form::Straight, Form::Decays, Form::Resists].map(|form| at(scene, p, form));
-        steady.into_iter().chain([settling(scene, p)])
-    };
+    let forms = |p: &String| [Form::Straight, Form::Decays, Form::Resists].map(|form| at(scene, p, form));
     scene.acting_parameters().iter().flat_map(forms).flatten().collect()
-}
-
-/// It comes to rest in a time of its own, as what warms up does.
-fn settling(scene: &Scene, p: &str) -> Option<Proposal> {
-    let mut d = Draft::new(scene, "parameter-drift", SiteKind::Parameter, p);
-    let a = d.amplitude("a", &Unit::one(), (-ABOVE_ZERO, 10.0), "relative change that settles");
-    let (settles, times) = d.settling(&Unit::parse("s").ok()?);
-    d.replace(p, &format!("({p}*(1 + {a}*{settles}))"), |_| true);
-    for time in times {
-        d.start(&[0.3, time]);
-    }
-    d.done(&format!("{} begins off by {{0}} of itself and settles in {{1}}", scene.words(p)))
 }
 
 /// How it drifts: along a straight line, by the same share in the same time, or as one over a straight line.
