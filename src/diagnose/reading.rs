@@ -15,10 +15,9 @@ impl Case<'_> {
         let said = feedback::read_first(&mut self.bench.recordings, &mut self.separate, &base);
         self.notes.extend(said.iter().cloned());
         let found = self.named(&self.bench, &self.separate, base.clone(), before.as_deref())?;
-        if let Some(other) = self.filled(&base, &found)? {
-            return Ok(other);
-        }
-        let before = before.filter(|_| self.bench.budget.cut() != Some(Early::Time));
+        let filled = self.filled(&base, &found)?;
+        let before = before.filter(|_| filled.is_none() && self.bench.budget.cut() != Some(Early::Time));
+        let (base, found) = filled.unwrap_or((base, found));
         if let Some(straight) = before.and_then(|b| b.returns(&mut self.bench, &mut self.separate, &found)) {
             // steps that were spent on a wrong reading are no reason to keep it
             self.bench.budget.renew();

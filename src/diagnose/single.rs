@@ -30,34 +30,26 @@ const MOST: usize = 4;
 /// Steps of the fit without either.
 const STEPS: usize = 8;
 
-/// Puts one law in the place of two wherever it is worth as much.
+/// Puts one law in the place of the first two for which one is worth as much.
 pub fn settle(bench: &Bench, separate: &[Recording], found: &mut Found, progress: &dyn Progress) {
     let pairs = (0..found.taken.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-    let alike = pairs.filter(|(i, j)| are_alike(&found.taken[*i].proposal, &found.taken[*j].proposal));
-    for (i, j) in alike.collect::<Vec<_>>() {
-        if is_over(bench) || found.taken.len() < 2 {
-            return;
-        }
-        if let Some((one, tried)) = in_place_of(bench, found, (i, j), progress) {
-            let p_value = found.taken[i].p_value;
-            let taken = Taken {
-                proposal: one.proposal,
-                p_value,
-                tried,
-                ties: Vec::new(),
-                elsewhere: Vec::new(),
-                others: Vec::new(),
-                rivals: None,
-            };
-            found.taken.remove(j);
-            found.replaces(i, taken, one.fit);
-            found.without = backward::each(bench, found);
-            found.small = None;
-            backward::stand(bench, separate, found);
-            // the numbers of the others are no longer theirs
-            return;
-        }
-    }
+    let mut alike = pairs.filter(|(i, j)| are_alike(&found.taken[*i].proposal, &found.taken[*j].proposal));
+    let one = |(i, j)| Some((i, j, in_place_of(bench, found, (i, j), progress)?));
+    let Some((i, j, (one, tried))) = alike.find_map(one) else { return };
+    let taken = Taken {
+        proposal: one.proposal,
+        p_value: found.taken[i].p_value,
+        tried,
+        ties: Vec::new(),
+        elsewhere: Vec::new(),
+        others: Vec::new(),
+        rivals: None,
+    };
+    found.taken.remove(j);
+    found.replaces(i, taken, one.fit);
+    found.without = backward::each(bench, found);
+    found.small = None;
+    backward::stand(bench, separate, found);
 }
 
 /// Whether two findings act at one place and follow the same signals.
@@ -72,6 +64,9 @@ fn in_place_of(
     (i, j): (usize, usize),
     progress: &dyn Progress,
 ) -> Option<(Finished, f64)> {
+    if is_over(bench) {
+        return None;
+    }
     let [p, q] = [i, j].map(|k| &found.taken[k].proposal);
     let (with, _) = found.without.get(i)?.as_ref()?;
     let base: &Fit = &inert::bare(&backward::without(bench, with, q, STEPS)?, bench.own_parameters);

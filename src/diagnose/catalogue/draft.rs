@@ -106,6 +106,11 @@ impl Proposal {
         model
     }
 
+    fn signals(&self) -> impl Iterator<Item = &String> {
+        let inputs = self.model.inputs.iter().map(|i| &i.name);
+        self.model.states.iter().map(|s| &s.name).chain(inputs)
+    }
+
     /// States and inputs that its term is a law of, not only turned by them; none where it remembers.
     pub fn law_of(&self) -> Vec<String> {
         // a term with a derivative is no expression
@@ -113,9 +118,7 @@ impl Proposal {
         if edit::find(&term, &|e| matches!(e, Expr::Call(f, _) if f.has_memory())).is_some() {
             return Vec::new();
         }
-        let inputs = self.model.inputs.iter().map(|i| &i.name);
-        let signals = self.model.states.iter().map(|s| &s.name).chain(inputs);
-        signals.filter(|s| edit::is_plainly_in(&term, s)).cloned().collect()
+        self.signals().filter(|s| edit::is_plainly_in(&term, s)).cloned().collect()
     }
 
     /// States and inputs that its term follows in any way.
@@ -124,9 +127,7 @@ impl Proposal {
         let Ok(term) = Expr::parse(&self.term) else {
             return self.depends.iter().map(String::as_str).collect();
         };
-        let inputs = self.model.inputs.iter().map(|i| &i.name);
-        let signals = self.model.states.iter().map(|s| &s.name).chain(inputs);
-        signals.filter(|s| term.mentions(s)).map(String::as_str).collect()
+        self.signals().filter(|s| term.mentions(s)).map(String::as_str).collect()
     }
 
     /// Whether its term is a sine or cosine of a state or of time, which may be faster than either.
