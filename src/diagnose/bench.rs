@@ -132,6 +132,8 @@ fn steps(model: &Model, recordings: &[Recording]) -> u64 {
 
 /// Share of its runs, one in so many, that a fit may spend whatever is left for others.
 const SHARED: u64 = 5;
+/// Steps that a run counts as at least where it is asked whether runs have become long.
+const SHORT: u64 = 25_000;
 /// Steps that take some seconds.
 const SECONDS: u64 = 40_000_000;
 
@@ -183,14 +185,15 @@ impl Bench {
         self.budget.part(FITS)
     }
 
-    /// What a fit may spend that is a small part of a search: some seconds, or so many runs as long as those of the model
+    /// What a fit may spend that is a small part of a search: so many runs as long as those of the model
     /// as given, which ends one whose runs have become many times as long.
     pub fn runs(&self, count: u64) -> Budget {
         let usual = self.budget.stages().into_iter().find(|s| s.name == foretold::FIRST_FIT && s.runs > 0);
         let part = self.part();
         let Some(usual) = usual else { return part };
-        let runs = count * (usual.steps / usual.runs);
-        part.at_most(runs.max(SECONDS).min(self.most.max(runs / SHARED)))
+        let one = usual.steps / usual.runs;
+        let steps = count * one.max(SHORT);
+        part.at_most(steps.min(self.most.max(count * one / SHARED)))
     }
 
     /// The same bench, on which one fit of a race spends at most one part in so many of what is left, where that is no too small

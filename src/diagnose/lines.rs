@@ -25,7 +25,7 @@ use super::view::{View, own_tracks};
 use crate::estimate::Fit;
 use crate::estimate::noise::NoiseModel;
 use std::collections::BTreeMap;
-use std::f64::consts::PI;
+use std::f64::consts::{LN_2, PI};
 
 /// Periods over the whole position from which on a force is looked for here; fewer are started from a few guesses.
 const TURNS: f64 = 20.0;
@@ -35,6 +35,8 @@ const KEPT: usize = 3;
 const TRIED: usize = 40;
 const REFINED: usize = 6;
 const STEPS: i32 = 3;
+/// −ln of the chance that the largest of so many scores of noise, spread about their median, is a line.
+const SURER: f64 = 3.0;
 /// Share of the largest score that another line must reach.
 const HALF: f64 = 0.5;
 /// Frequencies at which the denominator is found.
@@ -173,12 +175,17 @@ impl<'v> Place<'v> {
     }
 }
 
-/// The highest maxima, those that are at least half as high as the first of them.
+/// The highest maxima, those that are at least half as high as the first of them and rise from what lies around: scores of
+/// noise have the distribution P(S > s) = 2^(−s/median), whatever its size.
 fn highest(of: &[f64], first: usize, unit: f64) -> Vec<f64> {
     let is_top = |k: &usize| of[*k] >= of[k - 1] && of[*k] > of[k + 1];
     let mut tops: Vec<usize> = (first.max(1)..of.len().saturating_sub(1)).filter(is_top).collect();
     tops.sort_by(|a, b| of[*b].total_cmp(&of[*a]));
-    let least = tops.first().map_or(0.0, |k| HALF * of[*k]);
+    let mut all = of[first.min(of.len() - 1)..].to_vec();
+    let middle = all.len() / 2;
+    let median = *all.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let noise = median / LN_2 * ((all.len() as f64 / FINER as f64).ln() + SURER);
+    let least = tops.first().map_or(0.0, |k| noise.max(HALF * of[*k]));
     let kept = tops.into_iter().take(TRIED).filter(|k| of[*k] >= least);
     kept.map(|k| (k as f64 + summit(&of[k - 1..k + 2])) * unit).collect()
 }
@@ -195,4 +202,28 @@ fn between(known: &[(f64, f64)], at: f64) -> f64 {
 fn summit(of: &[f64]) -> f64 {
     let bend = of[0] - 2.0 * of[1] + of[2];
     if bend < 0.0 { (0.5 * (of[0] - of[2]) / bend).clamp(-0.5, 0.5) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::{RngExt, SeedableRng};
+
+    /// Scores of noise whose size falls along the axis are exponential about any level: one in twenty such courses may show a
+    /// line; a score of forty times the median is one.
+    #[test]
+    fn a_line_rises_from_what_lies_around() {
+        let mut shown = 0;
+        for seed in 0..200 {
+            let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
+            let mut draw = || -1e3 * (1.0 - rng.random::<f64>()).ln();
+            let mut score: Vec<f64> = (0..600).map(|_| draw()).collect();
+            shown += usize::from(!highest(&score, 10, 1.0).is_empty());
+            (score[399], score[400], score[401]) = (10e3, 40e3, 10e3);
+            let found = highest(&score, 10, 1.0);
+            assert!(found.first().is_some_and(|n| (n - 400.0).abs() < 0.5), "{found:?}");
+        }
+        // twice as many scores as are independent are asked at a chance of one in twenty each way: 200 × 0.1 = 20, ± 3 σ
+        assert!((7..=33).contains(&shown), "{shown}");
+    }
 }

@@ -50,6 +50,14 @@ impl Evidence<'_> {
         self.found.taken.iter().any(|t| is_pressed(&t.proposal, &self.found.last))
     }
 
+    /// Whether one finding acts on a hidden state that another brought in: what only goes on like that is a filter of high
+    /// order, which follows any response, and no law of the instrument.
+    fn is_nested(&self) -> bool {
+        let taken = &self.found.taken;
+        let is_hidden = |name: &String| taken.iter().any(|t| t.proposal.states.contains(name));
+        taken.iter().any(|t| is_hidden(&t.proposal.site.name))
+    }
+
     /// The verdict.
     pub fn verdict(&self) -> Verdict {
         if self.blind.is_some() {
@@ -68,6 +76,7 @@ impl Evidence<'_> {
         if self.outweighs()
             || self.ran_away()
             || self.is_pressed()
+            || self.is_nested()
             || self.rest.is_left() && is_wave(&first.proposal)
         {
             Verdict::Unknown

@@ -88,6 +88,7 @@ fn a_shaft_that_stiffens() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn friction_between_two_bodies() {
     let found = named(|twist, slip| 80.0 * twist + 0.1 * slip + 0.15 * (slip / 0.003).tanh());
     is(&found, "dry-friction", "wm", 0.15, 0.01);

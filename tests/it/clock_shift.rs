@@ -152,6 +152,7 @@ fn turntable(early: f64) -> Recording {
 /// What a logger with the input and an output stamps late, and what one without inputs stamps early, is one thing; an
 /// output that is late by itself is a late sensor.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_second_logger_stamps_early_or_late() {
     // A run that is read ahead begins where the turntable was a little later than at its given beginning.
     let model = Model::parse(&TURNTABLE.replace("initial = 0", "initial = \"fit\"")).unwrap();

@@ -264,6 +264,7 @@ fn a_gyroscopic_moment_is_a_product() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn what_has_no_name_is_put_into_the_model_as_a_curve() {
     // a door that opens by itself about 700 K
     let open =

@@ -54,6 +54,7 @@ fn angles(current: &[f64]) -> Vec<f64> {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_sensor_that_wanders_hides_no_resonance() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);
     let mut level = 0.0;

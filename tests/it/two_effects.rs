@@ -160,6 +160,7 @@ const DRUG_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_slow_sensor_beside_a_rate_that_saturates_is_no_inertia() {
     let a = DRUG.diagnosed(DRUG_MODEL, |x, u| {
         let hour = 1.0 / 3600.0;

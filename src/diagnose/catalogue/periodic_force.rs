@@ -220,15 +220,21 @@ fn frequency(d: &mut Draft, scene: &Scene, peak: f64) -> Option<String> {
     Some(d.parameter("w", &Unit::parse("rad/s").ok()?, limits, "angular frequency"))
 }
 
-/// Angles of the force over the whole way of a position between which a few guesses find its frequency, rad.
+/// Angles of the force over the whole way of a position between which a few guesses find its frequency, rad; and up to which
+/// they must where lines of what is left are known, of which none has less than two thirds of that.
 const FEW_PERIODS: f64 = 9.0;
 const MANY_PERIODS: f64 = 400.0;
+const BELOW_LINES: f64 = 30.0;
 /// Periods a turn that are tried one by one, at most.
 const MOST_TEETH: u8 = 24;
 
 fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let signal = scene.signal(m.position.as_ref()?)?;
     let range = signal.max - signal.min;
+    if scene.lines.contains_key(&m.state) {
+        let starts = [1.5, 2.2, 3.0, 4.0].map(|turn| turn * TAU / range);
+        return repeating(scene, m, (FEW_PERIODS / range, BELOW_LINES / range), &starts);
+    }
     let turns = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
     let mut starts: Vec<f64> = turns.iter().map(|turn| turn * TAU / range).collect();
     if scene.is_angle(&signal.name) {
