@@ -232,7 +232,7 @@ fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let signal = scene.signal(m.position.as_ref()?)?;
     let range = signal.max - signal.min;
     if scene.lines.contains_key(&m.state) {
-        let starts = [1.5, 2.2, 3.0, 4.0].map(|turn| turn * TAU / range);
+        let starts = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0].map(|turn| turn * TAU / range);
         return repeating(scene, m, (FEW_PERIODS / range, BELOW_LINES / range), &starts);
     }
     let turns = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
