@@ -39,50 +39,6 @@ fn walls_that_throw_a_sound_back() {
     assert_eq!(answer.unexplained.map(|u| u.signal).as_deref(), Some("drive"));
 }
 
-/// A milling head whose tool cuts into the wave that it left a turn before: its force goes with x(t) − x(t − T), a past of
-/// its own that no law of present values shows. Resonances on resonances follow its response as far as one likes.
-#[test]
-#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
-fn what_feels_its_own_past_is_no_chain_of_resonances() {
-    let model = r#"
-        name = "milling head"
-        [inputs]
-        force = { unit = "N" }
-        [parameters]
-        m = { value = 1, unit = "kg" }
-        c = { value = 1, unit = "N*s/m", fit = true, min = 0.01, max = 20 }
-        k = { value = 30, unit = "N/m", fit = true, min = 1, max = 200 }
-        [states]
-        x = { rate = "v", unit = "m", initial = 0 }
-        v = { rate = "(force - c*v - k*x)/m", unit = "m/s", initial = 0 }
-        [outputs]
-        deflection = { equals = "x", unit = "m" }
-    "#;
-    let mut force = noise(inputs().len(), 8);
-    for i in 1..force.len() {
-        force[i] += 0.8 * force[i - 1];
-    }
-    // T = 1.3 s is 65 samples; by half steps of the trapezoid the past is known at every stage
-    let (h, late) = (0.01, 130);
-    let mut x = vec![0.0; 2 * force.len()];
-    let mut v = 0.0;
-    for i in 1..x.len() {
-        let push = |j: usize| {
-            0.5 * (force[(j / 2).min(force.len() - 1)] + force[j.div_ceil(2).min(force.len() - 1)])
-        };
-        let rate = |j: usize, x_now: f64, v: f64, past: &[f64]| {
-            push(j) - 0.8 * v - 30.0 * x_now - 8.0 * (x_now - j.checked_sub(late).map_or(0.0, |k| past[k]))
-        };
-        let first = rate(i - 1, x[i - 1], v, &x);
-        let second = rate(i, x[i - 1] + h * v, v + h * first, &x);
-        x[i] = x[i - 1] + h * (v + 0.5 * h * first);
-        v += 0.5 * h * (first + second);
-    }
-    let deflection = x.into_iter().step_by(2).collect();
-    let answer = told(model, &[("force", "N", force, 0.0), ("deflection", "m", deflection, 0.003)]);
-    assert_eq!(answer.verdict, Verdict::Unknown, "{}", answer.says);
-}
-
 /// A catalyst that dies by equal shares in equal times: over what is held out that is no straight line.
 #[test]
 fn what_decays_goes_on_decaying() {
