@@ -231,16 +231,15 @@ const MOST_TEETH: u8 = 24;
 fn with_place(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let signal = scene.signal(m.position.as_ref()?)?;
     let range = signal.max - signal.min;
-    if scene.lines.contains_key(&m.state) {
-        let starts = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0].map(|turn| turn * TAU / range);
-        return repeating(scene, m, (FEW_PERIODS / range, BELOW_LINES / range), &starts);
-    }
+    let has_lines = scene.lines.contains_key(&m.state);
+    let most = if has_lines { BELOW_LINES } else { MANY_PERIODS };
     let turns = [1.5, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 19.0, 24.0];
-    let mut starts: Vec<f64> = turns.iter().map(|turn| turn * TAU / range).collect();
-    if scene.is_angle(&signal.name) {
+    let mut starts: Vec<f64> =
+        turns.iter().map(|turn| turn * TAU).filter(|n| *n < most).map(|n| n / range).collect();
+    if scene.is_angle(&signal.name) && !has_lines {
         starts.extend((1..=12).map(f64::from).filter(|n| (FEW_PERIODS..MANY_PERIODS).contains(&(n * range))));
     }
-    repeating(scene, m, (FEW_PERIODS / range, MANY_PERIODS / range), &starts)
+    repeating(scene, m, (FEW_PERIODS / range, most / range), &starts)
 }
 
 /// Whole numbers of periods a turn, where the shaft turns so often that a few guesses over all of its way find none of them.
