@@ -15,11 +15,11 @@ impl<'a, 'f> Body<'a, 'f> {
         0..self.step.states.len()
     }
 
-    fn read(&mut self, base: Value) -> Vec<Num> {
+    pub fn read(&mut self, base: Value) -> Vec<Num> {
         self.states().map(|i| self.lowering.load(base, i, true)).collect()
     }
 
-    fn write(&mut self, base: Value, x: &[Num]) {
+    pub fn write(&mut self, base: Value, x: &[Num]) {
         for (i, x) in x.iter().enumerate() {
             self.lowering.store(base, i, x);
         }
@@ -31,7 +31,7 @@ impl<'a, 'f> Body<'a, 'f> {
     }
 
     /// The rates at a state.
-    fn rates(&mut self, x: &[Num]) -> Vec<Num> {
+    pub fn rates(&mut self, x: &[Num]) -> Vec<Num> {
         for (register, x) in self.step.states.iter().zip(x) {
             self.lowering.set(*register, x.clone());
         }
@@ -68,7 +68,7 @@ impl<'a, 'f> Body<'a, 'f> {
     }
 
     /// The rates at the end of the step, with the registers that are to be kept, and the rates before them.
-    fn end(&mut self, x1: &[Num], last: &[Num], written: [Value; 3]) {
+    fn leave(&mut self, x1: &[Num], last: &[Num], written: [Value; 3]) {
         let rates = self.rates(x1);
         self.write(written[0], x1);
         self.write(written[1], &rates);
@@ -82,22 +82,49 @@ impl<'a, 'f> Body<'a, 'f> {
         }
     }
 
+    /// The stages of the classical method up to the last: x + h·k₃, and k₁ + 2(k₂ + k₃).
+    pub fn last_stage(&mut self, x: &[Num], k1: &[Num], h: Value) -> (Vec<Num>, Vec<Num>) {
+        let half = self.constant(0.5, h);
+        let at = self.along(x, k1, half);
+        let k2 = self.rates(&at);
+        let at = self.along(x, &k2, half);
+        let k3 = self.rates(&at);
+        let last = self.along(x, &k3, h);
+        let two = self.lowering.builder.ins().f64const(2.0);
+        let middle = self.sums(&k2, &k3);
+        let doubled: Vec<Num> = middle.iter().map(|m| self.lowering.scale(m, two)).collect();
+        (last, self.sums(k1, &doubled))
+    }
+
+    /// From the last stage of the classical method to the end of the step: x + h/6·(sum + k₄), and k₄.
+    pub fn end_of_classical(
+        &mut self,
+        x: &[Num],
+        (stage, sum): (&[Num], &[Num]),
+        h: Value,
+    ) -> (Vec<Num>, Vec<Num>) {
+        let k4 = self.rates(stage);
+        let all = self.sums(sum, &k4);
+        let six = self.lowering.builder.ins().f64const(6.0);
+        let sixth = self.lowering.builder.ins().fdiv(h, six);
+        (self.along(x, &all, sixth), k4)
+    }
+
+    /// The end of a step of Heun's method, x + h/2·(k₁ + k₂), and k₂.
+    pub fn end_by_heun(&mut self, x: &[Num], k1: &[Num], h: Value) -> (Vec<Num>, Vec<Num>) {
+        let at = self.along(x, k1, h);
+        let k2 = self.rates(&at);
+        let both = self.sums(k1, &k2);
+        let half = self.constant(0.5, h);
+        (self.along(x, &both, half), k2)
+    }
+
     /// The stages of the classical method up to the last.
     pub fn first(&mut self, arguments: &[Value]) {
         let [_, x, k, _, h, stage, sum, _] = *arguments else { return };
         let (x, k1) = (self.read(x), self.read(k));
-        let half = self.constant(0.5, h);
-        let at = self.along(&x, &k1, half);
-        let k2 = self.rates(&at);
-        let at = self.along(&x, &k2, half);
-        let k3 = self.rates(&at);
-        let last = self.along(&x, &k3, h);
+        let (last, sums) = self.last_stage(&x, &k1, h);
         self.write(stage, &last);
-        // k₁ + 2(k₂ + k₃)
-        let two = self.lowering.builder.ins().f64const(2.0);
-        let middle = self.sums(&k2, &k3);
-        let doubled: Vec<Num> = middle.iter().map(|m| self.lowering.scale(m, two)).collect();
-        let sums = self.sums(&k1, &doubled);
         self.write(sum, &sums);
     }
 
@@ -105,23 +132,15 @@ impl<'a, 'f> Body<'a, 'f> {
     pub fn second(&mut self, arguments: &[Value]) {
         let [_, x, stage, sum, h, x1, k, last] = *arguments else { return };
         let (x, stage, sum) = (self.read(x), self.read(stage), self.read(sum));
-        let k4 = self.rates(&stage);
-        let all = self.sums(&sum, &k4);
-        let six = self.lowering.builder.ins().f64const(6.0);
-        let sixth = self.lowering.builder.ins().fdiv(h, six);
-        let at = self.along(&x, &all, sixth);
-        self.end(&at, &k4, [x1, k, last]);
+        let (at, k4) = self.end_of_classical(&x, (&stage, &sum), h);
+        self.leave(&at, &k4, [x1, k, last]);
     }
 
     /// A step of Heun's method.
     pub fn heun(&mut self, arguments: &[Value]) {
         let [_, x, k, _, h, x1, rates, last] = *arguments else { return };
         let (x, k1) = (self.read(x), self.read(k));
-        let at = self.along(&x, &k1, h);
-        let k2 = self.rates(&at);
-        let both = self.sums(&k1, &k2);
-        let half = self.constant(0.5, h);
-        let at = self.along(&x, &both, half);
-        self.end(&at, &k2, [x1, rates, last]);
+        let (at, k2) = self.end_by_heun(&x, &k1, h);
+        self.leave(&at, &k2, [x1, rates, last]);
     }
 }

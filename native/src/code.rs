@@ -88,6 +88,17 @@ pub enum Method {
     None,
 }
 
+impl Method {
+    /// Times within a step, after its begin, at which the rates are asked for.
+    pub fn stages(self) -> usize {
+        match self {
+            Self::Classical => 2,
+            Self::Heun => 1,
+            Self::None => 0,
+        }
+    }
+}
+
 /// The rates of a model as register code.
 #[derive(Debug, Clone)]
 pub struct StepCode<'a> {
@@ -114,6 +125,56 @@ pub struct StepCode<'a> {
     /// Which whole steps are compiled.
     pub method: Method,
 }
+
+/// A switch: the register of its sign, and that of the guard which must not have the other one.
+#[derive(Debug, Clone, Copy)]
+pub struct Switch {
+    /// The register of the sign.
+    pub sign: Register,
+    /// The register of the guard.
+    pub guard: Register,
+    /// Whether the guard may not be 0 either.
+    pub is_strict: bool,
+}
+
+/// What many steps one after the other need besides the code of one.
+#[derive(Debug, Clone, Copy)]
+pub struct MarchCode<'a> {
+    /// The registers that are loaded before the code of a time, as plain numbers.
+    pub loaded: &'a [Register],
+    /// The switches that end a march.
+    pub switches: &'a [Switch],
+    /// Registers that take the value of another one after every step, before the outputs.
+    pub held: &'a [(Register, Register)],
+    /// For each list that is written: the registers that one entry of it holds.
+    pub written: &'a [Vec<Register>],
+    /// Whether what is loaded may jump where a step begins.
+    pub jumps: bool,
+}
+
+impl MarchCode<'_> {
+    /// Whether every register is one of so many.
+    #[cfg_attr(not(feature = "jit"), expect(dead_code, reason = "nothing is compiled without the feature"))]
+    pub(crate) fn is_sound(&self, registers: usize) -> bool {
+        let switches = self.switches.iter().flat_map(|s| [s.sign, s.guard]);
+        let held = self.held.iter().flat_map(|h| [h.0, h.1]);
+        let plain = self.loaded.iter().chain(self.written.iter().flatten()).copied();
+        plain.chain(switches).chain(held).all(|r| usize::from(r) < registers) && self.written.len() <= LISTS
+    }
+}
+
+/// Lists that a march may write.
+pub const LISTS: usize = 7;
+
+/// What is asked of a step: bit i for an entry of list i at its end, bit 8 + i for one at its begin where what is loaded
+/// jumps there, which [`JUMP`] says.
+pub type Mark = u16;
+
+/// The mark of a step at whose begin what is loaded jumps.
+pub const JUMP: Mark = 1 << 7;
+
+/// Bits to shift by from a list's mark at the end of a step to that at its begin.
+pub const BEGIN: u32 = 8;
 
 /// Instructions times words a number that are worth compiling at most.
 const LARGEST: usize = 60_000;

@@ -4,7 +4,7 @@
 //! # Method
 //! The code of the rates is straight: no jumps, one instruction a register. A whole step is one function or two, in
 //! which the rates stand as often as the method asks for them, so that what passes between stages stays in the
-//! processor's registers. Where a caller has to look between (switches that slide, delays, implicit methods), rates,
+//! processor's registers. Steps with nothing to look at between them are taken in one loop ([`March`]). Where a caller has to look between (switches that slide, delays, implicit methods), rates,
 //! motions and slopes are functions of their own. Numbers carry tangents ([`Dual`]); an instruction on a register without
 //! tangents costs none.
 //!
@@ -21,11 +21,21 @@ mod body;
 mod code;
 #[cfg(feature = "jit")]
 mod lower;
+#[cfg(feature = "jit")]
+mod march;
 mod number;
+#[cfg(feature = "jit")]
+mod round;
 #[cfg_attr(feature = "jit", path = "steps.rs")]
 #[cfg_attr(not(feature = "jit"), path = "none.rs")]
 mod steps;
+#[cfg(feature = "jit")]
+mod unit;
 
-pub use code::{Action, Method, Op, Register, StepCode, spread};
+pub use code::{Action, BEGIN, JUMP, LISTS, MarchCode, Mark, Method, Op, Register, StepCode, Switch, spread};
+#[cfg(feature = "jit")]
+pub use march::March;
 pub use number::{Dual, Number};
+#[cfg(not(feature = "jit"))]
+pub use steps::March;
 pub use steps::Steps;

@@ -149,7 +149,7 @@ impl Lowering<'_, '_> {
         }
     }
 
-    fn zeros(&mut self) -> Value {
+    pub fn zeros(&mut self) -> Value {
         let zero = self.builder.ins().f64const(0.0);
         self.both(zero)
     }

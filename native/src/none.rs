@@ -1,6 +1,6 @@
 //! What stands in for machine code where none is made.
 
-use crate::{Number, StepCode};
+use crate::{MarchCode, Mark, Number, StepCode};
 use std::convert::Infallible;
 
 /// Steps as machine code; none here, since the package was built without its feature `jit`.
@@ -64,6 +64,28 @@ impl Steps {
 
     /// Never called.
     pub fn heun<T: Number>(&self, _: &mut [T], _: (&[T], &[T]), _: f64, _: (&mut [T], &mut [T], &mut [T])) {
+        match self.0 {}
+    }
+}
+
+/// Steps in a loop; none here.
+#[derive(Debug)]
+pub struct March(Infallible);
+
+impl March {
+    /// None: the caller takes the steps one by one.
+    pub fn compile(_: &StepCode<'_>, _: &MarchCode<'_>, _: usize) -> Option<Self> {
+        None
+    }
+
+    /// Never called.
+    pub fn run<T: Number>(
+        &self,
+        _: (&mut [T], &mut [T], &mut [T]),
+        _: (&[f64], &[f64], &[f64], &[Mark]),
+        _: &mut [f64],
+        _: &mut [&mut [T]],
+    ) -> usize {
         match self.0 {}
     }
 }

@@ -1,14 +1,10 @@
 //! The functions of a step, compiled, and their calls.
 
-use crate::body::Body;
-use crate::lower::{Held, Lowering, Signatures};
-use crate::{Method, Number, StepCode, spread};
-use cranelift_codegen::ir::{AbiParam, Function, InstBuilder, Signature, Type, types};
-use cranelift_codegen::settings::{self, Configurable};
-use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
-use cranelift_jit::{JITBuilder, JITModule};
-use cranelift_module::{FuncId, Module, default_libcall_names};
-use std::collections::HashMap;
+use crate::lower::Lowering;
+use crate::unit::{Unit, Wanted, before_a_step, clear_upper_halves};
+use crate::{Method, Number, StepCode};
+use cranelift_codegen::ir::{InstBuilder, types};
+use cranelift_module::FuncId;
 use std::fmt;
 
 /// Addresses of the registers and of seven arrays, and the step.
@@ -51,7 +47,7 @@ const WRITTEN: usize = 3;
 /// }
 /// ```
 pub struct Steps {
-    module: Option<JITModule>,
+    unit: Unit,
     entries: [Option<Entry>; Which::COUNT],
     registers: usize,
     states: usize,
@@ -61,27 +57,6 @@ pub struct Steps {
 impl fmt::Debug for Steps {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "Steps({} states, {} tangents)", self.states, self.tangents)
-    }
-}
-
-// SAFETY: the module is touched again only when the last owner drops it; what it compiled is never written after it was
-// made, and keeps nothing between calls.
-#[expect(unsafe_code, reason = "the compiler's module holds addresses")]
-unsafe impl Send for Steps {}
-// SAFETY: as above: shared use reads three addresses and runs code without state.
-#[expect(unsafe_code, reason = "the compiler's module holds addresses")]
-unsafe impl Sync for Steps {}
-
-impl Drop for Steps {
-    fn drop(&mut self) {
-        if let Some(module) = self.module.take() {
-            // SAFETY: the addresses of its functions stand in this value alone, and nothing runs in it while it is
-            // dropped, since a call borrows it.
-            #[expect(unsafe_code, reason = "gives the memory of the code back")]
-            unsafe {
-                module.free_memory();
-            }
-        }
     }
 }
 
@@ -122,17 +97,12 @@ impl Steps {
         if !step.is_sound(1 + tangents) || tangents % 2 == 1 {
             return None;
         }
-        let mut flags = settings::builder();
-        flags.set("opt_level", "none").ok()?;
-        flags.set("enable_verifier", "false").ok()?;
-        flags.set("is_pic", "false").ok()?;
-        let isa = cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()?;
-        let mut module = JITModule::new(JITBuilder::with_isa(isa, default_libcall_names()));
-        let one = |w: Which| Some((w, define(&mut module, step, tangents, w)?));
+        let mut unit = Unit::new()?;
+        let one = |w: Which| Some((w, define(&mut unit, step, tangents, w)?));
         let built: Option<Vec<(Which, FuncId)>> = Which::of(step.method).into_iter().map(one).collect();
-        let is_final = built.is_some() && module.finalize_definitions().is_ok();
+        let is_final = built.is_some() && unit.finish();
         let mut steps = Self {
-            module: Some(module),
+            unit,
             entries: [None; Which::COUNT],
             registers: step.active.len(),
             states: step.states.len(),
@@ -145,9 +115,9 @@ impl Steps {
     }
 
     fn entry(&self, id: FuncId) -> Option<Entry> {
-        let address = self.module.as_ref()?.get_finalized_function(id);
+        let address = self.unit.address(id)?;
         // SAFETY: `define` gave the function exactly the signature of `Entry` in the machine's own calling convention,
-        // and it was finalised; it lives as long as the module, which lives as long as `self`.
+        // and it was finalised; it lives as long as the unit, which lives as long as `self`.
         #[expect(unsafe_code, reason = "an address becomes a function")]
         Some(unsafe { std::mem::transmute::<*const u8, Entry>(address) })
     }
@@ -270,92 +240,39 @@ impl Steps {
     }
 }
 
-/// Clears the upper halves of the vector registers. The compiled code has instructions of the old encoding among those
-/// of the new one, each of which waits for upper halves that other people's code left in use: up to sixty times slower.
-fn clear_upper_halves() {
-    #[cfg(target_arch = "x86_64")]
-    if std::arch::is_x86_feature_detected!("avx") {
-        // SAFETY: the machine has the instruction; by the calling convention no upper half lives across a call.
-        #[expect(unsafe_code, reason = "an instruction of some machines")]
-        unsafe {
-            std::arch::x86_64::_mm256_zeroupper();
-        }
-    }
-}
-
-fn signature(module: &JITModule, parameters: &[Type], result: Option<Type>) -> Signature {
-    let mut signature = module.make_signature();
-    signature.params.extend(parameters.iter().map(|t| AbiParam::new(*t)));
-    signature.returns.extend(result.map(AbiParam::new));
-    signature
-}
-
 /// Builds a function of the signature `Entry`.
-fn define(module: &mut JITModule, step: &StepCode<'_>, tangents: usize, which: Which) -> Option<FuncId> {
-    let pointer = module.target_config().pointer_type();
+fn define(unit: &mut Unit, step: &StepCode<'_>, tangents: usize, which: Which) -> Option<FuncId> {
+    let pointer = unit.pointer()?;
     let mut parameters = vec![pointer; READ];
     parameters.push(types::F64);
     parameters.resize(READ + 1 + WRITTEN, pointer);
-    let mut context = module.make_context();
-    context.func = Function::new();
-    context.func.signature = signature(module, &parameters, None);
-    let mut room = FunctionBuilderContext::new();
-    let mut builder = FunctionBuilder::new(&mut context.func, &mut room);
-    let called = |b: &mut FunctionBuilder<'_>, of: &[Type]| {
-        let kind = signature(module, of, Some(types::F64));
-        b.import_signature(kind)
-    };
-    let signatures = Signatures {
-        one: called(&mut builder, &[types::F64]),
-        two: called(&mut builder, &[types::F64, types::F64]),
-        whole: called(&mut builder, &[types::F64, types::I32]),
-    };
-    let block = builder.create_block();
-    builder.append_block_params_for_function_params(block);
-    builder.switch_to_block(block);
-    builder.seal_block(block);
-    let arguments = builder.block_params(block).to_vec();
     let active = before(step, which);
-    let lowering = Lowering {
-        builder: &mut builder,
-        base: arguments[0],
-        pointer,
-        tangents,
-        active: &active,
-        signatures,
-        held: vec![Held::default(); step.active.len()],
-        spread: HashMap::new(),
-    };
-    let mut body = Body { lowering, step };
-    match which {
-        Which::Time => body.segment(step.time, Lowering::keep_known),
-        Which::Output => body.segment(step.output, Lowering::keep),
-        Which::State => body.segment(step.code, |l, r| {
-            if step.kept[usize::from(r)] {
-                l.keep(r);
-            }
-        }),
-        Which::Motion => body.segment(step.motion, Lowering::keep),
-        Which::Slopes => body.segment(step.slopes, Lowering::keep),
-        Which::First => body.first(&arguments),
-        Which::Second => body.second(&arguments),
-        Which::Heun => body.heun(&arguments),
-    }
-    builder.ins().return_(&[]);
-    builder.finalize();
-    let id = module.declare_anonymous_function(&context.func.signature).ok()?;
-    module.define_function(id, &mut context).ok()?;
-    Some(id)
+    let wanted = Wanted { step, tangents, parameters: &parameters, result: None, active: &active };
+    unit.define(&wanted, |body, arguments| {
+        match which {
+            Which::Time => body.segment(step.time, Lowering::keep_known),
+            Which::Output => body.segment(step.output, Lowering::keep),
+            Which::State => body.segment(step.code, |l, r| {
+                if step.kept[usize::from(r)] {
+                    l.keep(r);
+                }
+            }),
+            Which::Motion => body.segment(step.motion, Lowering::keep),
+            Which::Slopes => body.segment(step.slopes, Lowering::keep),
+            Which::First => body.first(arguments),
+            Which::Second => body.second(arguments),
+            Which::Heun => body.heun(arguments),
+        }
+        body.lowering.builder.ins().return_(&[]);
+    })
 }
 
 /// The registers that may have tangents when a function begins.
 fn before(step: &StepCode<'_>, which: Which) -> Vec<bool> {
-    let mut active = step.active.to_vec();
     if which == Which::Time {
-        return active;
+        return step.active.to_vec();
     }
-    spread(step.time, &mut active);
-    step.states.iter().for_each(|r| active[usize::from(*r)] = true);
+    let mut active = before_a_step(step);
     if matches!(which, Which::First | Which::Second | Which::Heun) {
         return active;
     }

@@ -10,13 +10,15 @@
 //! Machine code and interpreter give the same values (`gyrospec_native`), so that neither the machine nor the amount of
 //! work shows in a result.
 
+use super::probe::Clock;
 use super::steps::Solver;
+use super::{functions, tabulate};
 use crate::expression::Function;
 use crate::model::Scalar;
-use crate::model::program::{Action, Op, Program, Register, Remembered, slope, whole_power_parts};
-use gyrospec_native::{Method, StepCode, Steps, spread};
-use std::cell::OnceCell;
-use std::sync::{Arc, Mutex, PoisonError};
+use crate::model::program::{Action, Op, Program, Register, Remembered, Watch};
+use gyrospec_native::{LISTS, March, MarchCode, Method, StepCode, Steps, Switch, spread};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Steps that pay for compiling.
 const WORTH: usize = 4000;
@@ -28,7 +30,7 @@ const MOST: usize = 16;
 pub(super) struct Natives {
     /// Steps that pay for compiling.
     worth: usize,
-    kinds: Mutex<Vec<Kind>>,
+    kinds: Mutex<Vec<Arc<Kind>>>,
 }
 
 impl Default for Natives {
@@ -39,47 +41,93 @@ impl Default for Natives {
 
 /// One kind of number on one program.
 #[derive(Debug)]
-struct Kind {
+pub(super) struct Kind {
+    worth: usize,
     tangents: usize,
     method: Method,
     /// The registers that may have tangents.
     active: Vec<bool>,
-    /// Steps that were interpreted.
-    steps: usize,
+    /// The registers that are written down, clock by clock.
+    written: Vec<Vec<Register>>,
+    /// Whether steps without events are nothing but steps: no input is delayed, no past asked for, the method explicit.
+    is_marchable: bool,
+    /// Steps that were asked for, and those of them that nothing marched over.
+    asked: AtomicUsize,
+    alone: AtomicUsize,
     /// What compiling gave, once it was tried.
-    compiled: OnceCell<Option<Arc<Steps>>>,
+    steps: OnceLock<Option<Steps>>,
+    march: OnceLock<Option<March>>,
+}
+
+impl Kind {
+    /// The machine code of single steps; none where they are better interpreted.
+    pub fn single(&self, program: &Program) -> Option<&Steps> {
+        if self.steps.get().is_none() && self.alone.load(Ordering::Relaxed) < self.worth {
+            return None;
+        }
+        self.steps.get_or_init(|| compiled(program, self)).as_ref()
+    }
+
+    /// The machine code of many steps over inputs that may jump or do not; none where they are better taken one by one.
+    pub fn march(&self, program: &Program, jumps: bool) -> Option<&March> {
+        if self.march.get().is_none() && self.asked.load(Ordering::Relaxed) < self.worth {
+            return None;
+        }
+        self.march.get_or_init(|| marched(program, self, jumps)).as_ref()
+    }
+
+    /// Counts the steps that a run took one by one though it might have marched.
+    pub fn count_single(&self, steps: usize) {
+        if self.is_marchable {
+            self.alone.fetch_add(steps, Ordering::Relaxed);
+        }
+    }
 }
 
 impl Natives {
-    /// The machine code for a run of so many steps of a method with these registers; none where the run is better
-    /// interpreted.
+    /// The machine code for a run of so many steps of a method with these registers, once it is worth compiling.
     pub fn of<T: Scalar>(
         &self,
         program: &Program,
         parameters: &[T],
+        clocks: &[Clock],
         (solver, steps): (Solver, usize),
-    ) -> Option<Arc<Steps>> {
+    ) -> Option<Arc<Kind>> {
         if !Steps::MADE {
             return None;
         }
         let active = active(program, parameters)?;
         let method = method(program, solver);
         let mut kinds = self.kinds.lock().unwrap_or_else(PoisonError::into_inner);
-        let same = |k: &Kind| k.tangents == T::TANGENTS && k.method == method && k.active == active;
+        let same = |k: &Arc<Kind>| {
+            let written = k.written.iter().zip(clocks).all(|(w, c)| *w == c.registers);
+            let is_as_long = k.written.len() == clocks.len();
+            k.tangents == T::TANGENTS && k.method == method && k.active == active && written && is_as_long
+        };
+        let is_delayed = program.columns.iter().any(|c| c.delay.is_some());
         let at = kinds.iter().position(same).unwrap_or_else(|| {
             kinds.truncate(MOST - 1);
-            let (tangents, compiled) = (T::TANGENTS, OnceCell::new());
-            kinds.insert(0, Kind { tangents, method, active, steps: 0, compiled });
+            let kind = Kind {
+                worth: self.worth,
+                tangents: T::TANGENTS,
+                method,
+                active,
+                written: clocks.iter().map(|c| c.registers.clone()).collect(),
+                is_marchable: method != Method::None && !is_delayed && clocks.len() <= LISTS,
+                asked: AtomicUsize::new(0),
+                alone: AtomicUsize::new(0),
+                steps: OnceLock::new(),
+                march: OnceLock::new(),
+            };
+            kinds.insert(0, Arc::new(kind));
             0
         });
-        let kind = &mut kinds[at];
-        kind.steps = kind.steps.saturating_add(steps);
-        if kind.compiled.get().is_none() && kind.steps < self.worth {
-            return None;
+        let kind = &kinds[at];
+        kind.asked.fetch_add(steps, Ordering::Relaxed);
+        if !kind.is_marchable {
+            kind.alone.fetch_add(steps, Ordering::Relaxed);
         }
-        kind.compiled
-            .get_or_init(|| compiled(program, &kind.active, (method, kind.tangents)).map(Arc::new))
-            .clone()
+        Some(kind.clone())
     }
 }
 
@@ -128,23 +176,70 @@ fn method(program: &Program, solver: Solver) -> Method {
     }
 }
 
-fn compiled(program: &Program, active: &[bool], (method, tangents): (Method, usize)) -> Option<Steps> {
-    let slopes: &[Op] = if method == Method::None { &program.jacobian_code } else { &[] };
-    let signs: Vec<Register> = program.watches.iter().map(|w| w.sign).collect();
-    let step = StepCode {
-        time: &translated(&program.per_time)?,
-        code: &translated(&program.per_state)?,
-        output: &translated(&program.output_code)?,
-        motion: &translated(&program.motion_code)?,
-        slopes: &translated(slopes)?,
-        states: &program.states,
-        rates: &program.rates,
-        signs: &signs,
-        active,
-        kept: &program.read_by(&[&program.output_code, &program.motion_code, slopes]),
-        method,
+/// The code of a step in the words of the package that compiles.
+struct Translated {
+    time: Vec<gyrospec_native::Op>,
+    rates: Vec<gyrospec_native::Op>,
+    output: Vec<gyrospec_native::Op>,
+    motion: Vec<gyrospec_native::Op>,
+    slopes: Vec<gyrospec_native::Op>,
+    signs: Vec<Register>,
+    kept: Vec<bool>,
+}
+
+impl Translated {
+    fn of(program: &Program, method: Method) -> Option<Self> {
+        let slopes: &[Op] = if method == Method::None { &program.jacobian_code } else { &[] };
+        Some(Self {
+            time: translated(&program.per_time)?,
+            rates: translated(&program.per_state)?,
+            output: translated(&program.output_code)?,
+            motion: translated(&program.motion_code)?,
+            slopes: translated(slopes)?,
+            signs: program.watches.iter().map(|w| w.sign).collect(),
+            kept: program.read_by(&[&program.output_code, &program.motion_code, slopes]),
+        })
+    }
+
+    fn step<'a>(&'a self, program: &'a Program, kind: &'a Kind) -> StepCode<'a> {
+        StepCode {
+            time: &self.time,
+            code: &self.rates,
+            output: &self.output,
+            motion: &self.motion,
+            slopes: &self.slopes,
+            states: &program.states,
+            rates: &program.rates,
+            signs: &self.signs,
+            active: &kind.active,
+            kept: &self.kept,
+            method: kind.method,
+        }
+    }
+}
+
+fn compiled(program: &Program, kind: &Kind) -> Option<Steps> {
+    Steps::compile(&Translated::of(program, kind.method)?.step(program, kind), kind.tangents)
+}
+
+fn marched(program: &Program, kind: &Kind, jumps: bool) -> Option<March> {
+    if !kind.is_marchable {
+        return None;
+    }
+    let code = Translated::of(program, kind.method)?;
+    let switch = |w: &Watch| Switch { sign: w.sign, guard: w.guard, is_strict: w.timed };
+    let moved = |m: &Remembered| match *m {
+        Remembered::Held { held, next, .. } => Some((held, next)),
+        _ => None,
     };
-    Steps::compile(&step, tangents)
+    let march = MarchCode {
+        loaded: &tabulate::registers(program, true),
+        switches: &program.watches.iter().map(switch).collect::<Vec<_>>(),
+        held: &program.remembered.iter().filter_map(moved).collect::<Vec<_>>(),
+        written: &kind.written,
+        jumps,
+    };
+    March::compile(&code.step(program, kind), &march, kind.tangents)
 }
 
 /// Code in the words of the package that compiles, without the signs that the simulation holds.
@@ -167,81 +262,25 @@ fn native(op: &Op) -> Option<gyrospec_native::Op> {
         Action::Square => Native::Square,
         Action::Cube => Native::Cube,
         Action::Select => Native::Select,
-        Action::Pow => Native::Two(power, power_by_base, power_by_exponent),
-        Action::Atan2 => Native::Two(atan2, atan2_by_y, atan2_by_x),
-        Action::Whole => Native::Whole(whole, whole_slope),
+        Action::Pow => functions::power(),
+        Action::Atan2 => functions::atan2(),
+        Action::Whole => functions::whole(),
         Action::SignNow if op.b == 0 => Native::Sign,
         Action::SignNow => Native::SignOrOne,
         Action::One(Function::Sign) => Native::Sign,
         Action::One(Function::Step) => Native::Step,
         Action::One(Function::Sqrt) => Native::Sqrt,
-        Action::One(f) => one(f)?,
+        Action::One(f) => functions::one(f)?,
         Action::Sign | Action::Relay | Action::Foreign | Action::ForeignSlope => return None,
     };
     Some(gyrospec_native::Op { action, to: op.to, a: op.a, b: op.b, c: op.c })
 }
 
-extern "C" fn power(a: f64, b: f64) -> f64 {
-    a.power(b)
-}
-
-/// ∂aᵇ/∂a
-extern "C" fn power_by_base(a: f64, b: f64) -> f64 {
-    crate::model::power_slopes(a, b).0
-}
-
-/// ∂aᵇ/∂b
-extern "C" fn power_by_exponent(a: f64, b: f64) -> f64 {
-    crate::model::power_slopes(a, b).1
-}
-
-extern "C" fn atan2(y: f64, x: f64) -> f64 {
-    y.atan2(x)
-}
-
-extern "C" fn atan2_by_y(y: f64, x: f64) -> f64 {
-    x / (y * y + x * x)
-}
-
-extern "C" fn atan2_by_x(y: f64, x: f64) -> f64 {
-    -y / (y * y + x * x)
-}
-
-extern "C" fn whole(x: f64, n: i32) -> f64 {
-    whole_power_parts(x, n).0
-}
-
-extern "C" fn whole_slope(x: f64, n: i32) -> f64 {
-    whole_power_parts(x, n).1
-}
-
-/// Functions of one argument with their slopes.
-macro_rules! functions {
-    ($($name:ident),*) => {
-        fn one(f: Function) -> Option<gyrospec_native::Action> {
-            match f {
-                $(Function::$name => {
-                    extern "C" fn value(x: f64) -> f64 {
-                        Function::$name.of(&[x])
-                    }
-                    extern "C" fn by(x: f64, y: f64) -> f64 {
-                        slope(Function::$name, x, y)
-                    }
-                    Some(gyrospec_native::Action::One(value, by))
-                })*
-                _ => None,
-            }
-        }
-    };
-}
-
-functions!(Sin, Cos, Tan, Asin, Acos, Atan, Sinh, Cosh, Tanh, Exp, Ln, Abs);
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::model::Model;
-    use crate::record::{Channel, Recording};
+    use crate::record::{Channel, Hold, Recording};
     use crate::simulate::{Options, Simulator, Unknown};
     use crate::units::Unit;
 
@@ -295,6 +334,45 @@ mod tests {
         speed = { equals = "v", unit = "m/s" }
     "#;
 
+    /// What stands still, changes at a time and when an input turns, and remembers.
+    const MIXED: &str = r#"
+        name = "mixed"
+        [inputs]
+        force = { unit = "N" }
+        pull = { unit = "N" }
+        [parameters]
+        m = { value = 2, unit = "kg" }
+        c = { value = 30, unit = "N/m" }
+        r = { value = 1.5, unit = "N*s/m" }
+        F = { value = 0.4, unit = "N" }
+        gap = { value = 0.02, unit = "m" }
+        t0 = { value = 41.003, unit = "s" }
+        [states]
+        q = { rate = "v", unit = "m", initial = 0.1 }
+        v = { rate = "(force*(1 + 0.3*step(t - t0)) + abs(pull) - c*backlash(q, gap) - r*v - F*sign(v))/m", unit = "m/s", initial = 0 }
+        [outputs]
+        place = { equals = "q", unit = "m" }
+        speed = { equals = "v + 0.01*force/r", unit = "m/s" }
+    "#;
+
+    /// Force held as given, pull a line between samples; the place is seen from a first sample on every so many, the speed
+    /// later by some part of a step.
+    fn mixed(hold: Hold, (first, every): (usize, usize), later: f64) -> Simulator {
+        let time: Vec<f64> = (0..6001).map(|i| 0.02 * f64::from(i)).collect();
+        let wave =
+            |f: f64| time.iter().map(|t| 5.0 * (f * t).sin() + 2.0 * (2.3 * t).cos()).collect::<Vec<f64>>();
+        let newton = || Unit::parse("N").unwrap();
+        let mut force = Channel::new("force", newton(), time.clone(), wave(0.7));
+        force.hold = hold;
+        let pull = Channel::new("pull", newton(), time.clone(), wave(0.3));
+        let seen: Vec<f64> = time.iter().copied().skip(first).step_by(every).collect();
+        let place = Channel::new("place", Unit::parse("m").unwrap(), seen.clone(), vec![0.0; seen.len()]);
+        let seen: Vec<f64> = time.iter().map(|t| t + later * 0.02).collect();
+        let speed = Channel::new("speed", Unit::parse("m/s").unwrap(), seen.clone(), vec![0.0; seen.len()]);
+        let recording = Recording::from_channels("made", vec![force, pull, place, speed]).unwrap();
+        Simulator::new(&Model::parse(MIXED).unwrap(), &recording, &Options::default()).unwrap()
+    }
+
     fn made(model: &Model, inputs: &[(&str, &str)], output: (&str, &str)) -> Simulator {
         let time: Vec<f64> = (0..6001).map(|i| 0.02 * f64::from(i)).collect();
         let channel = |(name, unit): (&str, &str), f: &dyn Fn(f64) -> f64| {
@@ -319,20 +397,47 @@ mod tests {
             made(&Model::parse(LATE).unwrap(), &[("force", "N")], ("speed", "m/s")),
         ];
         assert_eq!(cases[2].plan.method, Solver::Stiff);
-        for compiled in cases {
-            let mut interpreted = compiled.clone();
-            interpreted.natives = Arc::new(Natives { worth: usize::MAX, kinds: Mutex::default() });
-            let (p, x) = (compiled.parameters(), compiled.initials());
-            let unknowns = [Unknown::Parameter(0), Unknown::Parameter(1), Unknown::Initial(0)];
-            let run = |s: &Simulator| s.run_with_sensitivities(&p, &x, &unknowns).unwrap();
-            let (a, b) = (run(&compiled), run(&interpreted));
-            assert!(a.outputs[0].iter().any(|y| *y != 0.0), "something moves");
-            assert_eq!(a.outputs, b.outputs);
-            assert_eq!(a.sensitivities, b.sensitivities);
-            assert_eq!(a.events, b.events);
-            assert_eq!(compiled.run(&p, &x).unwrap().outputs, interpreted.run(&p, &x).unwrap().outputs);
-            let kinds = compiled.natives.kinds.lock().unwrap();
-            assert!(kinds.iter().all(|k| k.compiled.get().is_some()), "both kinds were worth compiling");
+        cases.iter().for_each(runs_are_the_same);
+    }
+
+    #[test]
+    fn steps_that_are_marched_over_give_the_same_runs() {
+        for hold in [Hold::Linear, Hold::Previous, Hold::AfterReading] {
+            for (place, later) in [((0, 1), 0.0), ((2, 3), 0.0), ((0, 1), 0.25)] {
+                let simulator = mixed(hold, place, later);
+                assert_ne!(simulator.plan.method, Solver::Stiff);
+                runs_are_the_same(&simulator);
+                let kinds = simulator.natives.kinds.lock().unwrap();
+                let count = |n: &AtomicUsize| n.load(Ordering::Relaxed);
+                let marches = |k: &Arc<Kind>| {
+                    let is_made = matches!(k.march.get(), Some(Some(_)));
+                    is_made && (later != 0.0 || 4 * count(&k.alone) < count(&k.asked))
+                };
+                assert!(!Steps::MADE || kinds.iter().all(marches), "most steps are marched over");
+            }
         }
+    }
+
+    fn runs_are_the_same(compiled: &Simulator) {
+        let mut interpreted = compiled.clone();
+        interpreted.natives = Arc::new(Natives { worth: usize::MAX, kinds: Mutex::default() });
+        let (p, x) = (compiled.parameters(), compiled.initials());
+        let unknowns = [Unknown::Parameter(0), Unknown::Parameter(1), Unknown::Initial(0)];
+        let run = |s: &Simulator| s.run_with_sensitivities(&p, &x, &unknowns).unwrap();
+        let (a, b) = (run(compiled), run(&interpreted));
+        assert!(a.outputs[0].iter().any(|y| *y != 0.0), "something moves");
+        let bits = |y: &[Vec<f64>]| y.iter().flatten().map(|y| y.to_bits()).collect::<Vec<u64>>();
+        assert_eq!(bits(&a.outputs), bits(&b.outputs));
+        for (a, b) in
+            a.sensitivities.iter().flatten().flatten().zip(b.sensitivities.iter().flatten().flatten())
+        {
+            assert!(a == b || (a.is_nan() && b.is_nan()), "{a} {b}");
+        }
+        assert_eq!((a.events, a.solver_error.to_bits()), (b.events, b.solver_error.to_bits()));
+        let plain = |s: &Simulator| bits(&s.run(&p, &x).unwrap().outputs);
+        assert_eq!(plain(compiled), plain(&interpreted));
+        let kinds = compiled.natives.kinds.lock().unwrap();
+        let tried = |k: &Arc<Kind>| k.march.get().is_some() || k.steps.get().is_some();
+        assert!(kinds.iter().all(tried), "all kinds were worth compiling");
     }
 }

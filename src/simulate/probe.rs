@@ -17,7 +17,8 @@ pub(super) struct Probe<'a, T> {
     pub clocks: &'a [Clock],
     /// For each clock: time by time, register by register.
     pub values: Vec<Vec<T>>,
-    next: Vec<usize>,
+    /// For each clock: the first time that is not written down yet.
+    pub next: Vec<usize>,
 }
 
 /// A stretch of a run: both ends, with states and rates.

@@ -2,10 +2,12 @@
 
 use super::budget::Allowance;
 use super::machine::Machine;
+use super::march::Marching;
 use super::mesh::Mesh;
 use super::native::Natives;
 use super::pieces::{piece, substeps};
 use super::probe::{Clock, Probe, Stretch};
+use super::roughness::Roughness;
 use super::start::start;
 use super::steps::{Solver, Stepper};
 use super::tabulate::tabulated;
@@ -19,7 +21,7 @@ const MOST_EVENTS: usize = 12;
 const TOO_LARGE: f64 = 1e100;
 
 /// Steps after which the time is looked at.
-const PATIENCE: usize = 256;
+pub(super) const PATIENCE: usize = 256;
 
 /// Times that the first step of the stiff method is halved.
 const LAYER: i32 = 16;
@@ -72,52 +74,35 @@ enum Ended {
     Cut,
 }
 
-struct Runner<'a, T> {
-    m: Machine<'a, T>,
+/// A run that is under way.
+pub(super) struct Runner<'a, T> {
+    pub m: Machine<'a, T>,
     stepper: Stepper<T>,
-    probe: Probe<'a, T>,
-    x: Vec<T>,
-    k: Vec<T>,
+    pub probe: Probe<'a, T>,
+    /// Where it marches, where it can.
+    pub marching: Option<Marching<'a>>,
+    pub x: Vec<T>,
+    pub k: Vec<T>,
     x1: Vec<T>,
     k1: Vec<T>,
     room: Vec<T>,
     events: usize,
-    roughness: Roughness,
-}
-
-/// The embedded errors of the steps.
-struct Roughness {
-    sums: Vec<f64>,
-    ranges: Vec<(f64, f64)>,
-}
-
-impl Roughness {
-    fn new(n: usize) -> Self {
-        Self { sums: vec![0.0; n], ranges: vec![(f64::INFINITY, f64::NEG_INFINITY); n] }
-    }
-
-    fn add<T: Scalar>(&mut self, stepper: &Stepper<T>, h: f64, k1: &[T], x1: &[T]) {
-        stepper.add_embedded_errors(h, k1, &mut self.sums);
-        for ((low, high), x) in self.ranges.iter_mut().zip(x1) {
-            let x = x.value();
-            *low = if x < *low { x } else { *low };
-            *high = if x > *high { x } else { *high };
-        }
-    }
-
-    fn worst(&self) -> f64 {
-        let shares = self.sums.iter().zip(&self.ranges).map(|(s, r)| s / (r.1 - r.0));
-        shares.filter(|s| s.is_finite()).fold(0.0, f64::max)
-    }
+    /// Steps that were taken one by one.
+    singles: usize,
+    pub roughness: Roughness,
 }
 
 /// Runs from start to end.
 pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T]) -> Result<Ran<T>> {
     let mut m = Machine::new(course.program, course.mesh, parameters);
-    let table = tabulated(course.program, course.mesh, (course.substeps, course.method));
     let steps = course.substeps.saturating_mul(course.mesh.intervals());
-    let native = course.natives.of(course.program, parameters, (course.method, steps));
-    (m.table, m.native) = (table.as_deref(), native.as_deref());
+    let kind = course.natives.of(course.program, parameters, course.clocks, (course.method, steps));
+    let jumps = course.mesh.jumps.contains(&true);
+    let march = kind.as_ref().and_then(|k| k.march(course.program, jumps));
+    let plan = (course.substeps, course.method);
+    let table = tabulated(course.program, course.mesh, plan, march.is_some());
+    let marching = march.zip(table.as_deref()).map(|(code, table)| Marching::new(code, table));
+    (m.table, m.native) = (table.as_deref(), kind.as_ref().and_then(|k| k.single(course.program)));
     let first = course.mesh.time[0];
     let x = start(&mut m, first, given, course.steady)?;
     let n = x.len();
@@ -126,20 +111,25 @@ pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T])
         m,
         stepper: Stepper::new(course.method, n),
         probe: Probe::new(course.clocks, first),
+        marching,
         x,
         k: zeros(),
         x1: zeros(),
         k1: zeros(),
         room: zeros(),
         events: 0,
+        singles: 0,
         roughness: Roughness::new(n),
     };
     runner.begin(first);
     let ended = runner.walk(course)?;
+    if let Some(kind) = &kind {
+        kind.count_single(runner.singles);
+    }
     Ok(Ran {
         values: runner.probe.values,
         roughness: runner.roughness.worst(),
-        swings: runner.roughness.ranges,
+        swings: runner.roughness.ranges(),
         blew_up: if let Ended::BlownUp(t, state) = ended { Some((t, state)) } else { None },
         is_cut: matches!(ended, Ended::Cut),
         events: runner.events,
@@ -161,45 +151,69 @@ impl<T: Scalar> Runner<'_, T> {
 
     fn walk(&mut self, course: &Course<'_>) -> Result<Ended> {
         let mesh = course.mesh;
+        let mut at = (0, 0);
         let mut asked = 0;
-        let work = course.method.work(self.x.len());
-        for i in 0..mesh.intervals() {
-            let (from, to) = (mesh.time[i], mesh.time[i + 1]);
-            self.enter(i, from, to);
-            let is_layer = i == 0 && course.method == Solver::Stiff;
-            let pieces = substeps(course.substeps, to - from, mesh.usual);
-            let steps = pieces + if is_layer { LAYER as usize } else { 0 };
-            if !course.allowance.spend((steps * work) as u64, T::TANGENTS) {
-                return Ok(Ended::Cut);
-            }
-            asked += steps;
-            if asked >= PATIENCE {
-                course.allowance.in_time()?;
-                asked = 0;
-            }
-            let before = self.events;
-            let h = (to - from) / pieces as f64;
-            for s in 0..pieces {
-                let (begin, end) = piece((from, to), (s, pieces), h);
-                if is_layer && s == 0 {
-                    self.begin_finely(begin, end);
-                } else {
-                    self.advance(begin, end, Some(s));
+        while at.0 < mesh.intervals() {
+            if let Some(marched) = self.march(course, at.0)? {
+                at = (marched.interval, marched.piece);
+                if at.1 == 0 && !marched.is_stopped {
+                    continue;
                 }
             }
-            let events = EVENT * (self.events - before);
-            if events > 0 && !course.allowance.spend(events as u64, T::TANGENTS) {
-                return Ok(Ended::Cut);
+            if let Some(ended) = self.walk_interval(course, at, &mut asked)? {
+                return Ok(ended);
             }
-            if let Some(bad) = self.x.iter().position(|x| x.value().is_nan() || x.value().abs() > TOO_LARGE) {
-                return Ok(Ended::BlownUp(to, bad));
-            }
+            at = (at.0 + 1, 0);
         }
         if mesh.shows[mesh.intervals()] {
             self.m.load_last(&self.x);
             self.record_here(mesh.time[mesh.intervals()]);
         }
         Ok(Ended::Well)
+    }
+
+    /// Steps to the end of an interval from one of its pieces on; says how the walk ends if it does.
+    fn walk_interval(
+        &mut self,
+        course: &Course<'_>,
+        (i, first): (usize, usize),
+        asked: &mut usize,
+    ) -> Result<Option<Ended>> {
+        let mesh = course.mesh;
+        let (from, to) = (mesh.time[i], mesh.time[i + 1]);
+        if first == 0 {
+            self.enter(i, from, to);
+        } else {
+            self.m.enter(i);
+        }
+        let is_layer = i == 0 && course.method == Solver::Stiff;
+        let pieces = substeps(course.substeps, to - from, mesh.usual);
+        let steps = pieces - first + if is_layer { LAYER as usize } else { 0 };
+        if !course.allowance.spend((steps * course.method.work(self.x.len())) as u64, T::TANGENTS) {
+            return Ok(Some(Ended::Cut));
+        }
+        *asked += steps;
+        self.singles += steps;
+        if *asked >= PATIENCE {
+            course.allowance.in_time()?;
+            *asked = 0;
+        }
+        let before = self.events;
+        let h = (to - from) / pieces as f64;
+        for s in first..pieces {
+            let (begin, end) = piece((from, to), (s, pieces), h);
+            if is_layer && s == 0 {
+                self.begin_finely(begin, end);
+            } else {
+                self.advance(begin, end, Some(s));
+            }
+        }
+        let events = EVENT * (self.events - before);
+        if events > 0 && !course.allowance.spend(events as u64, T::TANGENTS) {
+            return Ok(Some(Ended::Cut));
+        }
+        let bad = self.x.iter().position(|x| x.value().is_nan() || x.value().abs() > TOO_LARGE);
+        Ok(bad.map(|bad| Ended::BlownUp(to, bad)))
     }
 
     /// The first step of the stiff method in steps that double: what is fast seldom starts where it would

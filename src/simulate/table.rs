@@ -6,13 +6,22 @@
 //! where an event has cut a piece.
 
 use crate::model::program::Register;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// Registers at the times of a method's stages.
 #[derive(Debug)]
 pub(super) struct Table {
-    /// The registers that are kept.
+    /// The registers that are kept: first those that code makes.
     pub registers: Vec<Register>,
+    /// How many of them code makes; the others are measured, or the time itself, for steps that are marched over.
+    pub made: usize,
+    /// Length of each step, s, and the time at its end, for such steps alone.
+    pub lengths: Vec<f64>,
+    pub ends: Vec<f64>,
+    /// Row by row what stands after each jump, and how many jumps come before each interval, for such steps alone.
+    pub after_jumps: Vec<f64>,
+    pub jumps: Vec<usize>,
     /// The first row of each interval.
     pub first: Vec<usize>,
     /// Rows a step: one at its end, and where there are two one in its middle before that.
@@ -22,23 +31,43 @@ pub(super) struct Table {
 }
 
 impl Table {
-    /// The row of a stage of a piece of an interval.
-    pub fn row(&self, interval: usize, piece: usize, stage: usize) -> &[f64] {
+    /// What code makes at a stage of a piece of an interval, register by register.
+    pub fn made(&self, interval: usize, piece: usize, stage: usize) -> impl Iterator<Item = (Register, f64)> {
         let row = self.first[interval] + self.stages * piece + stage;
-        &self.values[row * self.registers.len()..][..self.registers.len()]
+        let values = &self.values[row * self.registers.len()..];
+        self.registers.iter().copied().zip(values.iter().copied()).take(self.made)
+    }
+
+    /// The number of the first step in an interval.
+    pub fn step(&self, interval: usize) -> usize {
+        self.first[interval] / self.stages
+    }
+
+    /// The rows of some steps.
+    pub fn rows(&self, steps: Range<usize>) -> &[f64] {
+        let numbers = self.stages * self.registers.len();
+        &self.values[steps.start * numbers..steps.end * numbers]
+    }
+
+    /// The rows of the jumps from the beginning of an interval on.
+    pub fn jumps_from(&self, interval: usize) -> &[f64] {
+        &self.after_jumps[self.jumps[interval] * self.registers.len()..]
     }
 }
 
-/// Steps in a usual interval and rows a step, and the table for them; none where none is worth it.
-type Entry = ((usize, usize), Option<Arc<Table>>);
+/// What a table is for: steps in a usual interval, rows a step, and whether the steps are marched over.
+pub(super) type Use = (usize, usize, bool);
+
+/// A table; none where none is worth it.
+type Entry = (Use, Option<Arc<Table>>);
 
 /// The tables of a mesh.
 #[derive(Debug, Default)]
 pub(super) struct Tables(Mutex<Vec<Entry>>);
 
 impl Tables {
-    /// The table for so many steps in a usual interval and rows a step, made if there is none yet.
-    pub fn of(&self, plan: (usize, usize), make: impl FnOnce() -> Option<Table>) -> Option<Arc<Table>> {
+    /// The table for a use, made if there is none yet.
+    pub fn of(&self, plan: Use, make: impl FnOnce() -> Option<Table>) -> Option<Arc<Table>> {
         let mut tables = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, table)) = tables.iter().find(|(of, _)| *of == plan) {
             return table.clone();

@@ -1,0 +1,6 @@
+//! Machine code against an interpreter, and against itself.
+#![cfg(feature = "jit")]
+
+mod agree;
+mod common;
+mod march;
