@@ -5,6 +5,7 @@ use super::answer::{
 };
 use super::bench::Bench;
 use super::carried::{settled, together};
+use super::choose::SURE;
 use super::faults::{self, Spoiled};
 use super::feedback;
 use super::few::Few;
@@ -99,7 +100,8 @@ impl Assembly<'_> {
             samples: held_out,
             falls_whitened: self.falls_whitened(&before, &after),
             coloured: &coloured,
-            is_left_in_trials: left && self.bench.is_trials(),
+            is_left: left && (rest.p_value < SURE || self.bench.is_trials()),
+            trials: self.bench.is_trials(),
         };
         let physics = proven.settle(with_patches(physics, &findings, &rest));
         // a law that is left goes with the input as well

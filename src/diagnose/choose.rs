@@ -77,6 +77,12 @@ pub fn is_anchored(p: &Proposal) -> bool {
     p.alone.is_none() && (codes.contains(&p.code) || is_timed_wave(p) || is_step(p))
 }
 
+/// Whether a law that is tied to moments of a recording goes on from its beginning, so that one which begins anew may show it
+/// again.
+pub fn may_return(p: &Proposal) -> bool {
+    ["drift-force", "output-drift", "parameter-drift", "clock-drift"].contains(&p.code)
+}
+
 /// Whether it is a wave, whose free frequency makes it look like much else.
 pub fn is_wave(p: &Proposal) -> bool {
     p.code == "periodic-force"

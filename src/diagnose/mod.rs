@@ -4,6 +4,7 @@
 //! what the model leaves out, and proves what it finds on what was held out.
 
 mod alone;
+mod anew;
 mod another;
 pub mod answer;
 mod apart;

@@ -88,12 +88,14 @@ pub struct Screening {
     pub p_value: f64,
 }
 
-/// Every proposal of the catalogue that was not taken before and that another recording could confirm.
+/// Every proposal of the catalogue that was not taken before and that another recording could confirm: of laws that are tied to
+/// moments of one, those that go on from its beginning, where one is held out apart.
 pub fn proposals(bench: &Bench, scene: &Scene, taken: &[Taken]) -> Vec<Proposal> {
     let mut proposals: Vec<Proposal> = catalogue::ALL.iter().flat_map(|m| (m.propose)(scene)).collect();
     let shares_a_clock = bench.recordings.len() == 1 || bench.recordings.iter().all(|r| r.is_piece);
     if bench.separate || !shares_a_clock {
-        proposals.retain(|p| !super::choose::is_anchored(p));
+        let may_return = |p: &Proposal| shares_a_clock && super::choose::may_return(p);
+        proposals.retain(|p| !super::choose::is_anchored(p) || may_return(p));
     }
     proposals.retain(|p| !p.refines && !super::choose::is_repeated(p, taken));
     proposals

@@ -28,8 +28,9 @@ use super::measure::{Measure, Scale};
 use super::propose::Screening;
 use super::prove;
 use super::search::{Found, Refitted, Round, State, Taken, ahead, is_over, round, trace};
-use super::small;
 use super::view::View;
+use super::{anew, small};
+
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::fit::Progress;
@@ -135,7 +136,7 @@ impl Walk<'_> {
         let bench = self.bench;
         let scale = Scale::of(&self.current, bench.is_trials());
         let now = Measure::of(&self.current, &scale);
-        let found = patiently(bench, || {
+        let mut found = patiently(bench, || {
             let ends = self.taken.len() >= MOST || self.taken.iter().any(|t| t.proposal.ends);
             let is_last = ends || is_over(bench);
             let avoids = self.avoids.filter(|_| self.taken.is_empty());
@@ -145,6 +146,7 @@ impl Walk<'_> {
         })?;
         trace(bench, &found, &now);
         bench.budget.begin("choice");
+        anew::keep_confirmed(bench, self.separate, &self.current, &mut found);
         Ok((found, now))
     }
 

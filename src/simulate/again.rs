@@ -8,9 +8,10 @@
 //! of the run says that they do here, else with steps that are sought here. All together may spend what one
 //! simulation may; one that asks for more ends with the reason.
 
+use super::course::Course;
 use super::plan::{self, Plan, Search};
 use super::request::{Case, Unknown};
-use super::run::{Course, Ran, run};
+use super::run::{Ran, run};
 use super::simulator::Simulator;
 use super::steps::Solver;
 use super::{static_run, stiff};

@@ -9,8 +9,9 @@
 //! # Numerical aspects
 //! The values are those of single steps, bit for bit.
 
-use super::probe::Clock;
-use super::run::{Course, PATIENCE, Runner};
+use super::course::{Course, PATIENCE};
+use super::machine::Machine;
+use super::probe::{Clock, Probe};
 use super::table::Table;
 use crate::Result;
 use crate::model::Scalar;
@@ -35,6 +36,16 @@ pub(super) struct Marched {
     pub piece: usize,
     /// Whether the next step is one that it could not take.
     pub is_stopped: bool,
+}
+
+/// What of a run goes along with a march.
+pub(super) struct Under<'r, 'a, T> {
+    pub m: &'r mut Machine<'a, T>,
+    pub probe: &'r mut Probe<'a, T>,
+    /// States and rates.
+    pub states: (&'r mut [T], &'r mut [T]),
+    /// Of the roughness.
+    pub measures: &'r mut [f64],
 }
 
 impl<'a> Marching<'a> {
@@ -83,6 +94,51 @@ impl<'a> Marching<'a> {
         }
         (interval, step - self.table.step(interval))
     }
+
+    /// Marches from the beginning of an interval; gives where it stands then, none where no step was taken.
+    ///
+    /// # Errors
+    /// A time limit that is up.
+    pub fn march<T: Scalar>(
+        &mut self,
+        course: &Course<'_>,
+        interval: usize,
+        under: Under<'_, '_, T>,
+    ) -> Result<Option<Marched>> {
+        let Under { m, probe, states: (x, k), measures } = under;
+        // what depends on time alone is settled in the first interval
+        if interval == 0 || self.rest > 0 || !m.is_smooth() {
+            self.rest = self.rest.saturating_sub(1);
+            return Ok(None);
+        }
+        if !m.timed_switches_stand(course.mesh.time[interval]) {
+            return Ok(None);
+        }
+        let most = PATIENCE.min(usize::try_from(course.allowance.left()).unwrap_or(usize::MAX));
+        self.mark(course, interval, (&probe.next, most));
+        let (first, count) = (self.table.step(interval), self.marks.len());
+        let mut lists: Vec<&mut [T]> = Vec::with_capacity(course.clocks.len());
+        for (c, values) in probe.values.iter_mut().enumerate() {
+            lists.push(&mut values[probe.next[c] * course.clocks[c].registers.len()..]);
+        }
+        let steps = first..first + count;
+        let lengths = &self.table.lengths[steps.clone()];
+        let way = (lengths, self.table.rows(steps), self.table.jumps_from(interval), &self.marks[..]);
+        let taken = self.code.run((&mut m.r, x, k), way, measures, &mut lists);
+        for (c, next) in probe.next.iter_mut().enumerate() {
+            let own: Mark = (1 << c) | (1 << (c as u32 + BEGIN));
+            *next += self.marks[..taken].iter().map(|m| (m & own).count_ones() as usize).sum::<usize>();
+        }
+        m.forget_time();
+        if taken == 0 {
+            self.rest = REST;
+            return Ok(None);
+        }
+        course.allowance.spend(taken as u64, T::TANGENTS);
+        course.allowance.in_time()?;
+        let (interval, piece) = self.place(interval, first + taken);
+        Ok(Some(Marched { interval, piece, is_stopped: taken < count }))
+    }
 }
 
 /// The clocks that want an entry at a time, which come one further if those count; none where one wants one before it.
@@ -99,55 +155,4 @@ fn wanted(clocks: &[Clock], next: &mut [usize], end: f64, counts: bool) -> Optio
         }
     }
     Some(mark)
-}
-
-impl<T: Scalar> Runner<'_, T> {
-    /// Marches from the beginning of an interval; gives where it stands then, none where no step was taken.
-    ///
-    /// # Errors
-    /// A time limit that is up.
-    pub fn march(&mut self, course: &Course<'_>, interval: usize) -> Result<Option<Marched>> {
-        let Some(marching) = self.marching.as_mut() else { return Ok(None) };
-        // what depends on time alone is settled in the first interval
-        if interval == 0 || marching.rest > 0 || !self.m.is_smooth() {
-            marching.rest = marching.rest.saturating_sub(1);
-            return Ok(None);
-        }
-        if !self.m.timed_switches_stand(course.mesh.time[interval]) {
-            return Ok(None);
-        }
-        let most = PATIENCE.min(usize::try_from(course.allowance.left()).unwrap_or(usize::MAX));
-        marching.mark(course, interval, (&self.probe.next, most));
-        let count = marching.marks.len();
-        let first = marching.table.step(interval);
-        let mut lists: Vec<&mut [T]> = Vec::with_capacity(course.clocks.len());
-        for (c, values) in self.probe.values.iter_mut().enumerate() {
-            lists.push(&mut values[self.probe.next[c] * course.clocks[c].registers.len()..]);
-        }
-        let steps = first..first + count;
-        let taken = marching.code.run(
-            (&mut self.m.r, &mut self.x, &mut self.k),
-            (
-                &marching.table.lengths[steps.clone()],
-                marching.table.rows(steps),
-                marching.table.jumps_from(interval),
-                &marching.marks,
-            ),
-            &mut self.roughness.measures,
-            &mut lists,
-        );
-        for (c, next) in self.probe.next.iter_mut().enumerate() {
-            let own: Mark = (1 << c) | (1 << (c as u32 + BEGIN));
-            *next += marching.marks[..taken].iter().map(|m| (m & own).count_ones() as usize).sum::<usize>();
-        }
-        self.m.forget_time();
-        if taken == 0 {
-            marching.rest = REST;
-            return Ok(None);
-        }
-        course.allowance.spend(taken as u64, T::TANGENTS);
-        course.allowance.in_time()?;
-        let (interval, piece) = marching.place(interval, first + taken);
-        Ok(Some(Marched { interval, piece, is_stopped: taken < count }))
-    }
 }

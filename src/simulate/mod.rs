@@ -8,6 +8,7 @@
 mod absent;
 mod again;
 mod budget;
+mod course;
 mod did;
 mod events;
 mod faults;

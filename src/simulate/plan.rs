@@ -13,8 +13,9 @@
 //! it is foretold too large, or a run blows up, the run is repeated with more or stiff steps.
 
 use super::budget::Allowance;
+use super::course::Course;
 use super::probe::Clock;
-use super::run::{Course, Ran, run};
+use super::run::{Ran, run};
 use super::steps::Solver;
 use crate::Result;
 use crate::model::Scalar;

@@ -1,48 +1,27 @@
 //! A run over the whole mesh.
 
-use super::budget::Allowance;
+use super::course::{Course, PATIENCE};
 use super::machine::Machine;
-use super::march::Marching;
-use super::mesh::Mesh;
-use super::native::Natives;
+use super::march::{Marched, Marching, Under};
 use super::pieces::{piece, substeps};
-use super::probe::{Clock, Probe, Stretch};
+use super::probe::{Probe, Stretch};
 use super::roughness::Roughness;
 use super::start::start;
 use super::steps::{Solver, Stepper};
 use super::tabulate::tabulated;
 use crate::Result;
 use crate::model::Scalar;
-use crate::model::program::{Program, Switching};
+use crate::model::program::Switching;
 
 /// Events within one step before the rest of it is taken without looking.
 const MOST_EVENTS: usize = 12;
 /// A state beyond this has blown up.
 const TOO_LARGE: f64 = 1e100;
 
-/// Steps after which the time is looked at.
-pub(super) const PATIENCE: usize = 256;
-
 /// Times that the first step of the stiff method is halved.
 const LAYER: i32 = 16;
 /// Explicit steps that one event costs.
 const EVENT: usize = 4;
-
-/// What a run needs besides numbers.
-pub(super) struct Course<'a> {
-    pub program: &'a Program,
-    /// What of the program was made machine code.
-    pub natives: &'a Natives,
-    pub mesh: &'a Mesh,
-    pub clocks: &'a [Clock],
-    /// States that start where the model is steady.
-    pub steady: &'a [usize],
-    pub method: Solver,
-    /// Steps in a usual interval of the mesh.
-    pub substeps: usize,
-    /// What the run may spend.
-    pub allowance: &'a Allowance<'a>,
-}
 
 /// What a run gives.
 pub(super) struct Ran<T> {
@@ -74,22 +53,21 @@ enum Ended {
     Cut,
 }
 
-/// A run that is under way.
-pub(super) struct Runner<'a, T> {
-    pub m: Machine<'a, T>,
+struct Runner<'a, T> {
+    m: Machine<'a, T>,
     stepper: Stepper<T>,
-    pub probe: Probe<'a, T>,
-    /// Where it marches, where it can.
-    pub marching: Option<Marching<'a>>,
-    pub x: Vec<T>,
-    pub k: Vec<T>,
+    probe: Probe<'a, T>,
+    /// What it marches with, where it can.
+    marching: Option<Marching<'a>>,
+    x: Vec<T>,
+    k: Vec<T>,
     x1: Vec<T>,
     k1: Vec<T>,
     room: Vec<T>,
     events: usize,
     /// Steps that were taken one by one.
     singles: usize,
-    pub roughness: Roughness,
+    roughness: Roughness,
 }
 
 /// Runs from start to end.
@@ -170,6 +148,13 @@ impl<T: Scalar> Runner<'_, T> {
             self.record_here(mesh.time[mesh.intervals()]);
         }
         Ok(Ended::Well)
+    }
+
+    /// Marches from the beginning of an interval on; none where no step was taken.
+    fn march(&mut self, course: &Course<'_>, interval: usize) -> Result<Option<Marched>> {
+        let Some(marching) = &mut self.marching else { return Ok(None) };
+        let (m, probe, states) = (&mut self.m, &mut self.probe, (&mut self.x[..], &mut self.k[..]));
+        marching.march(course, interval, Under { m, probe, states, measures: &mut self.roughness.measures })
     }
 
     /// Steps to the end of an interval from one of its pieces on; says how the walk ends if it does.

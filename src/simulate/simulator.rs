@@ -2,6 +2,7 @@
 
 use super::absent;
 use super::budget::{Allowance, Budget};
+use super::course::Course;
 use super::did::Did;
 use super::gaps;
 use super::machine::registers;
@@ -10,7 +11,6 @@ use super::native::Natives;
 use super::plan::{self, Plan, Planned, Search};
 use super::probe::Clock;
 use super::request::{Case, Options, Trajectory, Unknown};
-use super::run::Course;
 use super::signals::{self, OutputSignal};
 use super::steps::Solver;
 use crate::model::program::Program;

@@ -23,6 +23,7 @@ mod deviation;
 mod diagnose;
 mod diagnose_rough;
 mod dialects;
+mod drifts_again;
 mod echoes;
 mod endings;
 mod everyday;

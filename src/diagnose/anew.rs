@@ -1,0 +1,40 @@
+//! Laws of time, asked of a recording that was held out apart and begins anew.
+//!
+//! # Purpose
+//! What warms up, fouls or runs down after every start is a law of time that another recording can confirm; what
+//! happened once is none.
+//!
+//! # Method
+//! Both recordings count their time as they were given it. A law that goes on from the beginning stands where it lowers
+//! the error of what was held out by a good part of what it lowers that of what was fitted; else it is as if it had not
+//! been tried.
+
+use super::bench::Bench;
+use super::choose::is_anchored;
+use super::prove::{Held, held_out};
+use super::search::Round;
+use crate::estimate::Fit;
+use crate::record::Recording;
+
+/// Share of the logarithm of the fitted error's fall that the held-out one must show.
+const PART: f64 = 1.0 / 3.0;
+
+/// Leaves out of a round the laws of time that recordings held out apart do not confirm.
+pub fn keep_confirmed(bench: &Bench, separate: &[Recording], current: &Fit, round: &mut Round) {
+    if !bench.separate || !round.fitted.iter().any(|r| is_anchored(&r.proposal)) {
+        return;
+    }
+    let errors = |fit: &Fit| -> Option<Vec<f64>> {
+        Some(held_out(bench, fit, separate).ok()?.iter().map(Held::rmse).collect())
+    };
+    let Some(before) = errors(current) else { return };
+    let fall = |before: &[f64], after: &[f64]| -> f64 {
+        let falls = before.iter().zip(after).map(|(b, a)| (b / a).ln());
+        falls.filter(|x| x.is_finite()).sum()
+    };
+    let is_confirmed = |fit: &Fit| {
+        let after = errors(fit);
+        after.is_some_and(|after| fall(&before, &after) >= PART * fall(&current.rmse, &fit.rmse))
+    };
+    round.fitted.retain(|r| !is_anchored(&r.proposal) || is_confirmed(&r.fit));
+}
