@@ -49,6 +49,8 @@ pub(super) struct Kind {
     active: Vec<bool>,
     /// The registers that are written down, clock by clock.
     written: Vec<Vec<Register>>,
+    /// Whether inputs jump.
+    jumps: bool,
     /// Whether steps without events are nothing but steps: no input is delayed, no past asked for, the method explicit.
     is_marchable: bool,
     /// Steps that were asked for, and those of them that nothing marched over.
@@ -68,12 +70,12 @@ impl Kind {
         self.steps.get_or_init(|| compiled(program, self)).as_ref()
     }
 
-    /// The machine code of many steps over inputs that may jump or do not; none where they are better taken one by one.
-    pub fn march(&self, program: &Program, jumps: bool) -> Option<&March> {
+    /// The machine code of many steps; none where they are better taken one by one.
+    pub fn march(&self, program: &Program) -> Option<&March> {
         if self.march.get().is_none() && self.asked.load(Ordering::Relaxed) < self.worth {
             return None;
         }
-        self.march.get_or_init(|| marched(program, self, jumps)).as_ref()
+        self.march.get_or_init(|| marched(program, self)).as_ref()
     }
 
     /// Counts the steps that a run took one by one though it might have marched.
@@ -85,12 +87,13 @@ impl Kind {
 }
 
 impl Natives {
-    /// The machine code for a run of so many steps of a method with these registers, once it is worth compiling.
+    /// The machine code for a run of so many steps of a method with these registers, over inputs that jump or do not, once
+    /// it is worth compiling.
     pub fn of<T: Scalar>(
         &self,
         program: &Program,
         parameters: &[T],
-        clocks: &[Clock],
+        (clocks, jumps): (&[Clock], bool),
         (solver, steps): (Solver, usize),
     ) -> Option<Arc<Kind>> {
         if !Steps::MADE {
@@ -101,8 +104,8 @@ impl Natives {
         let mut kinds = self.kinds.lock().unwrap_or_else(PoisonError::into_inner);
         let same = |k: &Arc<Kind>| {
             let written = k.written.iter().zip(clocks).all(|(w, c)| *w == c.registers);
-            let is_as_long = k.written.len() == clocks.len();
-            k.tangents == T::TANGENTS && k.method == method && k.active == active && written && is_as_long
+            let looks_alike = k.written.len() == clocks.len() && k.jumps == jumps;
+            k.tangents == T::TANGENTS && k.method == method && k.active == active && written && looks_alike
         };
         let is_delayed = program.columns.iter().any(|c| c.delay.is_some());
         let at = kinds.iter().position(same).unwrap_or_else(|| {
@@ -113,6 +116,7 @@ impl Natives {
                 method,
                 active,
                 written: clocks.iter().map(|c| c.registers.clone()).collect(),
+                jumps,
                 is_marchable: method != Method::None && !is_delayed && clocks.len() <= LISTS,
                 asked: AtomicUsize::new(0),
                 alone: AtomicUsize::new(0),
@@ -222,7 +226,7 @@ fn compiled(program: &Program, kind: &Kind) -> Option<Steps> {
     Steps::compile(&Translated::of(program, kind.method)?.step(program, kind), kind.tangents)
 }
 
-fn marched(program: &Program, kind: &Kind, jumps: bool) -> Option<March> {
+fn marched(program: &Program, kind: &Kind) -> Option<March> {
     if !kind.is_marchable {
         return None;
     }
@@ -237,7 +241,7 @@ fn marched(program: &Program, kind: &Kind, jumps: bool) -> Option<March> {
         switches: &program.watches.iter().map(switch).collect::<Vec<_>>(),
         held: &program.remembered.iter().filter_map(moved).collect::<Vec<_>>(),
         written: &kind.written,
-        jumps,
+        jumps: kind.jumps,
     };
     March::compile(&code.step(program, kind), &march, kind.tangents)
 }
@@ -415,6 +419,21 @@ mod tests {
                 };
                 assert!(!Steps::MADE || kinds.iter().all(marches), "most steps are marched over");
             }
+        }
+    }
+
+    #[test]
+    fn a_window_without_a_jump_marches_as_one_with_jumps_does() {
+        let time: Vec<f64> = (0..12_000).map(|i| 0.02 * f64::from(i)).collect();
+        let force = time.iter().map(|t| if *t < 120.0 { 3.0 } else { 5.0 * (0.7 * t).sin() }).collect();
+        let mut force = Channel::new("force", Unit::parse("N").unwrap(), time.clone(), force);
+        force.hold = Hold::Previous;
+        let place = Channel::new("place", Unit::parse("m").unwrap(), time.clone(), vec![0.0; time.len()]);
+        let recording = Recording::from_channels("made", vec![force, place]).unwrap();
+        let model = Model::parse(STICKING).unwrap();
+        let whole = Simulator::new(&model, &recording, &Options::default()).unwrap();
+        for (from, to) in [(0.0, 110.0), (110.0, 220.0), (0.0, 110.0)] {
+            runs_are_the_same(&whole.on_window(from, to).unwrap());
         }
     }
 

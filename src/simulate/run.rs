@@ -74,9 +74,9 @@ struct Runner<'a, T> {
 pub(super) fn run<T: Scalar>(course: &Course<'_>, parameters: &[T], given: &[T]) -> Result<Ran<T>> {
     let mut m = Machine::new(course.program, course.mesh, parameters);
     let steps = course.substeps.saturating_mul(course.mesh.intervals());
-    let kind = course.natives.of(course.program, parameters, course.clocks, (course.method, steps));
-    let jumps = course.mesh.jumps.contains(&true);
-    let march = kind.as_ref().and_then(|k| k.march(course.program, jumps));
+    let over = (course.clocks, course.mesh.jumps.contains(&true));
+    let kind = course.natives.of(course.program, parameters, over, (course.method, steps));
+    let march = kind.as_ref().and_then(|k| k.march(course.program));
     let plan = (course.substeps, course.method);
     let table = tabulated(course.program, course.mesh, plan, march.is_some());
     let marching = march.zip(table.as_deref()).map(|(code, table)| Marching::new(code, table));
