@@ -6,8 +6,8 @@
 //!
 //! # Method
 //! Both recordings count their time as they were given it. A law that goes on from the beginning stands where it lowers
-//! the error of what was held out by a good part of what it lowers that of what was fitted; else it is as if it had not
-//! been tried.
+//! the error of what was held out by a good part of what it lowers that of what was fitted, and further than any law
+//! does that lasts; else it is as if it had not been tried.
 
 use super::bench::Bench;
 use super::choose::is_anchored;
@@ -15,6 +15,7 @@ use super::prove::{Held, held_out};
 use super::search::Round;
 use crate::estimate::Fit;
 use crate::record::Recording;
+use rayon::prelude::*;
 
 /// Share of the logarithm of the fitted error's fall that the held-out one must show.
 const PART: f64 = 1.0 / 3.0;
@@ -32,9 +33,13 @@ pub fn keep_confirmed(bench: &Bench, separate: &[Recording], current: &Fit, roun
         let falls = before.iter().zip(after).map(|(b, a)| (b / a).ln());
         falls.filter(|x| x.is_finite()).sum()
     };
+    let lasting = round.fitted.par_iter().filter(|r| !is_anchored(&r.proposal));
+    let lasting: Vec<Vec<f64>> = lasting.filter_map(|r| errors(&r.fit)).collect();
     let is_confirmed = |fit: &Fit| {
-        let after = errors(fit);
-        after.is_some_and(|after| fall(&before, &after) >= PART * fall(&current.rmse, &fit.rmse))
+        errors(fit).is_some_and(|after| {
+            let shows = fall(&before, &after) >= PART * fall(&current.rmse, &fit.rmse);
+            shows && lasting.iter().all(|other| fall(other, &after) > 0.0)
+        })
     };
     round.fitted.retain(|r| !is_anchored(&r.proposal) || is_confirmed(&r.fit));
 }
