@@ -163,6 +163,9 @@ impl MarchCode<'_> {
     }
 }
 
+/// A state beyond this has blown up.
+pub const TOO_LARGE: f64 = 1e100;
+
 /// Lists that a march may write.
 pub const LISTS: usize = 7;
 

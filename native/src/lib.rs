@@ -4,9 +4,9 @@
 //! # Method
 //! The code of the rates is straight: no jumps, one instruction a register. A whole step is one function or two, in
 //! which the rates stand as often as the method asks for them, so that what passes between stages stays in the
-//! processor's registers. Steps with nothing to look at between them are taken in one loop ([`March`]). Where a caller has to look between (switches that slide, delays, implicit methods), rates,
-//! motions and slopes are functions of their own. Numbers carry tangents ([`Dual`]); an instruction on a register without
-//! tangents costs none.
+//! processor's registers. Steps with nothing to look at between them are taken in one loop ([`March`]). Where a caller
+//! has to look between (switches that slide, delays, implicit methods), rates, motions and slopes are functions of their
+//! own. Numbers carry tangents ([`Dual`]); an instruction on a register without tangents costs none.
 //!
 //! # References
 //! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., Springer 1993, section II.1.
@@ -32,7 +32,9 @@ mod steps;
 #[cfg(feature = "jit")]
 mod unit;
 
-pub use code::{Action, BEGIN, JUMP, LISTS, MarchCode, Mark, Method, Op, Register, StepCode, Switch, spread};
+pub use code::{
+    Action, BEGIN, JUMP, LISTS, MarchCode, Mark, Method, Op, Register, StepCode, Switch, TOO_LARGE, spread,
+};
 #[cfg(feature = "jit")]
 pub use march::March;
 pub use number::{Dual, Number};

@@ -2,12 +2,9 @@
 
 use crate::body::Body;
 use crate::lower::Num;
-use crate::{BEGIN, JUMP, MarchCode, Method, Register, Switch};
+use crate::{BEGIN, JUMP, MarchCode, Method, Register, Switch, TOO_LARGE};
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::{Block, BlockArg, InstBuilder, MemFlags, Value, types};
-
-/// A state beyond this has blown up.
-const TOO_LARGE: f64 = 1e100;
 
 /// Where a march stands: the number of steps taken, the addresses of the next step's length, rows and mark, of the next
 /// jump's row, and of the next entry of each list.

@@ -26,15 +26,21 @@ pub fn keep_confirmed(bench: &Bench, separate: &[Recording], current: &Fit, roun
         return;
     }
     let errors = |fit: &Fit| -> Option<Vec<f64>> {
-        Some(held_out(bench, fit, separate).ok()?.iter().map(Held::rmse).collect())
+        let held = held_out(bench, fit, separate).ok()?;
+        held.iter().all(Held::is_finite).then(|| held.iter().map(Held::rmse).collect())
     };
     let Some(before) = errors(current) else { return };
     let fall = |before: &[f64], after: &[f64]| -> f64 {
         let falls = before.iter().zip(after).map(|(b, a)| (b / a).ln());
         falls.filter(|x| x.is_finite()).sum()
     };
-    let lasting = round.fitted.par_iter().filter(|r| !is_anchored(&r.proposal));
-    let lasting: Vec<Vec<f64>> = lasting.filter_map(|r| errors(&r.fit)).collect();
+    // what cannot be run there is no rival
+    let lasting: Vec<Vec<f64>> = round
+        .fitted
+        .par_iter()
+        .filter(|r| !is_anchored(&r.proposal))
+        .filter_map(|r| errors(&r.fit))
+        .collect();
     let is_confirmed = |fit: &Fit| {
         errors(fit).is_some_and(|after| {
             let shows = fall(&before, &after) >= PART * fall(&current.rmse, &fit.rmse);

@@ -162,7 +162,7 @@ pub struct Proven<'a> {
     pub falls_whitened: bool,
     /// Deviation of what is left of each output over that of its innovations.
     pub coloured: &'a [f64],
-    /// Whether a law is left for sure.
+    /// Whether a law is left for sure; in tables of trials, at all.
     pub is_left: bool,
     /// Whether the recordings are tables of trials.
     pub trials: bool,

@@ -57,6 +57,17 @@ impl<T: Scalar> Machine<'_, T> {
         margins.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::INFINITY))
     }
 
+    /// Whether every switch that depends on the time and the inputs alone stands as its guard says at a time where an
+    /// interval begins, and would go on so.
+    pub fn timed_switches_stand(&mut self, t: f64) -> bool {
+        let program = self.program;
+        let mut timed = (0..program.watches.len()).filter(|k| program.watches[*k].timed).peekable();
+        if timed.peek().is_some() {
+            self.load_time(t);
+        }
+        timed.all(|k| self.margin(k) > 0.0)
+    }
+
     /// The earliest time in a stretch at which a switch must change, and the switch.
     pub fn locate(&mut self, s: &Stretch<'_, T>, room: &mut [T]) -> (f64, usize) {
         let (mut low, mut high) = (s.from, s.to);

@@ -4,7 +4,7 @@ use super::history::History;
 use super::mesh::Mesh;
 use super::table::Table;
 use crate::model::Scalar;
-use crate::model::program::{Program, Remembered, Switching, Watch, execute};
+use crate::model::program::{Program, Remembered, Switching, execute};
 use gyrospec_native::Steps;
 
 /// The registers of one run and what they were last loaded with.
@@ -122,18 +122,6 @@ impl<'a, T: Scalar> Machine<'a, T> {
     /// no past is asked for.
     pub fn is_smooth(&self) -> bool {
         self.switching == Switching::Hold && self.sliding.is_empty() && self.pasts.is_empty()
-    }
-
-    /// Whether every switch that depends on the time and the inputs alone stands as its guard says at a time where an
-    /// interval begins, and would go on so.
-    pub fn timed_switches_stand(&mut self, t: f64) -> bool {
-        let watches = &self.program.watches;
-        if !watches.iter().any(|w| w.timed) {
-            return true;
-        }
-        self.load_time(t);
-        let margin = |w: &Watch| self.r[at(w.guard)].value() * self.r[at(w.sign)].value();
-        watches.iter().filter(|w| w.timed).all(|w| margin(w) > 0.0)
     }
 
     /// Forgets which time the registers hold, after a switch has changed.

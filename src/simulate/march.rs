@@ -3,8 +3,8 @@
 //!
 //! # Method
 //! Such are the steps of an explicit method with no switch that slides or changes, whose outputs are wanted at their ends
-//! if at all, or at the begin of those where an input jumps. What they load stands in a table, step by step. The loop ends before the
-//! first step that is no such one, which is then taken as any other.
+//! if at all, or at the begin of those where an input jumps. What they load stands in a table, step by step. The loop ends
+//! before the first step that is no such one, which is then taken as any other.
 //!
 //! # Numerical aspects
 //! The values are those of single steps, bit for bit.
@@ -68,10 +68,10 @@ impl<'a> Marching<'a> {
                 last = if at + 1 < table.first.len() { table.step(at + 1) } else { table.ends.len() };
                 if mesh.jumps[at] {
                     // some inputs jump before what is measured there, some after it
-                    if mesh.shows[at] && mesh.late.contains(&true) {
+                    let shows = mesh.shows[at];
+                    if shows && mesh.late.contains(&true) {
                         return;
                     }
-                    let shows = mesh.shows[at];
                     let Some(wanted) = wanted(course.clocks, &mut next, mesh.time[at], shows) else { return };
                     mark = JUMP | wanted << BEGIN;
                 }

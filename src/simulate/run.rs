@@ -12,11 +12,10 @@ use super::tabulate::tabulated;
 use crate::Result;
 use crate::model::Scalar;
 use crate::model::program::Switching;
+use gyrospec_native::TOO_LARGE;
 
 /// Events within one step before the rest of it is taken without looking.
 const MOST_EVENTS: usize = 12;
-/// A state beyond this has blown up.
-const TOO_LARGE: f64 = 1e100;
 
 /// Times that the first step of the stiff method is halved.
 const LAYER: i32 = 16;
