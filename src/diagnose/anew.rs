@@ -5,9 +5,9 @@
 //! happened once is none.
 //!
 //! # Method
-//! Both recordings count their time as they were given it. A law that goes on from the beginning stands where it lowers
-//! the error of what was held out by a good part of what it lowers that of what was fitted, and further than any law
-//! does that lasts; else it is as if it had not been tried.
+//! Both recordings count their time as they were given it; of what begins at a moment, the other lies before it or after it
+//! (`moments`). A law of time stands where it lowers the error of what was held out by a good part of what it lowers that of
+//! what was fitted, and further than any law does that lasts; else it is as if it had not been tried.
 
 use super::bench::Bench;
 use super::choose::is_anchored;

@@ -18,7 +18,7 @@ use super::rest::{self, Rest};
 use super::search::Found;
 use super::verdict::{Evidence, Proven, in_a_loop, missed, settle, with_faults, with_noise, with_patches};
 use super::view::View;
-use super::{Diagnosis, Request, answer, inert, innovations, locate, next, pictures, wandering};
+use super::{Diagnosis, Request, answer, inert, innovations, locate, moments, next, pictures, wandering};
 use crate::Result;
 use crate::estimate::Fit;
 use crate::estimate::noise::NoiseModel;
@@ -381,7 +381,8 @@ impl Assembly<'_> {
         if self.is_left && held_out == 0 {
             all.push(NOT_HELD_OUT.into());
         }
-        let told = self.notes.iter().chain(&self.found.notes).chain(&self.found.small).cloned();
+        let anew = moments::note(&self.bench, &self.found.last, &self.separate);
+        let told = self.notes.iter().chain(&self.found.notes).chain(&self.found.small).cloned().chain(anew);
         for note in told.chain(warnings) {
             if !all.contains(&note) {
                 all.push(note);

@@ -22,6 +22,7 @@
 
 use super::bench::Bench;
 use super::choose::SURE;
+use super::moments;
 use super::prove::Held;
 use super::screen::log_chance;
 use crate::estimate::Fit;
@@ -35,6 +36,7 @@ use faer::{Mat, Par, Side};
 /// Residuals over what is held out, by output, after the unknowns have followed them as far as the fit leaves
 /// them free; None where the model cannot be run there.
 pub fn settled(bench: &Bench, fit: &Fit, separate: &[Recording]) -> Option<Vec<Held>> {
+    let fit = &moments::placed(bench, fit, separate);
     let all = carried_on(fit, &bench.recordings, separate, &bench.options(Effort::Near, 40)).ok()?;
     let moved = moved(fit, &all).unwrap_or_default();
 

@@ -77,10 +77,10 @@ pub fn is_anchored(p: &Proposal) -> bool {
     p.alone.is_none() && (codes.contains(&p.code) || is_timed_wave(p) || is_step(p))
 }
 
-/// Whether a law that is tied to moments of a recording goes on from its beginning, so that one which begins anew may show it
-/// again.
+/// Whether a recording that begins anew may show a law again that is tied to moments of another: it goes on from every
+/// beginning, or lasts from its moment on.
 pub fn may_return(p: &Proposal) -> bool {
-    ["drift-force", "output-drift", "parameter-drift", "clock-drift"].contains(&p.code)
+    !is_timed_wave(p)
 }
 
 /// Whether it is a wave, whose free frequency makes it look like much else.

@@ -14,16 +14,12 @@ use super::choose::TIE;
 use super::compared::anew;
 use super::hold::{Weight, measured, weighed};
 use super::measure::{Measure, Scale};
+use super::repeated::grid;
 use crate::estimate::Fit;
 use crate::record::{Channel, Hold, Recording};
 use crate::simulate::GAP_STEPS;
 use crate::units::figure;
 use std::collections::BTreeMap;
-
-/// Changes that show a grid.
-const FEWEST: usize = 20;
-/// Share of the times between changes that are one step of the grid, and that are whole ones.
-const ON_GRID: (f64, f64) = (0.5, 0.9);
 
 /// Reads inputs as straight lines between their changes where the recordings show it: the model fitted so, with what a reader
 /// should know.
@@ -62,24 +58,6 @@ fn common_step(recordings: &[Recording], name: &str) -> Option<f64> {
     };
     let steps: Option<Vec<f64>> = recordings.iter().map(step).collect();
     steps?.first().copied()
-}
-
-/// Samples between changes of a channel that was repeated in between.
-fn grid(channel: &Channel) -> Option<usize> {
-    let changes = (1..channel.len()).filter(|i| channel.values[*i] != channel.values[i - 1]);
-    let changes: Vec<usize> = changes.collect();
-    let mut between: Vec<usize> = changes.windows(2).map(|w| w[1] - w[0]).collect();
-    if between.len() < FEWEST {
-        return None;
-    }
-    between.sort_unstable();
-    let step = between[between.len() / 2];
-    let share =
-        |is: &dyn Fn(usize) -> bool| between.iter().filter(|n| is(**n)).count() as f64 / between.len() as f64;
-    // a step that is no whole number of samples is one sooner or later
-    let one = share(&|n| n.abs_diff(step) <= 1);
-    let whole = share(&|n| (n + 1) % step <= 2);
-    (step > 2 && one >= ON_GRID.0 && whole >= ON_GRID.1).then_some(step)
 }
 
 /// Reads inputs as straight lines between their changes, each with its step in s.

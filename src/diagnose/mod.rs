@@ -41,6 +41,7 @@ mod locate;
 mod located;
 mod lost;
 mod measure;
+mod moments;
 mod nameless;
 mod namesakes;
 mod next;
@@ -52,6 +53,7 @@ mod propose;
 pub(crate) mod prove;
 mod race;
 mod reading;
+mod repeated;
 mod response;
 mod rest;
 mod scan;
@@ -142,10 +144,12 @@ pub fn diagnose(request: &Request<'_>) -> Result<Diagnosis> {
     let namesakes = Namesakes::of(request.model, recordings.iter().chain(&*separate));
     let (recordings, separate) = (namesakes.apart(&recordings), namesakes.apart(&separate));
     let recordings = alone::marked(request.model, &recordings);
+    setup::keep_apart(request.model, &recordings, &separate)?;
+    let (recordings, repeated) = repeated::fresh(request.model, &recordings);
+    let (separate, _) = repeated::fresh(request.model, &separate);
     let request = &Request { recordings: &recordings, separate: &separate, ..*request };
-    setup::keep_apart(request.model, request.recordings, request.separate)?;
     let mut diagnosis = in_pieces(request)?;
-    diagnosis.answer.notes.extend(namesakes.notes);
+    diagnosis.answer.notes.extend(namesakes.notes.into_iter().chain(repeated));
     Ok(diagnosis)
 }
 

@@ -89,7 +89,7 @@ pub struct Screening {
 }
 
 /// Every proposal of the catalogue that was not taken before and that another recording could confirm: of laws that are tied to
-/// moments of one, those that go on from its beginning, where one is held out apart.
+/// moments of one, those that may show in one that begins anew, where such is held out apart.
 pub fn proposals(bench: &Bench, scene: &Scene, taken: &[Taken]) -> Vec<Proposal> {
     let mut proposals: Vec<Proposal> = catalogue::ALL.iter().flat_map(|m| (m.propose)(scene)).collect();
     let shares_a_clock = bench.recordings.len() == 1 || bench.recordings.iter().all(|r| r.is_piece);

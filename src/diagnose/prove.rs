@@ -12,6 +12,7 @@
 //! H. R. Künsch, Annals of Statistics 17 (1989) 1217.
 
 use super::bench::{self, Bench, Stand};
+use super::moments;
 use super::search::Found;
 use crate::Result;
 use crate::estimate::fit::{Effort, Series, holdout};
@@ -122,7 +123,7 @@ pub fn held_out(bench: &Bench, fitted: &Fit, separate: &[Recording]) -> Result<V
         return left_levels(bench, fitted);
     }
     let options = bench.options(Effort::Near, 40);
-    let found = holdout(fitted, &bench.recordings, separate, &options)?;
+    let found = holdout(&moments::placed(bench, fitted, separate), &bench.recordings, separate, &options)?;
     let mut all = vec![Held::default(); fitted.model.outputs.len()];
     for h in &found {
         for s in &h.series {

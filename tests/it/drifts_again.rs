@@ -15,6 +15,11 @@ const ROWS: usize = 1600;
 
 /// A heated store, C T' = P − k (1 + a t) (T − Ta), whose loss changes by a a second, with 0.05 K of noise.
 fn store(a: f64, seed: u64) -> Recording {
+    changing(|t| a * t, seed)
+}
+
+/// The same with any change of its loss in time.
+fn changing(a: impl Fn(f64) -> f64, seed: u64) -> Recording {
     let (c, k, around) = (4e5, 90.0, 288.15);
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let time: Vec<f64> = (0..ROWS).map(|i| STEP * i as f64).collect();
@@ -37,7 +42,7 @@ fn store(a: f64, seed: u64) -> Recording {
         for s in 0..100 {
             let share = f64::from(s) / 100.0;
             let heat = power[i] + (next - power[i]) * share;
-            let loss = k * (1.0 + a * (time[i] + share * STEP));
+            let loss = k * (1.0 + a(time[i] + share * STEP));
             now += STEP / 100.0 * (heat - loss * (now - around)) / c;
         }
     }
@@ -48,6 +53,10 @@ fn store(a: f64, seed: u64) -> Recording {
 }
 
 fn told(fitted: f64, held_out: f64, seed: u64) -> Answer {
+    told_of(store(fitted, seed), store(held_out, seed + 1000))
+}
+
+fn told_of(fitted: Recording, held_out: Recording) -> Answer {
     let model = Model::parse(
         r#"
         name = "store"
@@ -64,7 +73,7 @@ fn told(fitted: f64, held_out: f64, seed: u64) -> Answer {
         "#,
     )
     .unwrap();
-    let (recordings, separate) = ([store(fitted, seed)], [store(held_out, seed + 1000)]);
+    let (recordings, separate) = ([fitted], [held_out]);
     let request = Request {
         model: &model,
         source: None,
@@ -99,4 +108,33 @@ fn what_drifted_once_is_not() {
     assert_ne!(told.verdict, Verdict::NothingMissing, "{}", told.says);
     let is_named = matches!(told.verdict, Verdict::Named | Verdict::Tie);
     assert!(!is_named || told.findings.iter().all(|f| f.code != "parameter-drift"), "{}", told.says);
+}
+
+/// A loss that is larger by a quarter from 17 000 s of the fitted recording on, and all along in what was made after it, or not
+/// yet in what was made before.
+#[test]
+fn what_changed_at_a_moment_is_shown_by_what_was_made_after_and_before() {
+    let changed = |t: f64| if t > 17_000.0 { 0.25 } else { 0.0 };
+    for (after, words) in [(0.25, "as after tc"), (0.0, "as before tc")] {
+        let answer = told_of(changing(changed, 5), changing(move |_| after, 1005));
+        assert_eq!(answer.verdict, Verdict::Named, "{}", answer.says);
+        assert_eq!(answer.findings.len(), 1, "{}", answer.says);
+        let finding = &answer.findings[0];
+        assert_eq!((finding.code.as_str(), finding.site.name.as_str()), ("parameter-change", "k"));
+        let value = |name: &str| finding.parameters.iter().find(|p| p.name == name).unwrap().value;
+        assert!(
+            (value("a") - 0.25).abs() < 0.01 && (value("tc") - 17_000.0).abs() < 200.0,
+            "{}",
+            answer.says
+        );
+        assert!(answer.notes.iter().any(|n| n.contains(words)), "{:?}", answer.notes);
+    }
+}
+
+/// What changed in the fitted recording and is neither as before nor as after in the other is confirmed by nothing.
+#[test]
+fn what_changed_once_and_has_gone_another_way_since_is_no_name() {
+    let changed = |t: f64| if t > 17_000.0 { 0.25 } else { 0.0 };
+    let answer = told_of(changing(changed, 7), changing(|_| -0.3, 1007));
+    assert_ne!(answer.verdict, Verdict::Named, "{}", answer.says);
 }

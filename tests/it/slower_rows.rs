@@ -108,3 +108,18 @@ fn samples_lost_at_random_are_gaps() {
     assert_eq!(random.channel("room").unwrap().len(), ROWS);
     assert!(quality::faults(&random).iter().any(|f| f.kind.code() == "gap" && f.sure));
 }
+
+/// The room of a slow instrument, whose rows repeat it until it reads anew: late by half of its step as it stands.
+#[test]
+fn an_output_that_is_repeated_between_its_readings_has_no_lag() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut every = recorded(folder.path(), false, |_| true);
+    let room = every.channels.iter_mut().find(|c| c.name == "room").unwrap();
+    for row in 0..room.values.len() {
+        room.values[row] = room.values[row - row % 24];
+    }
+    let answer = diagnosed(&Model::parse(ROOM).unwrap(), every).answer;
+    assert!(answer.says.starts_with("Nothing is missing"), "{}", answer.says);
+    let told = "room was read every 12 s and repeated in between";
+    assert!(answer.notes.iter().any(|n| n.starts_with(told)), "{:?}", answer.notes);
+}

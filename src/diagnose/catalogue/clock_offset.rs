@@ -84,13 +84,10 @@ fn of_logger(scene: &Scene, inputs: &[String], outputs: &[String]) -> Option<Pro
 
 /// Inputs that stand in the rows of an output: each, and all that the model has.
 fn in_rows(scene: &Scene) -> Vec<Vec<String>> {
-    let (inputs, outputs) = (&scene.model.inputs, &scene.model.outputs);
-    let has_output = |t: &&Vec<String>| outputs.iter().any(|o| t.contains(&o.name));
-    let tables: Vec<&Vec<String>> = scene.tables.iter().filter(has_output).collect();
-    let names = inputs.iter().map(|i| i.name.clone()).filter(|n| tables.iter().any(|t| t.contains(n)));
-    let all: Vec<String> = names.collect();
-    let together = (all.len() > 1 && all.len() == inputs.len()).then(|| all.clone());
-    all.into_iter().map(|n| vec![n]).chain(together).collect()
+    let all = scene.rows();
+    let each = all.iter().flatten().map(|n| vec![n.clone()]);
+    let together = all.iter().filter(|all| all.len() > 1 && all.len() == scene.model.inputs.len());
+    each.chain(together.cloned()).collect()
 }
 
 /// All that one table holds, against the others.

@@ -348,6 +348,15 @@ impl Scene<'_> {
         self.tables.iter().filter(own).map(inputs).filter(|names: &Vec<String>| !names.is_empty()).collect()
     }
 
+    /// The inputs that stand in the rows of an output, if there are any.
+    pub fn rows(&self) -> Option<Vec<String>> {
+        let (inputs, outputs) = (&self.model.inputs, &self.model.outputs);
+        let has_output = |t: &&Vec<String>| outputs.iter().any(|o| t.contains(&o.name));
+        let tables: Vec<&Vec<String>> = self.tables.iter().filter(has_output).collect();
+        let names = inputs.iter().map(|i| i.name.clone()).filter(|n| tables.iter().any(|t| t.contains(n)));
+        Some(names.collect()).filter(|names: &Vec<String>| !names.is_empty())
+    }
+
     /// The inputs and the outputs of each table that holds outputs, where several do.
     pub fn sensor_clocks(&self) -> Vec<(Vec<String>, Vec<String>)> {
         let held = |table: &Vec<String>| {

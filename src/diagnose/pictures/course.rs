@@ -4,6 +4,7 @@ use super::{Assembly, Close, Course, Point, closer, thinned};
 use crate::Result;
 use crate::diagnose::answer::Stretch;
 use crate::diagnose::bench::Stand;
+use crate::diagnose::moments;
 use crate::estimate::fit::{Effort, Series, holdout, setup};
 use crate::estimate::{Fit, fit_percent};
 use crate::record::{Recording, Span};
@@ -58,7 +59,8 @@ fn fitted(assembly: &Assembly<'_>, number: usize) -> Result<Vec<Course>> {
 fn separate(assembly: &Assembly<'_>, recording: &Recording) -> Result<Vec<Course>> {
     let options = assembly.bench.options(Effort::Full, 40);
     let run = |fit: &Fit| -> Result<Vec<Series>> {
-        let held = holdout(fit, &[], std::slice::from_ref(recording), &options)?;
+        let recording = std::slice::from_ref(recording);
+        let held = holdout(&moments::placed(&assembly.bench, fit, recording), &[], recording, &options)?;
         Ok(held.into_iter().flat_map(|h| h.series).collect())
     };
     let (before, after) = rayon::join(|| run(&assembly.found.base), || run(&assembly.found.last));
