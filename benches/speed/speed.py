@@ -94,4 +94,5 @@ def main() -> None:
             print("| " + " | ".join([name, *cells, *ratio]) + " |", flush=True)
 
 
-main()
+if __name__ == "__main__":
+    main()

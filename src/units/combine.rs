@@ -43,17 +43,16 @@ impl Unit {
     /// use gyrospec::units::Unit;
     /// assert_eq!(Unit::parse("V*s*A/rad")?.usual().text(), "N*m");
     /// assert_eq!(Unit::parse("J/K*K/s")?.usual().text(), "W");
-    /// assert_eq!(Unit::parse("kg*km/s^2")?.usual().text(), "kg*km/s^2");
+    /// assert_eq!(Unit::parse("Pa*cm^2")?.usual().text(), "N");
+    /// assert_eq!(Unit::parse("kN*m")?.usual().text(), "kN*m");
     /// # Ok::<(), gyrospec::Error>(())
     /// ```
     #[must_use]
     pub fn usual(&self) -> Self {
         let joints = |text: &str| text.matches(['*', '/']).count();
-        let known = USUAL.iter().filter_map(|text| Self::parse(text).ok());
-        let same =
-            |u: &Self| u.dimension == self.dimension && u.to_si(1.0) == self.of_differences().to_si(1.0);
-        let shorter = |u: &Self| joints(u.text()) < joints(&self.text);
-        known.filter(shorter).find(same).unwrap_or_else(|| self.clone())
+        let mut known = USUAL.iter().filter_map(|text| Self::parse(text).ok());
+        let shorter = |u: &Self| u.dimension == self.dimension && joints(u.text()) < joints(&self.text);
+        known.find(shorter).unwrap_or_else(|| self.clone())
     }
 
     fn joined(&self, other: &Self, sign: f64) -> Self {

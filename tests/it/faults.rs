@@ -96,6 +96,7 @@ fn a_wrong_unit_is_mended_in_the_separate_record_too() {
 
 /// One recording of several in another unit, or from a sensor that was turned over there, is told and mended there alone.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn one_recording_of_several_that_is_read_otherwise_hides_no_name() {
     let (model, whole) = recording(Some(FRICTION));
     for (factor, code) in [(1e3, "wrong-unit"), (-1.0, "wrong-sign")] {

@@ -106,6 +106,7 @@ fn wind_acts_as_it_is_recorded() {
 
 /// A load on a rope that is hauled: the force of Coriolis, over the length.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_rope_that_is_hauled() {
     let model = r#"
         name = "load"

@@ -230,6 +230,7 @@ fn on_regular_roll_the_part_is_followed_over_its_period() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn the_whole_compass_agrees_with_the_mean_of_its_moment() {
     let motion = Motion::roll(&roll()).band_limited(CORNER, 2).unwrap();
     let quick = Gyrosphere { pendulous: 40.0, damper: 16.0, flow: 0.02, stiffness: 1e6, ..seed() };

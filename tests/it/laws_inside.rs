@@ -432,6 +432,7 @@ fn an_elimination_that_saturates_far_below_its_mean_level() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_limit_and_a_loss_that_a_bend_of_the_input_stands_for() {
     let model = r#"
         name = "kiln"

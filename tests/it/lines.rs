@@ -62,6 +62,7 @@ fn shaft(teeth: f64, size: f64, seed: u64) -> Answer {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_torque_of_many_teeth_is_named() {
     for (teeth, seed) in [(11.0, 1), (5.0, 2)] {
         let told = shaft(teeth, 0.03, seed);

@@ -61,6 +61,7 @@ fn days(outlets: [f64; 2], leaks: [f64; 2]) -> Diagnosis {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_leak_on_one_day_is_told_as_one_of_that_day() {
     let a = days([0.01, 0.01], [0.0, 0.001]).answer;
     assert_eq!(a.findings.len(), 1, "{}", a.says);

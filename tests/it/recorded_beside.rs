@@ -81,6 +81,7 @@ const SLIDE_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn what_turns_pushes_outward() {
     let of = |mass: f64| {
         SLIDE.diagnosed(SLIDE_MODEL, |x, u| {
@@ -284,6 +285,7 @@ const DRONE_MODEL: &str = r#"
 
 /// Euler's equation J p' = M - d p + (J_y - J_z) q r: neither of the two turns acts by itself.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn the_other_two_turns_of_a_body_act_on_the_third() {
     let of = |c: f64| {
         DRONE.diagnosed(DRONE_MODEL, |x, u| vec![x[1], (u[0] - 0.016 * x[1] + c * u[1] * u[2]) / 0.008])

@@ -59,6 +59,7 @@ fn a_damper_harder_one_way_in_a_sum_over_the_mass() {
 
 /// A lock chamber that fills with the root of the difference of both levels; the model has a time constant.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_root_of_a_difference_over_a_time() {
     let model = r#"
         name = "lock"
@@ -100,6 +101,7 @@ fn a_root_of_a_difference_over_a_time() {
 
 /// A heater whose loss goes with the 5/4th power of the difference; the model has a gain and a time constant.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_power_of_what_a_lag_settles_to() {
     let model = r#"
         name = "heater"
@@ -256,6 +258,7 @@ fn a_softening_spring_beside_a_quadratic_damping() {
 
 /// A vessel that takes up late what is given, and gives it off by a rate that saturates.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_rate_that_saturates_beside_a_late_dose() {
     let model = r#"
         name = "vessel"

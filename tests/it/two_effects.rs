@@ -29,6 +29,7 @@ const MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn friction_beside_a_square_damping_is_both() {
     let a = AXIS.diagnosed(MODEL, |x, u| {
         let friction = 0.5 * (x[1] / 1e-3).tanh() + 10.0 * x[1] * x[1].abs();

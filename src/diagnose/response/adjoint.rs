@@ -53,7 +53,7 @@ impl Along {
         for i in (0..count).rev() {
             let mut here = vec![0.0; n];
             if i + 1 < count {
-                let (f, g) = (&self.forward[i * n * n..][..n * n], &self.force[i * n * n..][..n * n]);
+                let (f, g) = self.step(i, n);
                 let own: f64 = later.iter().enumerate().map(|(row, l)| g[row * n + state] * l).sum();
                 pull[i] += own;
                 pull[i + 1] += own;

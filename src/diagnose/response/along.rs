@@ -19,9 +19,11 @@ pub(super) struct Along {
     pub recording: Recording,
     pub number: usize,
     pub time: Arc<[f64]>,
-    /// F of every step, n × n row by row: δx₊ = F δx + G (g + g₊).
+    /// Which F and which G each step has: those of steps as long between the same slopes are kept once.
+    pub steps: Vec<u32>,
+    /// F, n × n row by row: δx₊ = F δx + G (g + g₊).
     pub forward: Vec<f64>,
-    /// G of every step.
+    /// G.
     pub force: Vec<f64>,
     /// C at every time, outputs × n.
     pub shown: Vec<f64>,
@@ -40,26 +42,30 @@ pub(super) enum Site {
 impl Along {
     /// F = (1 − hA₊/2)⁻¹(1 + hA/2), G = (1 − hA₊/2)⁻¹ h/2
     pub fn fill(&mut self, a: &dyn Fn(usize) -> Mat<f64>) {
-        let mut here = a(0);
-        let mut step = 0.0;
+        let (mut before, mut here) = (None, a(0));
+        let (mut step, mut made) = (0.0, 0);
         for i in 0..self.time.len().saturating_sub(1) {
             let next = a(i + 1);
             let h = self.time[i + 1] - self.time[i];
-            let as_before = i > 0 && (h - step).abs() <= 1e-9 * h && next == here;
-            if as_before && next == a(i - 1) {
-                let n2 = next.nrows() * next.nrows();
-                self.forward.extend_from_within(self.forward.len() - n2..);
-                self.force.extend_from_within(self.force.len() - n2..);
-            } else {
+            let is_alike = (h - step).abs() <= 1e-9 * h && next == here && before.as_ref() == Some(&here);
+            if !is_alike {
                 let n = next.nrows();
                 let unit = Mat::<f64>::identity(n, n);
                 let lu = (&unit - &next * faer::Scale(0.5 * h)).partial_piv_lu();
                 self.forward.extend(rows(&lu.solve(&unit + &here * faer::Scale(0.5 * h))));
                 self.force.extend(rows(&lu.solve(unit * faer::Scale(0.5 * h))));
+                made += 1;
             }
-            here = next;
+            self.steps.push(made - 1);
+            before = Some(std::mem::replace(&mut here, next));
             step = h;
         }
+    }
+
+    /// F and G of a step.
+    pub fn step(&self, i: usize, n: usize) -> (&[f64], &[f64]) {
+        let first = self.steps[i] as usize * n * n;
+        (&self.forward[first..][..n * n], &self.force[first..][..n * n])
     }
 
     /// δy of every output at every time, output by output.
@@ -80,7 +86,7 @@ impl Along {
             if i + 1 == count || rates.is_empty() {
                 continue;
             }
-            let (f, g) = (&self.forward[i * n * n..][..n * n], &self.force[i * n * n..][..n * n]);
+            let (f, g) = self.step(i, n);
             for (row, out) in next.iter_mut().enumerate() {
                 let carried: f64 = f[row * n..][..n].iter().zip(&x).map(|(f, x)| f * x).sum();
                 *out = rates.iter().fold(carried, |sum, (j, r)| sum + g[row * n + j] * (r[i] + r[i + 1]));

@@ -152,9 +152,10 @@ impl Drive<'_> {
         let keeps = (-(along.time[i + 1] - along.time[i]) / tau).exp();
         let mut t = vec![0.0; m * m];
         let mut push = vec![1.0; m];
+        let (f, g) = along.step(i, n);
         for r in 0..n {
-            t[r * m..][..n].copy_from_slice(&along.forward[(i * n + r) * n..][..n]);
-            push[r] = along.force[(i * n + r) * n + self.rate];
+            t[r * m..][..n].copy_from_slice(&f[r * n..][..n]);
+            push[r] = g[r * n + self.rate];
             t[r * m + n] = push[r] * (1.0 + keeps);
         }
         t[m * m - 1] = keeps;

@@ -251,8 +251,9 @@ impl Response {
         let mut along = Along {
             recording,
             number,
-            forward: Vec::with_capacity(n * n * time.len()),
-            force: Vec::with_capacity(n * n * time.len()),
+            steps: Vec::with_capacity(time.len()),
+            forward: Vec::new(),
+            force: Vec::new(),
             shown: Vec::with_capacity(n * model.outputs.len() * time.len()),
             first: rows(&a(0)),
             tracks: record.tracks.iter().map(|t| (t.output, t.stretches.clone(), t.time.clone())).collect(),

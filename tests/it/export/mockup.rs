@@ -60,6 +60,7 @@ fn recording(unit: &Path, quadratic: f64, seed: u64) {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn what_a_recording_has_and_our_unit_lacks_is_found_in_the_unit() {
     let (folder, _) = simulated(&SMOOTH.replace("\"steady\"", "0.0"), "N");
     if !exported(folder.path()) {

@@ -47,7 +47,8 @@ fn case(h: &[f64], p: &Integrand, truth: Result<RBig, gyrospec::Error>) -> (f64,
 fn evaluate_keeps_its_promise_over_all_families() {
     let mut rng = generator(1);
     let (mut worst, mut escalated, mut total) = (0.0f64, 0, 0);
-    for round in 0..160 {
+    let rounds = if std::env::var_os("GYROSPEC_LONG").is_some() { 160 } else { 48 };
+    for round in 0..rounds {
         for family in FAMILIES {
             for n in (1..=64).filter(|n| *n <= 12 || (n + round) % 16 == 0) {
                 let h = polynomial(family, n, &mut rng);
@@ -63,7 +64,7 @@ fn evaluate_keeps_its_promise_over_all_families() {
             }
         }
     }
-    assert!(total >= 9000, "{total}");
+    assert!(total >= 56 * rounds, "{total}");
     println!("{total} cases, worst {worst} ulp, {escalated} by the exact tier");
 }
 
