@@ -94,6 +94,9 @@ def draw(path: str, by_samples: list, by_states: list) -> None:
         side.loglog(x, cost, "o-", color="#1f5fa8", label="diagnosis")
         side.loglog(x, cost[0] * x / x[0], "--", color="#d9822b", label="in proportion")
         side.set(xlabel=name, ylabel="processor seconds")
+        if k:
+            side.set_xticks(x, [f"{n:.0f}" for n in x])
+            side.minorticks_off()
         side.grid(alpha=0.3)
         side.legend()
     figure.savefig(path)

@@ -17,8 +17,8 @@ use std::borrow::Cow;
 const FEWEST: usize = 20;
 /// Share of the times between changes that are one step of the grid, and that are whole ones.
 const ON_GRID: (f64, f64) = (0.5, 0.9);
-/// Share of the changes that are the smallest of them from which on they are the steps of a coarse reading.
-const COARSE: f64 = 0.3;
+/// Share of the changes that are the smallest of them from which on they are the steps of a coarse reading alone.
+const COARSE: f64 = 0.8;
 /// Two changes that agree to this share are the same.
 const SAME: f64 = 1e-6;
 
@@ -92,7 +92,7 @@ mod tests {
     use crate::units::Unit;
 
     fn channel(value: impl Fn(usize) -> f64) -> Channel {
-        let time: Vec<f64> = (0..600).map(|i| 0.5 * i as f64).collect();
+        let time: Vec<f64> = (0..600).map(|i| 0.5 * f64::from(i)).collect();
         Channel::new("room", Unit::parse("K").unwrap(), time, (0..600).map(value).collect())
     }
 
@@ -127,5 +127,11 @@ mod tests {
         assert_eq!(grid(&channel(wave)), None);
         let rise = channel(|i| (0.125 * i as f64).floor());
         assert!(grid(&rise).is_some() && is_coarse(&rise));
+    }
+
+    #[test]
+    fn a_coarse_instrument_may_be_slow_as_well() {
+        let both = channel(|i| (wave(i - i % 8) / 0.4).round() * 0.4);
+        assert!(grid(&both) == Some(8) && !is_coarse(&both));
     }
 }
