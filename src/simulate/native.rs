@@ -2,10 +2,9 @@
 //! The steps of a program as machine code: made once a program and kind of number, kept beside the program.
 //!
 //! # Method
-//! Compiling costs as much as some thousands of steps save, and more with the square of the code's length beyond some
-//! hundreds of operations, so that short work is interpreted. What the code needs to know of the numbers is which
-//! registers may have tangents: a parameter that is not asked for has none, nor has what was measured, nor what is made
-//! of these.
+//! Compiling costs as much as some thousands of steps save, so that short work is interpreted. What the code needs to
+//! know of the numbers is which registers may have tangents: a parameter that is not asked for has none, nor has what
+//! was measured, nor what is made of these.
 //!
 //! # Numerical aspects
 //! Machine code and interpreter give the same values (`gyrospec_native`), so that neither the machine nor the amount of
@@ -21,9 +20,8 @@ use gyrospec_native::{LISTS, March, MarchCode, Method, StepCode, Steps, Switch, 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// Steps that pay for compiling, of code of so many operations on single numbers at most.
+/// Steps that pay for compiling.
 const WORTH: usize = 4000;
-const SHORT: usize = 200;
 /// Kinds of numbers of one program that are kept.
 const MOST: usize = 16;
 
@@ -113,7 +111,7 @@ impl Natives {
         let at = kinds.iter().position(same).unwrap_or_else(|| {
             kinds.truncate(MOST - 1);
             let kind = Kind {
-                worth: self.worth * longer(program, T::TANGENTS),
+                worth: self.worth,
                 tangents: T::TANGENTS,
                 method,
                 active,
@@ -139,14 +137,6 @@ impl Natives {
 
 fn at(register: Register) -> usize {
     usize::from(register)
-}
-
-/// How many times as long code of a number with tangents is worth to wait for: registers are allotted in a time that grows with
-/// the square of it.
-fn longer(program: &Program, tangents: usize) -> usize {
-    let code = [&program.per_time, &program.per_state, &program.output_code, &program.motion_code];
-    let operations = (1 + tangents) * code.iter().map(|c| c.len()).sum::<usize>();
-    (operations * operations / (SHORT * SHORT)).max(1)
 }
 
 /// Which registers may have tangents when the code of a time begins.
