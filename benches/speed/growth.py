@@ -20,10 +20,10 @@ def model(masses: int) -> str:
     """The chain, held at one end and pushed at the other; the position of the mass that is pushed is measured."""
     rates = []
     for i in range(masses):
-        held = [f"k*(x{i} - x{i + 1}) + c*(v{i} - v{i + 1})" if i + 1 < masses else f"k*x{i} + c*v{i}"]
-        drawn = [f"- k*(x{i - 1} - x{i}) - c*(v{i - 1} - v{i})"] if i else ["- force"]
+        held = f"k*(x{i} - x{i + 1}) + c*(v{i} - v{i + 1})" if i + 1 < masses else f"k*x{i} + c*v{i}"
+        drawn = f"- k*(x{i - 1} - x{i}) - c*(v{i - 1} - v{i})" if i else "- force"
         rates += [f'x{i} = {{ rate = "v{i}", unit = "m", initial = 0.0 }}',
-                  f'v{i} = {{ rate = "-({held[0]} {drawn[0]})/m", unit = "m/s", initial = 0.0 }}']
+                  f'v{i} = {{ rate = "-({held} {drawn})/m", unit = "m/s", initial = 0.0 }}']
     return "\n".join(
         ['name = "chain"', "[inputs]", 'force = { unit = "N" }', "[parameters]",
          f'm = {{ value = {MASS}, unit = "kg" }}',
@@ -50,13 +50,13 @@ def recording(masses: int, samples: int, seed: int) -> np.ndarray:
     a = np.zeros((n + 2, n + 2))
     for i in range(masses):
         a[2 * i, 2 * i + 1] = 1.0
-        for j, sign in ((i - 1, 1.0), (i + 1, 1.0)):
+        for j in (i - 1, i + 1):
             if j >= 0:
                 a[2 * i + 1, 2 * i] -= STIFFNESS / MASS
                 a[2 * i + 1, 2 * i + 1] -= DAMPING / MASS
                 if j < masses:
-                    a[2 * i + 1, 2 * j] += sign * STIFFNESS / MASS
-                    a[2 * i + 1, 2 * j + 1] += sign * DAMPING / MASS
+                    a[2 * i + 1, 2 * j] += STIFFNESS / MASS
+                    a[2 * i + 1, 2 * j + 1] += DAMPING / MASS
     a[1, n], a[n, n + 1] = 1.0 / MASS, 1.0
     step = exponential(a * STEP)
     rng = np.random.default_rng([seed, masses, samples])
