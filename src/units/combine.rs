@@ -18,6 +18,7 @@ impl Unit {
     /// let rate = Unit::parse("kg/(m^3*s)")?;
     /// assert_eq!(rate.times(&Unit::one()).text(), "kg/m^3/s");
     /// assert_eq!(rate.over(&Unit::parse("kg/m^3")?).text(), "1/s");
+    /// assert_eq!(Unit::parse("deg*rad/s^2")?.over(&Unit::parse("rad^3")?).text(), "1/rad/s^2");
     /// # Ok::<(), gyrospec::Error>(())
     /// ```
     #[must_use]
@@ -63,6 +64,7 @@ impl Unit {
                 None => factors.push((name, sign * power)),
             }
         }
+        let factors = in_radians(factors);
         Self::parse(&text(&factors)).unwrap_or_else(|_| {
             let d = other.dimension.power(super::Ratio::from_f64(sign).unwrap_or(super::Ratio::ONE));
             Self::of(self.dimension.times(d))
@@ -86,6 +88,14 @@ fn opened(text: &str) -> Option<String> {
         before = c;
     }
     inside.is_none().then_some(out)
+}
+
+/// Degrees beside radians are told as radians: of `deg/rad^2` nobody reads how much it is.
+fn in_radians(factors: Vec<(String, f64)>) -> Vec<(String, f64)> {
+    let powers = |angle: &str| factors.iter().find(|(name, p)| name == angle && *p != 0.0).map(|(_, p)| *p);
+    let (Some(degrees), Some(radians)) = (powers("deg"), powers("rad")) else { return factors };
+    let others = factors.into_iter().filter(|(name, _)| name != "deg" && name != "rad");
+    others.chain([("rad".to_string(), degrees + radians)]).collect()
 }
 
 /// The factors of a text, each with its power; one whose parentheses cannot be opened is spelled in SI.
