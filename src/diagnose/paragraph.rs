@@ -90,7 +90,7 @@ impl Paragraph<'_> {
         let (that, though) = if self.wanders {
             (
                 " that shows itself as a law",
-                ", but it wanders slowly, by a disturbance that nobody recorded or in the sensor itself (more below)",
+                ", but it wanders, by a disturbance that nobody recorded or in the sensor itself (more below)",
             )
         } else {
             ("", "")

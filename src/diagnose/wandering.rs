@@ -41,6 +41,20 @@ struct Best {
     ratio: f64,
 }
 
+/// What wanders in an output.
+struct Found {
+    output: usize,
+    sensor: Best,
+    force: Option<(usize, Best)>,
+}
+
+impl Found {
+    /// By how much likelier a force at a state is than the sensor.
+    fn gain(&self) -> f64 {
+        self.force.map_or(0.0, |(_, by)| by.driven.likelihood - self.sensor.driven.likelihood)
+    }
+}
+
 /// What wanders.
 pub struct Wanders {
     /// The sentence.
@@ -59,25 +73,26 @@ impl Wanders {
 /// What to know of what is left of a fitted model in which no law is seen; none where nothing wanders.
 pub fn told(bench: &Bench, fit: &Fit) -> Option<Wanders> {
     let view = View::of(bench, fit).ok()?;
+    let found = (0..fit.model.outputs.len()).filter_map(|o| of_output(&view, fit, o));
+    let found = found.max_by(|a, b| a.sensor.ratio.total_cmp(&b.sensor.ratio))?;
+    let state = found.force.map(|(j, _)| fit.model.states[j].name.clone());
+    let is_more = found.gain() > SURELY && !input_noise::could_leave(bench, &view, fit, found.output);
+    Some(Wanders { says: says(fit, &found), driven: state.filter(|_| is_more) })
+}
+
+/// What wanders in one output: by itself for long, or pushed at a state that swings or follows slowly.
+fn of_output(view: &View, fit: &Fit, output: usize) -> Option<Found> {
     let response = view.response.as_ref()?;
-    let sensor = |o: usize| {
-        let (drive, span) = (response.drive(&view.tracks, o, None)?, span(&view, o)?);
-        let best = best(&drive, span)?;
-        let lasts = best.tau > LASTS * span.1;
-        let is_sure = best.driven.likelihood - drive.white()? > SURELY;
-        (is_sure && lasts && best.ratio > MUCH).then_some((o, best))
-    };
-    let outputs = (0..fit.model.outputs.len()).filter_map(sensor);
-    let (output, sensor) = outputs.max_by(|a, b| a.1.ratio.total_cmp(&b.1.ratio))?;
-    let span = span(&view, output)?;
+    let (drive, span) = (response.drive(&view.tracks, output, None)?, span(view, output)?);
+    let (sensor, white) = (best(&drive, span)?, drive.white()?);
+    if sensor.driven.likelihood - white <= SURELY || sensor.ratio <= MUCH {
+        return None;
+    }
     let push = |j: usize| Some((j, best(&response.drive(&view.tracks, output, Some(j))?, span)?));
     let forces = pushed(&fit.model).into_par_iter().filter_map(push);
-    let likelihood = |f: &(usize, Best)| f.1.driven.likelihood;
-    let force = forces.max_by(|a, b| likelihood(a).total_cmp(&likelihood(b)));
-    let gain = force.map_or(0.0, |f| likelihood(&f) - sensor.driven.likelihood);
-    let state = force.map(|(j, _)| fit.model.states[j].name.clone());
-    let is_more = gain > SURELY && !input_noise::could_leave(bench, &view, fit, output);
-    Some(Wanders { says: says(fit, output, &sensor, force), driven: state.filter(|_| is_more) })
+    let force = forces.max_by(|a, b| a.1.driven.likelihood.total_cmp(&b.1.driven.likelihood));
+    let found = Found { output, sensor, force };
+    (sensor.tau > LASTS * span.1 || found.gain() > SURELY).then_some(found)
 }
 
 /// States whose rates a force may enter.
@@ -131,19 +146,20 @@ fn likeliest(drive: &Drive<'_>, taus: &[f64], ratios: &[f64], known: Option<Best
 }
 
 /// The sentence.
-fn says(fit: &Fit, output: usize, sensor: &Best, force: Option<(usize, Best)>) -> String {
-    let (model, shown) = (&fit.model, &fit.model.outputs[output]);
+fn says(fit: &Fit, found: &Found) -> String {
+    let (model, shown) = (&fit.model, &fit.model.outputs[found.output]);
     let in_unit =
         |x: f64, unit: &Unit| quantity(unit.of_differences().from_si(x), unit.of_differences().text());
-    let size = in_unit(fit.rmse[output], &shown.unit);
+    let size = in_unit(fit.rmse[found.output], &shown.unit);
     let begin = |by: &Best| {
         let noise = in_unit(by.driven.noise, &shown.unit);
         let beside = if by.ratio < RATIOS.1 { format!(", beside noise of {noise}") } else { String::new() };
         format!("what is left of “{}” wanders by {size}{beside}", shown.name)
     };
     let memory = |b: &Best| format!("with a memory of {} s", figure(b.tau));
+    let sensor = &found.sensor;
     let own = format!("a sensor that wanders by itself, {}", memory(sensor));
-    let Some((j, force)) = force else { return format!("{}: {own}", begin(sensor)) };
+    let Some((j, force)) = found.force else { return format!("{}: {own}", begin(sensor)) };
     let state = &model.states[j];
     let second = Unit::parse("s").unwrap_or_else(|_| Unit::one());
     let unit = state.unit.of_differences().over(&second).usual();
@@ -153,9 +169,8 @@ fn says(fit: &Fit, output: usize, sensor: &Best, force: Option<(usize, Best)>) -
         in_unit(force.driven.size, &unit),
         memory(&force)
     );
-    let gain = force.driven.likelihood - sensor.driven.likelihood;
     let by = |g: f64| format!("ln L {} higher", figure(g));
-    match gain {
+    match found.gain() {
         g if g > SURELY => format!("{}: {push} explains it better than {own} ({})", begin(&force), by(g)),
         g if g < -SURELY => format!("{}: {own}, explains it better than {push} ({})", begin(sensor), by(-g)),
         _ => format!(

@@ -18,7 +18,7 @@ impl Unit {
     /// let rate = Unit::parse("kg/(m^3*s)")?;
     /// assert_eq!(rate.times(&Unit::one()).text(), "kg/m^3/s");
     /// assert_eq!(rate.over(&Unit::parse("kg/m^3")?).text(), "1/s");
-    /// assert_eq!(Unit::parse("deg*rad/s^2")?.over(&Unit::parse("rad^3")?).text(), "1/rad/s^2");
+    /// assert_eq!(Unit::parse("deg*rad/s^2")?.over(&Unit::parse("rad^3")?).text(), "1/s^2/rad");
     /// # Ok::<(), gyrospec::Error>(())
     /// ```
     #[must_use]
