@@ -28,6 +28,7 @@ fn plain(options: &str, heading: f64) -> [f64; 2] {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn each_cell_is_that_of_the_plain_table() {
     for (motion, card, sizes) in [
         ("--sea pm --latitude 50", "--card 2m,5m", ["--height 2m", "--height 5m"]),

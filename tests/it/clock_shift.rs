@@ -213,6 +213,7 @@ fn the_clock_of_a_second_logger_runs_fast_or_slow() {
 
 /// Who joined two loggers row by row took both clocks for one.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_clock_that_ran_off_before_the_rows_were_joined_is_told() {
     let fast = 8e-4;
     let torque = |t: f64| (0.9 * t).sin() + 0.8 * (2.3 * t + 1.0).cos() + 0.6 * (0.31 * t).sin();

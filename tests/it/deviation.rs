@@ -61,6 +61,7 @@ fn told(deviation: impl Fn(f64) -> f64) -> Answer {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_compass_has_a_deviation() {
     let degrees = f64::to_radians(1.0);
     // semicircular: the course is what is shown, K, less 4 sin K - 3 cos K

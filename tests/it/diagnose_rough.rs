@@ -125,6 +125,7 @@ fn axis(model: &Model, size: f64, seed: u64) -> Recording {
 /// Under noise of 0.01 % a resonance that is not there is tried at a frequency that asks for fine steps, and
 /// spends what one fit may: a name that has fallen out of the race, and no early end of the search.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_candidate_that_alone_spends_its_share_does_not_end_the_search() {
     let model = Model::parse(AXIS).unwrap();
     for (size, seed) in [(2e-5, 1), (1e-4, 1), (2e-5, 18), (2e-5, 22)] {

@@ -213,6 +213,7 @@ fn a_dead_output_does_not_hide_what_another_shows() {
 
 /// Where most of what was held out is lost and nothing proves the name, the fault leaves the question open.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_name_without_proof_left_is_open() {
     let (model, mut stuck) = recording(Some(FRICTION));
     let position = values(&mut stuck, "position");

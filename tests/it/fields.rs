@@ -250,6 +250,7 @@ const DRONE_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_gyroscopic_moment_is_a_product() {
     let of = |gyro: f64| {
         DRONE.diagnosed(DRONE_MODEL, |x, u| {
@@ -396,6 +397,7 @@ const TANKS_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn tanks_exchange_through_a_pipe_or_one_runs_over_or_nothing_is_missing() {
     let of = |pipe: f64, over: f64| {
         TANKS.diagnosed(TANKS_MODEL, |x, u| {

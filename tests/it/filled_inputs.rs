@@ -84,6 +84,7 @@ fn a_slow_input_that_is_repeated_in_a_quick_table_runs_straight() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_repeated_input_runs_straight_beside_lost_rows_and_in_what_is_held_out() {
     let (model, whole) = (Model::parse(ROOM).unwrap(), room(false));
     let a =

@@ -76,7 +76,9 @@ fn lettered(n: usize) -> FormulaRequest {
 /// With letters for coefficients the formula is the table; at a Butterworth H it has the engine's value.
 #[test]
 fn coefficients_may_all_be_letters() {
-    for n in [1, 4, 6, 8] {
+    // the eighth order takes half a minute
+    let orders = if std::env::var_os("GYROSPEC_LONG").is_some() { vec![1, 4, 6, 8] } else { vec![1, 4, 6] };
+    for n in orders {
         let derived = derived(&lettered(n)).unwrap();
         assert_eq!((derived.order, derived.points), (n, 32));
         // a(k)/a(k−1) = cos((k−1)π/2n)/sin(kπ/2n)

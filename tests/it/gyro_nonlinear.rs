@@ -144,6 +144,7 @@ fn friction_and_free_play_are_within_their_margins_of_the_true_law() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn without_friction_or_play_the_part_is_linear() {
     let motion = Motion::roll(&roll()).band_limited(CORNER, 2).unwrap();
     for sphere in [seed(), soft()] {

@@ -51,6 +51,7 @@ fn cart(offset: f64) -> Recording {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_headline_names_only_what_explains_a_visible_share() {
     let model = Model::parse(CART).unwrap();
     // the square error without the offset's name: √(σ² + b²) − σ of 0.33 m/s, 0.4 % and 2 %

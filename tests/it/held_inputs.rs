@@ -240,6 +240,7 @@ fn a_hold_is_found_beside_a_dead_zone() {
 
 /// Stairs of half a second, whose reading hides behind friction: what stays and leaps is held unless the data say otherwise.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_command_that_stays_and_leaps_is_held_though_friction_hides_it() {
     let stairs = |t: f64| [30.0, -20.0, 5.0, 24.0, -31.0, 12.0, -9.0][(t / 0.5 + 1e-6) as usize * 3 % 7];
     let made = opposed(stairs, |_, v| 4.0 * (v / 5e-3).tanh(), 7);

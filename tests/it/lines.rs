@@ -84,6 +84,7 @@ fn a_smooth_shaft_gets_no_name() {
 
 /// A motor with seven teeth of 0.006 N m, whose angle is read to a twelfth of a radian only, in four seconds: had been found to lack nothing.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn teeth_of_a_motor_whose_angle_is_read_coarsely() {
     const COUNT: usize = 3500;
     let model = r#"

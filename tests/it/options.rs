@@ -206,6 +206,7 @@ const OF_A_SEA: [&str; 11] = [
 
 /// Pairs without an option of the sea, and what is followed in time, are tried on irregular roll.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn the_same_in_a_sea() {
     let cheap = |id, words| match id {
         "simulate" => "--seed 7",

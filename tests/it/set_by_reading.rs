@@ -121,6 +121,7 @@ fn friction_keeps_its_name_in_such_a_loop() {
 
 /// A sensor that feels the voltage does so in the loop and out of it.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_sensor_that_feels_the_command_is_found() {
     for by in [By::Recorded, By::Plan] {
         let answer = found(Drive { by, felt: 1.5, ..LOOP });

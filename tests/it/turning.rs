@@ -58,6 +58,7 @@ fn a_channel_that_may_mean_turns_is_asked_about() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_column_that_says_nothing_of_an_angle_is_taken_for_radians_and_said() {
     let said = |wanted: &str, given: &str| {
         let model = &motor(wanted)[0];

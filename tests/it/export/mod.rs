@@ -238,6 +238,7 @@ fn models_without_states_run_as_simulated() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn memories_delays_and_friction_run_as_simulated() {
     // backlash and friction have their events at the ends of steps: what is left falls with their number
     agrees(EVERYTHING, "m", &["y", "w"], "64", 3e-4);

@@ -103,6 +103,7 @@ fn through_delays_of_held_inputs_that_jump_together() {
 
 /// A clock of another rate: copies of a held input, each of its own delay, of which one or two count at a time.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn through_the_rate_of_a_clock() {
     let copies: Vec<String> =
         (0..=4).map(|i| format!("delay(force, -rate*{i}*part)*max(0, 1 - abs(t/part - {i}))")).collect();
