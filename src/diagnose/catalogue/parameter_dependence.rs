@@ -10,6 +10,7 @@
 //!     p -> p (1 + a x^2)                 with a state, an input or a channel that goes through 0
 //!     p -> p (1 + a |x|)                 with such an input or channel, as a resistance with the flow through it
 //!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
+//!     p -> p/(1 + a |u|)                 with an input or a channel that falls to 0 and never below, as an inhibitor slows a reaction
 //!     p -> p exp(a (u - mean u))
 //!     p -> p (u/mean u)^n                with an input or a channel that stays above 0, as heat transfer with a flow
 //!     p -> p + c (u - p)                 with a channel in the place of a known p of its kind, c = 1
@@ -68,8 +69,13 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             // what is an input times its own square is its characteristic
             let own = multiplies(&terms, p, &s.name);
             let kind = of_its_kind(scene, p, s).is_some();
-            let forms = [Form::Exponential, Form::Quadratic, Form::Modulus].into_iter();
-            forms.filter(move |f| !(own && f.grows_both_ways() || kind && *f == Form::Exponential))
+            let hinders = s.min >= 0.0 && s.min <= NOTHING * s.max;
+            let forms = [Form::Exponential, Form::Quadratic, Form::Modulus, Form::Saturating].into_iter();
+            forms.filter(move |f| match f {
+                Form::Exponential => !kind,
+                Form::Saturating => hinders && !own,
+                _ => !own,
+            })
         };
         all.extend(pairs.flat_map(|(p, s)| forms(p, s).filter_map(|f| on_state(scene, p, s, f))));
         let states: Vec<&Signal> = scene.moving(&[SignalKind::State]).filter(|s| !s.is_heading()).collect();
@@ -92,6 +98,10 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     }
     all
 }
+
+/// Share of its greatest value to which a signal that is never negative must fall, for a law that falls off with it to be no
+/// slope.
+const NOTHING: f64 = 0.1;
 
 /// A parameter of rates that varies with what an output gives, where that is neither a state nor made of the parameter.
 fn on_output(scene: &Scene, p: &str, o: &Output) -> Option<Proposal> {
@@ -202,6 +212,7 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
         Form::Linear => "varies with",
         Form::Quadratic => "varies with the square of",
         Form::Modulus => "varies with the size of",
+        Form::Saturating if signal.kind != SignalKind::State => "falls off with",
         Form::Saturating | Form::SaturatingSquare => "saturates with",
         Form::Exponential => "varies exponentially with",
     };
