@@ -222,10 +222,10 @@ fn an_elimination_saturates() {
 }
 
 const BESIDE: Plant<'_> = Plant {
-    step: 600.0,
+    step: 0.1,
     start: &[2.0],
-    inputs: &[("dose", "g/h"), ("other", "g/m^3")],
-    states: &[("C", "g/m^3")],
+    inputs: &[("dose", "kg/s"), ("other", "kg/m^3")],
+    states: &[("C", "kg/m^3")],
     sizes: &[(30.0, 12.0), (8.0, 4.0)],
     noise: 0.02,
     measured: 1,
@@ -234,25 +234,24 @@ const BESIDE: Plant<'_> = Plant {
 const BESIDE_MODEL: &str = r#"
 name = "elimination beside another drug"
 [inputs]
-dose = { unit = "g/h" }
+dose = { unit = "kg/s" }
 [parameters]
 V = { value = 15, unit = "m^3", fit = true, min = 1 }
-ke = { value = 0.4, unit = "1/h", fit = true, min = 0.01 }
+ke = { value = 0.4, unit = "1/s", fit = true, min = 0.01 }
 [states]
-C = { rate = "dose/V - ke*C", unit = "g/m^3", initial = "fit" }
+C = { rate = "dose/V - ke*C", unit = "kg/m^3", initial = "fit" }
 [outputs]
-C = { equals = "C", unit = "g/m^3" }
+C_meas = { equals = "C", unit = "kg/m^3" }
 "#;
 
 #[test]
 fn another_drug_hinders_an_elimination() {
     let model = Model::parse(BESIDE_MODEL).unwrap();
-    let rates =
-        |x: &[f64], u: &[f64]| vec![(u[0] / 12.0 - 0.8 * x[0] / (1.0 + u[1].max(0.0) / 4.0)) / 3600.0];
+    let rates = |x: &[f64], u: &[f64]| vec![u[0] / 12.0 - 0.8 * x[0] / (1.0 + u[1] / 4.0)];
     let a = diagnosed(&model, BESIDE.recorded(rates)).answer;
     assert_eq!(names(&a), ["parameter-dependence"], "{}", a.says);
     assert!(a.says.contains("falls off with other"), "{}", a.says);
-    // 1 + u/(4 g/m³)
+    // 1 + u/(4 kg/m³)
     let size = &a.findings[0].parameters[0];
     assert!(size.low < 0.25 && 0.25 < size.high && size.high - size.low < 0.1, "{size:?}");
 }
