@@ -179,6 +179,7 @@ fn a_heat_that_nobody_recorded_is_told_beside_a_gap() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn gusts_that_make_a_cable_swing_are_told() {
     // what is left swings, and its nearest process without a swing forgets itself within five samples
     let (verdict, told) = judged_by(CABLE, &cable(&process(3.0, 4.0, 7)), 0..0);
