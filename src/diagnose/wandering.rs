@@ -73,30 +73,33 @@ impl Wanders {
 /// What to know of what is left of a fitted model in which no law is seen; none where nothing wanders.
 pub fn told(bench: &Bench, fit: &Fit) -> Option<Wanders> {
     let view = View::of(bench, fit).ok()?;
-    let found = (0..fit.model.outputs.len()).filter_map(|o| of_output(&view, fit, o));
-    let found = found.max_by(|a, b| a.sensor.ratio.total_cmp(&b.sensor.ratio))?;
+    let mut sensors: Vec<_> = (0..fit.model.outputs.len()).filter_map(|o| by_itself(&view, o)).collect();
+    sensors.sort_by(|a, b| b.1.ratio.total_cmp(&a.1.ratio));
+    let found = sensors.into_iter().find_map(|(output, sensor)| pushed(&view, fit, output, sensor))?;
     let state = found.force.map(|(j, _)| fit.model.states[j].name.clone());
     let is_more = found.gain() > SURELY && !input_noise::could_leave(bench, &view, fit, found.output);
     Some(Wanders { says: says(fit, &found), driven: state.filter(|_| is_more) })
 }
 
-/// What wanders in one output: by itself for long, or pushed at a state that swings or follows slowly.
-fn of_output(view: &View, fit: &Fit, output: usize) -> Option<Found> {
-    let response = view.response.as_ref()?;
-    let (drive, span) = (response.drive(&view.tracks, output, None)?, span(view, output)?);
-    let (sensor, white) = (best(&drive, span)?, drive.white()?);
-    if sensor.driven.likelihood - white <= SURELY || sensor.ratio <= MUCH {
-        return None;
-    }
+/// An output in which much wanders for sure, as by itself.
+fn by_itself(view: &View, output: usize) -> Option<(usize, Best)> {
+    let drive = view.response.as_ref()?.drive(&view.tracks, output, None)?;
+    let (sensor, white) = (best(&drive, span(view, output)?)?, drive.white()?);
+    (sensor.driven.likelihood - white > SURELY && sensor.ratio > MUCH).then_some((output, sensor))
+}
+
+/// What wanders in it: by itself for long, or pushed at a state that swings or follows slowly.
+fn pushed(view: &View, fit: &Fit, output: usize, sensor: Best) -> Option<Found> {
+    let (response, span) = (view.response.as_ref()?, span(view, output)?);
     let push = |j: usize| Some((j, best(&response.drive(&view.tracks, output, Some(j))?, span)?));
-    let forces = pushed(&fit.model).into_par_iter().filter_map(push);
+    let forces = forced(&fit.model).into_par_iter().filter_map(push);
     let force = forces.max_by(|a, b| a.1.driven.likelihood.total_cmp(&b.1.driven.likelihood));
     let found = Found { output, sensor, force };
     (sensor.tau > LASTS * span.1 || found.gain() > SURELY).then_some(found)
 }
 
 /// States whose rates a force may enter.
-fn pushed(model: &Model) -> Vec<usize> {
+fn forced(model: &Model) -> Vec<usize> {
     let rate = |j: &usize| edit::opened(model, &model.states[*j].rate);
     (0..model.states.len()).filter(|j| !edit::is_kinematic(model, rate(j))).collect()
 }
