@@ -10,7 +10,7 @@
 //!     p -> p (1 + a x^2)                 with a state, an input or a channel that goes through 0
 //!     p -> p (1 + a |x|)                 with such an input or channel, as a resistance with the flow through it
 //!     p -> p/(1 + a |x|)                 with a state, saturating;  or p/(1 + a x^2), as iron and eddy currents do
-//!     p -> p/(1 + a |u|)                 with an input or a channel that falls to 0 and never below, as an inhibitor slows a reaction
+//!     p -> p/(1 + a |u|)                 with an input or a channel that is never negative, as an inhibitor slows a reaction; or p/(1 + a u^2)
 //!     p -> p exp(a (u - mean u))
 //!     p -> p (u/mean u)^n                with an input or a channel that stays above 0, as heat transfer with a flow
 //!     p -> p + c (u - p)                 with a channel in the place of a known p of its kind, c = 1
@@ -69,15 +69,14 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             // what is an input times its own square is its characteristic
             let own = multiplies(&terms, p, &s.name);
             let kind = of_its_kind(scene, p, s).is_some();
-            let hinders = s.min >= 0.0 && s.min <= NOTHING * s.max;
-            let forms = [Form::Exponential, Form::Quadratic, Form::Modulus, Form::Saturating].into_iter();
-            forms.filter(move |f| match f {
+            let hinders = s.min >= 0.0 && s.max >= BENDS * s.min;
+            WITH_RECORDED.iter().filter(move |f| match f {
                 Form::Exponential => !kind,
-                Form::Saturating => hinders && !own,
+                Form::Saturating | Form::SaturatingSquare => hinders && !own,
                 _ => !own,
             })
         };
-        all.extend(pairs.flat_map(|(p, s)| forms(p, s).filter_map(|f| on_state(scene, p, s, f))));
+        all.extend(pairs.flat_map(|(p, s)| forms(p, s).filter_map(|f| on_state(scene, p, s, *f))));
         let states: Vec<&Signal> = scene.moving(&[SignalKind::State]).filter(|s| !s.is_heading()).collect();
         for p in &names {
             for s in &states {
@@ -98,10 +97,6 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     }
     all
 }
-
-/// Share of its greatest value to which a signal that is never negative must fall, for a law that falls off with it to be no
-/// slope.
-const NOTHING: f64 = 0.1;
 
 /// A parameter of rates that varies with what an output gives, where that is neither a state nor made of the parameter.
 fn on_output(scene: &Scene, p: &str, o: &Output) -> Option<Proposal> {
@@ -136,6 +131,10 @@ enum Form {
     SaturatingSquare,
     Exponential,
 }
+
+/// Those with an input or a channel, beside the linear one ([`at`]).
+const WITH_RECORDED: [Form; 5] =
+    [Form::Quadratic, Form::Modulus, Form::Saturating, Form::SaturatingSquare, Form::Exponential];
 
 /// Those with a state.
 const FORMS: [Form; 5] =
@@ -181,8 +180,9 @@ fn multiplies(terms: &[Expr], p: &str, signal: &str) -> bool {
 fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Proposal> {
     let (s, size) = (&signal.name, signal.size());
     let level = signal.mean.abs() > signal.spread;
-    // about a level that is never 0 a square is a slope
-    if form.grows_both_ways() && level || form == Form::Exponential && !level {
+    // about a level that is never 0 a square is a slope, and about 0 an exponential is one
+    let is_about_nothing = !level && signal.min < 0.0;
+    if form.grows_both_ways() && level || form == Form::Exponential && is_about_nothing {
         return None;
     }
     let mut d = Draft::new(scene, "parameter-dependence", SiteKind::Parameter, p);
@@ -212,7 +212,7 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
         Form::Linear => "varies with",
         Form::Quadratic => "varies with the square of",
         Form::Modulus => "varies with the size of",
-        Form::Saturating if signal.kind != SignalKind::State => "falls off with",
+        Form::Saturating | Form::SaturatingSquare if signal.kind != SignalKind::State => "falls off with",
         Form::Saturating | Form::SaturatingSquare => "saturates with",
         Form::Exponential => "varies exponentially with",
     };
