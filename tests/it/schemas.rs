@@ -131,6 +131,14 @@ fn said(call: &[&str]) -> Value {
 }
 
 #[test]
+fn what_diagnose_writes_fits_its_schema() {
+    fits(
+        "diagnosis",
+        &said(&["diagnose", "examples/clinometer.toml", "examples/clinometer.csv", "--json", "-"]),
+    );
+}
+
+#[test]
 fn a_diagnosis_fits_its_schema() {
     let (model, mut stuck) = recording(Some("1.5*sign(v)"));
     let position = &mut stuck.channels.iter_mut().find(|c| c.name == "position").unwrap().values;
