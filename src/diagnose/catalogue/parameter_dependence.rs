@@ -69,7 +69,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
             // what is an input times its own square is its characteristic
             let own = multiplies(&terms, p, &s.name);
             let kind = of_its_kind(scene, p, s).is_some();
-            let hinders = s.min >= 0.0 && s.max >= BENDS * s.min;
+            let hinders = is_amount(s) && s.max >= BENDS * s.min;
             WITH_RECORDED.iter().filter(move |f| match f {
                 Form::Exponential => !kind,
                 Form::Saturating | Form::SaturatingSquare => hinders && !own,
@@ -96,6 +96,14 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
         all.extend(scene.model.states.iter().filter_map(|x| up_and_down(scene, x)));
     }
     all
+}
+
+/// Share of its greatest value by which an amount may be shown below 0: a sensor has noise and a zero.
+const ZERO: f64 = 0.05;
+
+/// Whether a signal is an amount, which is never negative.
+fn is_amount(signal: &Signal) -> bool {
+    signal.min >= -ZERO * signal.max
 }
 
 /// A parameter of rates that varies with what an output gives, where that is neither a state nor made of the parameter.
@@ -181,7 +189,7 @@ fn on_state(scene: &Scene, p: &str, signal: &Signal, form: Form) -> Option<Propo
     let (s, size) = (&signal.name, signal.size());
     let level = signal.mean.abs() > signal.spread;
     // about a level that is never 0 a square is a slope, and about 0 an exponential is one
-    let is_about_nothing = !level && signal.min < 0.0;
+    let is_about_nothing = !level && !is_amount(signal);
     if form.grows_both_ways() && level || form == Form::Exponential && is_about_nothing {
         return None;
     }
