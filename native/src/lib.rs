@@ -33,7 +33,8 @@ mod steps;
 mod unit;
 
 pub use code::{
-    Action, BEGIN, JUMP, LISTS, MarchCode, Mark, Method, Op, Register, StepCode, Switch, TOO_LARGE, spread,
+    Action, BEGIN, Care, JUMP, LISTS, MarchCode, Mark, Method, Op, Register, StepCode, Switch, TOO_LARGE,
+    spread,
 };
 #[cfg(feature = "jit")]
 pub use march::March;

@@ -33,7 +33,7 @@ const ADDRESSES: usize = 9;
 /// the second:
 ///
 /// ```
-/// use gyrospec_native::{Action, March, MarchCode, Method, Op, StepCode};
+/// use gyrospec_native::{Action, Care, March, MarchCode, Method, Op, StepCode};
 /// let code = [
 ///     Op { action: Action::Mul, to: 2, a: 0, b: 1, c: 0 },
 ///     Op { action: Action::Negative, to: 3, a: 2, b: 0, c: 0 },
@@ -50,6 +50,7 @@ const ADDRESSES: usize = 9;
 ///     active: &[false; 4],
 ///     kept: &[true; 4],
 ///     method: Method::Heun,
+///     care: Care::Much,
 /// };
 /// let many = MarchCode { loaded: &[], switches: &[], held: &[], written: &[vec![1]], jumps: false };
 /// if let Some(march) = March::compile(&step, &many, 0) {
@@ -92,7 +93,7 @@ impl March {
         if !is_sound || tangents % 2 == 1 || step.method == Method::None {
             return None;
         }
-        let mut unit = Unit::new()?;
+        let mut unit = Unit::new(step.care)?;
         let mut parameters = vec![unit.pointer()?; ADDRESSES];
         parameters.push(types::I64);
         let active = before_a_step(step);

@@ -20,7 +20,7 @@ const WRITTEN: usize = 3;
 /// The decay ẋ = −λx with λ in register 0, x in register 1, ẋ in register 2; one step of Heun's method from x = 1:
 ///
 /// ```
-/// use gyrospec_native::{Action, Method, Op, StepCode, Steps};
+/// use gyrospec_native::{Action, Care, Method, Op, StepCode, Steps};
 /// let code = [
 ///     Op { action: Action::Mul, to: 2, a: 0, b: 1, c: 0 },
 ///     Op { action: Action::Negative, to: 3, a: 2, b: 0, c: 0 },
@@ -37,6 +37,7 @@ const WRITTEN: usize = 3;
 ///     active: &[false; 4],
 ///     kept: &[true; 4],
 ///     method: Method::Heun,
+///     care: Care::Much,
 /// };
 /// if let Some(steps) = Steps::compile(&step, 0) {
 ///     let mut registers = [2.0, 0.0, 0.0, 0.0];
@@ -97,7 +98,7 @@ impl Steps {
         if !step.is_sound(1 + tangents) || tangents % 2 == 1 {
             return None;
         }
-        let mut unit = Unit::new()?;
+        let mut unit = Unit::new(step.care)?;
         let one = |w: Which| Some((w, define(&mut unit, step, tangents, w)?));
         let built: Option<Vec<(Which, FuncId)>> = Which::of(step.method).into_iter().map(one).collect();
         let is_final = built.is_some() && unit.finish();

@@ -2,7 +2,7 @@
 
 use crate::body::Body;
 use crate::lower::{Held, Lowering, Signatures};
-use crate::{StepCode, spread};
+use crate::{Care, StepCode, spread};
 use cranelift_codegen::ir::{AbiParam, Function, Signature, Type, Value, types};
 use cranelift_codegen::settings::{self, Configurable};
 use cranelift_frontend::{FunctionBuilder, FunctionBuilderContext};
@@ -47,11 +47,13 @@ pub(crate) struct Wanted<'a> {
 
 impl Unit {
     /// Room for functions; none where the machine is not known.
-    pub fn new() -> Option<Self> {
+    pub fn new(care: Care) -> Option<Self> {
         let mut flags = settings::builder();
         flags.set("opt_level", "none").ok()?;
         flags.set("enable_verifier", "false").ok()?;
         flags.set("is_pic", "false").ok()?;
+        let allotted = if care == Care::Little { "single_pass" } else { "backtracking" };
+        flags.set("regalloc_algorithm", allotted).ok()?;
         let isa = cranelift_native::builder().ok()?.finish(settings::Flags::new(flags)).ok()?;
         Some(Self(Some(JITModule::new(JITBuilder::with_isa(isa, default_libcall_names())))))
     }

@@ -152,17 +152,26 @@ const LATE: [&[&str]; 2] = [&["input-delay", "output-delay"], &["input-lag", "ou
 const STEADY: [&[&str]; 2] =
     [&["constant-force", "input-offset", "output-offset"], &["drift-force", "output-drift"]];
 
+/// Whether both are of one family.
+fn are_of_one(families: &[&[&str]], p: &Proposal, q: &Proposal) -> bool {
+    families.iter().any(|f| f.contains(&p.code) && f.contains(&q.code))
+}
+
+/// Whether both delay something, or both let something lag.
+pub fn are_late(p: &Proposal, q: &Proposal) -> bool {
+    are_of_one(&LATE, p, q)
+}
+
 /// Whether two mechanisms commute where the model is linear.
 fn commute(p: &Proposal, q: &Proposal) -> bool {
-    let both = |families: &[&[&str]]| families.iter().any(|f| f.contains(&p.code) && f.contains(&q.code));
     // what stands in a loop acts before and behind itself
     let is_inside = [p, q].iter().any(|p| p.site.kind == SiteKind::Definition);
     let is_one_way = !is_inside && p.model.inputs.len() == 1 && p.model.outputs.len() == 1;
     // a wave of one frequency on a linear model is one at its sensor, but for what the recording begins with
     let are_waves = is_timed_wave(p) && is_timed_wave(q) && p.site.kind != q.site.kind;
     // a force that sets in is followed by and by, an offset at once
-    let are_steady = both(&STEADY) && p.alone == q.alone && ![p, q].iter().any(|p| is_step(p));
-    are_waves || p.code != q.code && (are_steady || is_one_way && both(&LATE))
+    let are_steady = are_of_one(&STEADY, p, q) && p.alone == q.alone && ![p, q].iter().any(|p| is_step(p));
+    are_waves || p.code != q.code && (are_steady || is_one_way && are_late(p, q))
 }
 
 /// Whether an extension puts a recorded channel that the model did not read in the place of a wave in time, and lowers the

@@ -7,7 +7,8 @@
 //! # Method
 //! Where the likeliest of a round is a law of a parameter, those of the same law at other parameters whose score is
 //! of its size are fitted too, and the same parameter with another form of the law; where it is none of a parameter, the
-//! same law at other places whose score is the same but for a little. Whether they fit as well is then told by their
+//! same law at other places whose score is the same but for a little, such as a delay of the output beside that of an
+//! input. Whether they fit as well is then told by their
 //! likelihoods.
 //! Where a law has a finer form, such as friction that turns over within a range of speeds, or one of which it is the special
 //! case has, that is fitted too: what the coarse one leaves would be taken for something else.
@@ -15,6 +16,7 @@
 use super::bench::Bench;
 use super::beside::CASES;
 use super::catalogue::{self, Proposal, Scene, SiteKind};
+use super::choose::are_late;
 use super::propose::{Screened, Screening, explaining};
 use super::search::Refitted;
 use super::view::View;
@@ -41,7 +43,7 @@ pub fn twins<'s>(screening: &'s Screening, fitted: &[Refitted]) -> Vec<&'s Scree
         } else {
             p.site != best.site && s.score.chi2 >= NEARLY * own
         };
-        p.code == best.code && may_be && !fitted.iter().any(|r| is(&r.proposal, p))
+        (p.code == best.code || are_late(p, best)) && may_be && !fitted.iter().any(|r| is(&r.proposal, p))
     };
     screening.screened.iter().filter(alike).take(MOST).collect()
 }

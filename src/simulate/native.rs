@@ -2,7 +2,8 @@
 //! The steps of a program as machine code: made once a program and kind of number, kept beside the program.
 //!
 //! # Method
-//! Compiling costs as much as some thousands of steps save, so that short work is interpreted. What the code needs to
+//! Compiling costs as much as some thousands of steps save, so that short work is interpreted; what goes on is compiled once
+//! more, with more care. What the code needs to
 //! know of the numbers is which registers may have tangents: a parameter that is not asked for has none, nor has what
 //! was measured, nor what is made of these.
 //!
@@ -16,12 +17,14 @@ use super::{functions, tabulate};
 use crate::expression::Function;
 use crate::model::Scalar;
 use crate::model::program::{Action, Op, Program, Register, Remembered, Watch};
-use gyrospec_native::{LISTS, March, MarchCode, Method, StepCode, Steps, Switch, spread};
+use gyrospec_native::{Care, LISTS, March, MarchCode, Method, StepCode, Steps, Switch, spread};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// Steps that pay for compiling.
 const WORTH: usize = 4000;
+/// Times as many that pay for doing so with care.
+const LONG: usize = 40;
 /// Kinds of numbers of one program that are kept.
 const MOST: usize = 16;
 
@@ -56,26 +59,31 @@ pub(super) struct Kind {
     /// Steps that were asked for, and those of them that nothing marched over.
     asked: AtomicUsize,
     alone: AtomicUsize,
-    /// What compiling gave, once it was tried.
-    steps: OnceLock<Option<Steps>>,
-    march: OnceLock<Option<March>>,
+    /// What compiling gave, once it was tried: with little care, and with much.
+    steps: [OnceLock<Option<Steps>>; 2],
+    march: [OnceLock<Option<March>>; 2],
 }
+
+/// How code is compiled, first and once it has proved long.
+const CARE: [Care; 2] = [Care::Little, Care::Much];
 
 impl Kind {
     /// The machine code of single steps; none where they are better interpreted.
     pub fn single(&self, program: &Program) -> Option<&Steps> {
-        if self.steps.get().is_none() && self.alone.load(Ordering::Relaxed) < self.worth {
-            return None;
-        }
-        self.steps.get_or_init(|| compiled(program, self)).as_ref()
+        let of = self.tier(&self.alone)?;
+        self.steps[of].get_or_init(|| compiled(program, self, CARE[of])).as_ref()
     }
 
     /// The machine code of many steps; none where they are better taken one by one.
     pub fn march(&self, program: &Program) -> Option<&March> {
-        if self.march.get().is_none() && self.asked.load(Ordering::Relaxed) < self.worth {
-            return None;
-        }
-        self.march.get_or_init(|| marched(program, self)).as_ref()
+        let of = self.tier(&self.asked)?;
+        self.march[of].get_or_init(|| marched(program, self, CARE[of])).as_ref()
+    }
+
+    /// With how much care so many steps are worth compiling; none where they are better interpreted.
+    fn tier(&self, steps: &AtomicUsize) -> Option<usize> {
+        let steps = steps.load(Ordering::Relaxed);
+        (steps >= self.worth).then(|| usize::from(steps >= self.worth.saturating_mul(LONG)))
     }
 
     /// Counts the steps that a run took one by one though it might have marched.
@@ -120,8 +128,8 @@ impl Natives {
                 is_marchable: method != Method::None && !is_delayed && clocks.len() <= LISTS,
                 asked: AtomicUsize::new(0),
                 alone: AtomicUsize::new(0),
-                steps: OnceLock::new(),
-                march: OnceLock::new(),
+                steps: Default::default(),
+                march: Default::default(),
             };
             kinds.insert(0, Arc::new(kind));
             0
@@ -205,7 +213,7 @@ impl Translated {
         })
     }
 
-    fn step<'a>(&'a self, program: &'a Program, kind: &'a Kind) -> StepCode<'a> {
+    fn step<'a>(&'a self, program: &'a Program, kind: &'a Kind, care: Care) -> StepCode<'a> {
         StepCode {
             time: &self.time,
             code: &self.rates,
@@ -218,15 +226,16 @@ impl Translated {
             active: &kind.active,
             kept: &self.kept,
             method: kind.method,
+            care,
         }
     }
 }
 
-fn compiled(program: &Program, kind: &Kind) -> Option<Steps> {
-    Steps::compile(&Translated::of(program, kind.method)?.step(program, kind), kind.tangents)
+fn compiled(program: &Program, kind: &Kind, care: Care) -> Option<Steps> {
+    Steps::compile(&Translated::of(program, kind.method)?.step(program, kind, care), kind.tangents)
 }
 
-fn marched(program: &Program, kind: &Kind) -> Option<March> {
+fn marched(program: &Program, kind: &Kind, care: Care) -> Option<March> {
     if !kind.is_marchable {
         return None;
     }
@@ -243,7 +252,7 @@ fn marched(program: &Program, kind: &Kind) -> Option<March> {
         written: &kind.written,
         jumps: kind.jumps,
     };
-    March::compile(&code.step(program, kind), &march, kind.tangents)
+    March::compile(&code.step(program, kind, care), &march, kind.tangents)
 }
 
 /// Code in the words of the package that compiles, without the signs that the simulation holds.

@@ -102,7 +102,13 @@ pub(super) fn families() -> impl Iterator<Item = (&'static str, Vec<String>)> {
     TABLE.iter().map(|row| (row.0, row.4.chars().map(|p| named(row, Some(p)).name).collect()))
 }
 
-/// The unit of that name.
+/// The unit of that name, a plain one before one with a prefix.
 pub(super) fn find(name: &str) -> Option<Named> {
-    all().find(|n| n.name == name)
+    let plain = TABLE.iter().find(|row| row.0 == name);
+    plain.map(|row| named(row, None)).or_else(|| {
+        let mut symbol = name.chars();
+        let prefix = symbol.next()?;
+        let row = TABLE.iter().find(|row| row.0 == symbol.as_str() && row.4.contains(prefix))?;
+        Some(named(row, Some(prefix)))
+    })
 }

@@ -44,6 +44,7 @@ fn oven_of(model: &str, level: f64, felt: impl Fn(f64, f64) -> (f64, f64)) -> An
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_controller_that_can_heat_and_cannot_cool() {
     let answer = oven(2.0, |power, _| (power.max(0.0), 0.0));
     let found = named(&answer);
@@ -51,6 +52,7 @@ fn a_controller_that_can_heat_and_cannot_cool() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_controller_whose_heater_lags() {
     let answer = oven(6.0, |power, heater| (heater, (power - heater) / 0.15));
     // with little loss a lag of the whole balance does as well
@@ -402,6 +404,7 @@ fn a_rotor_that_does_not_face_the_wind() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn an_elimination_that_saturates_far_below_its_mean_level() {
     let model = r#"
         name = "infusion"

@@ -4,6 +4,7 @@ use crate::laws_met::{inputs, named, run, run_with_two, second_inputs, told};
 
 /// What a body on springs feels in parts of g.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn an_accelerometer_in_parts_of_g() {
     let model = r#"
         name = "shelf"

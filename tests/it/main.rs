@@ -56,6 +56,7 @@ mod input_gaps;
 mod integral;
 mod integral_command;
 mod laboratory;
+mod late_sensor;
 mod laws_inside;
 mod laws_met;
 mod laws_of_rates;

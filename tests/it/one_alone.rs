@@ -77,6 +77,7 @@ fn a_leak_on_one_day_is_told_as_one_of_that_day() {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn an_outlet_that_is_another_on_one_day_is_a_parameter_that_changed() {
     let both = days([0.01, 0.013], [0.0, 0.0]);
     let a = &both.answer;

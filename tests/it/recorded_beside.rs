@@ -247,6 +247,7 @@ const BEAM_MODEL: &str = r#"
 
 /// A product of a state with a channel that turns about 0 is no time constant that varies with it.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn the_cross_coupling_error_of_a_gravimeter_is_a_product() {
     let of = |c: f64| {
         BEAM.diagnosed(BEAM_MODEL, |x, u| vec![0.05 * u[0] - (x[0] - 0.0016) / 8.0 + c * x[0] * u[1]])
@@ -328,6 +329,7 @@ const WHEELSET_MODEL: &str = r#"
 
 /// The flanges stand to both sides of the track, not of the place where the wheelset rests.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn flanges_stand_to_both_sides_of_the_track() {
     let of = |stop: f64| {
         WHEELSET.diagnosed(WHEELSET_MODEL, |x, u| {

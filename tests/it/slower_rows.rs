@@ -71,6 +71,7 @@ fn told(recording: Recording) -> String {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn blanks_between_the_samples_of_a_slower_output_are_no_gap() {
     let folder = tempfile::tempdir().unwrap();
     let third = |row: usize| row.is_multiple_of(3);

@@ -31,6 +31,7 @@ fn an_edge_in_the_middle_of_what_a_level_does() {
 
 /// A seat on a shaken floor; spring and damper stand together over the mass.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_damper_harder_one_way_in_a_sum_over_the_mass() {
     let model = r#"
         name = "seat"
@@ -228,6 +229,7 @@ fn what_hangs_on_a_floor_pushes_by_its_damper_too() {
 
 /// A float that rolls with large angles: its damping is quadratic and its restoring softens. Each hides the other.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_softening_spring_beside_a_quadratic_damping() {
     let model = r#"
         name = "float"

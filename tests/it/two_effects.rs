@@ -76,6 +76,7 @@ const NOMOTO: &str = r#"
 
 /// Alone the order looks limited in its rate; beside the square damping it is the rudder that turns no faster.
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_rudder_machine_has_a_greatest_rate_beside_a_square_damping() {
     let a = SHIP.diagnosed(NOMOTO, |x, u| {
         let rate = ((u[0] - x[1]) / 1.8).clamp(-0.04, 0.04);

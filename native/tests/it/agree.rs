@@ -1,6 +1,6 @@
 //! Machine code against an interpreter of the same instructions, on random code, bit for bit.
 
-use crate::common::{Draw, GIVEN, Plain, STATES, agree, drawn, empty, interpret, parts, random_code};
+use crate::common::{Draw, GIVEN, Plain, STATES, agree, care, drawn, empty, interpret, parts, random_code};
 use gyrospec_native::{Action, Dual, Method, Op, StepCode, Steps};
 
 /// What a step of each method gives, by rates that are asked for.
@@ -57,6 +57,7 @@ fn tried_segments<T: Plain>(seed: u64) -> bool {
         active: &active,
         kept: &kept,
         method: Method::None,
+        care: care(seed),
     };
     let Some(steps) = Steps::compile(&step, T::TANGENTS) else { return false };
     assert!(steps.has_slopes());
@@ -108,8 +109,15 @@ fn stepped<T: Plain>(seed: u64, mut draw: Draw, code: &[Op]) -> bool {
     let active: Vec<bool> = (0..registers).map(|k| k < 6).collect();
     let kept = vec![true; registers];
     let with = |method| {
-        let step =
-            StepCode { code, states: &states, rates: &rates, active: &active, kept: &kept, ..empty(method) };
+        let step = StepCode {
+            code,
+            states: &states,
+            rates: &rates,
+            active: &active,
+            kept: &kept,
+            care: care(seed),
+            ..empty(method)
+        };
         Steps::compile(&step, T::TANGENTS)
     };
     let (Some(heun), Some(classical)) = (with(Method::Heun), with(Method::Classical)) else { return false };

@@ -1,6 +1,6 @@
 //! Steps in one loop of machine code against the same steps one by one, on random code, bit for bit.
 
-use crate::common::{Draw, GIVEN, Plain, STATES, agree, drawn, empty, parts, random_code};
+use crate::common::{Draw, GIVEN, Plain, STATES, agree, care, drawn, empty, parts, random_code};
 use gyrospec_native::{
     Action, BEGIN, Dual, JUMP, March, MarchCode, Mark, Method, Op, StepCode, Steps, Switch,
 };
@@ -176,6 +176,7 @@ fn tried<T: Plain>(seed: u64, method: Method) -> Option<usize> {
         rates: &p.rates,
         active: &p.active,
         kept: &kept,
+        care: care(seed),
         ..empty(method)
     };
     let code = MarchCode {

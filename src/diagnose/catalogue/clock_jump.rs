@@ -61,7 +61,7 @@ fn from_a_moment<'s>(
     let mut d = Draft::new(scene, "clock-jump", SiteKind::Input, inputs.first()?);
     let reach = 0.1 * scene.length();
     let by = d.amplitude(name, &second, (-reach, reach), meaning);
-    let time = d.parameter("tj", &second, (scene.from, scene.to), "when they jump");
+    let time = d.parameter("tj", &second, scene.within(), "when they jump");
     for input in inputs {
         let before = format!("{input}*(1 - step(t - {time}))");
         d.replace(input, &format!("({before} + delay({input}, {sign}{by})*step(t - {time}))"), |_| true);

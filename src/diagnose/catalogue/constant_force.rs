@@ -41,15 +41,10 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     always.chain(late).collect()
 }
 
-/// Share of the recording at each end in which none sets in: one that does at the beginning is there always.
-const ENDS: f64 = 0.05;
-
 fn from_a_moment_on(scene: &Scene, m: &Motion) -> Option<Proposal> {
     let mut d = Draft::at(scene, "constant-force", m);
     let f = d.amplitude("F0", &m.force, ANY, "force that sets in");
-    let end = ENDS * scene.length();
-    let within = (scene.from + end, scene.to - end);
-    let time = d.parameter("tc", &Unit::parse("s").ok()?, within, "when it sets in");
+    let time = d.parameter("tc", &Unit::parse("s").ok()?, scene.within(), "when it sets in");
     d.force(&m.state, &format!("{f}*step(t - {time})"));
     for moment in scene.moments() {
         d.start(&[m.size, moment]);

@@ -355,6 +355,17 @@ pub fn is_frequency(unit: &Unit) -> bool {
     unit.dimension() == Dimension::NONE.over(Dimension::TIME)
 }
 
+/// The unit of what acts on a state, from that of the innermost sum of its rate; it is that of the rate itself where the sum,
+/// such as ω²·φ, counts another power of an angle.
+pub fn unit_of_force(sum: Unit, state: &Unit) -> Unit {
+    let is_other = |rate: &Unit| {
+        let angle = rate.angle_power();
+        rate.dimension() == sum.dimension() && angle.is_some() && angle != sum.angle_power()
+    };
+    let rate = Unit::parse("s").map(|second| state.over(&second));
+    rate.ok().filter(is_other).unwrap_or(sum).usual()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -367,5 +378,16 @@ mod tests {
             let unit = unit_of(&Expr::parse(text).unwrap(), &of_name);
             assert_eq!(unit.dimension(), speed, "{text}");
         }
+    }
+
+    #[test]
+    fn what_acts_counts_the_angle_once() {
+        let of = |sum: &str, state: &str| {
+            unit_of_force(Unit::parse(sum).unwrap(), &Unit::parse(state).unwrap()).text().to_string()
+        };
+        assert_eq!(of("rad^3/s^2", "rad/s"), "rad/s^2");
+        assert_eq!(of("rad^2/s^2", "deg/s"), "deg/s^2");
+        assert_eq!(of("N*m", "rad/s"), "N*m");
+        assert_eq!(of("1/h^2", "1/h"), "1/h^2");
     }
 }

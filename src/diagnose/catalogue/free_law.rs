@@ -75,7 +75,7 @@ pub fn surfaces(scene: &Scene, sites: &[Site], of: Option<&str>, knots: usize) -
 fn signals<'s>(scene: &'s Scene, knots: usize) -> Vec<&'s Signal> {
     const KINDS: [SignalKind; 4] =
         [SignalKind::State, SignalKind::Input, SignalKind::Channel, SignalKind::Definition];
-    scene.moving(&KINDS).filter(|s| s.levels > knots && !s.is_heading()).collect()
+    scene.moving(&KINDS).filter(|s| s.levels > knots && !s.is_far_round()).collect()
 }
 
 /// The places that admit a law.

@@ -47,8 +47,12 @@ pub struct Signal {
     pub is_turned: bool,
 }
 
+/// Share of the recording at each end in which nothing sets in.
+const ENDS: f64 = 0.05;
 /// Parts of a recording between which something may begin.
 const PARTS: u32 = 10;
+/// An angle that goes further than this, rad, may go round.
+const ROUND: f64 = 1.6;
 /// Spreads from zero that are far.
 const FAR: f64 = 3.0;
 
@@ -65,8 +69,16 @@ impl Signal {
 
     /// Whether it is an angle that turns far enough for its sine and cosine to matter.
     pub fn is_heading(&self) -> bool {
-        let angle = ["deg", "rad", "arcmin"].contains(&self.unit.text());
-        angle && (self.is_turned || self.min.abs().max(self.max.abs()) > 1.6)
+        self.is_far_round() || self.is_turned && self.is_angle()
+    }
+
+    /// Whether it is an angle that goes so far from zero that it may go round.
+    pub fn is_far_round(&self) -> bool {
+        self.is_angle() && self.min.abs().max(self.max.abs()) > ROUND
+    }
+
+    fn is_angle(&self) -> bool {
+        ["deg", "rad", "arcmin"].contains(&self.unit.text())
     }
 
     /// Whether its mean outweighs its motion.
@@ -248,7 +260,8 @@ impl Scene<'_> {
                 None if is_rate => (Some(state.name.clone()), None),
                 None => (None, Some(state.name.clone())),
             };
-            let force = self.unit_of(edit::sum_of(self.model, &state.rate)).usual();
+            let sum = self.unit_of(edit::sum_of(self.model, &state.rate));
+            let force = edit::unit_of_force(sum, &state.unit);
             motions.push(Motion { state: state.name.clone(), speed, position, force, size: *size });
         }
         motions
@@ -278,13 +291,19 @@ impl Scene<'_> {
 
     /// Whether a signal is an angle by its unit.
     pub fn is_angle(&self, name: &str) -> bool {
-        self.signal(name).is_some_and(|s| ["rad", "deg", "arcmin"].contains(&s.unit.text()))
+        self.signal(name).is_some_and(Signal::is_angle)
     }
 
     /// Moments to start from, s: between equal parts of the recording.
     pub fn moments(&self) -> impl Iterator<Item = f64> {
         let part = |i| self.from + self.length() * f64::from(i) / f64::from(PARTS);
         (1..PARTS).map(part)
+    }
+
+    /// The times at which something may set in, s: what does so at the very beginning is there always.
+    pub fn within(&self) -> (f64, f64) {
+        let end = ENDS * self.length();
+        (self.from + end, self.to - end)
     }
 
     /// Time constants to start from, s: over the decades between a step and the recording.

@@ -141,7 +141,7 @@ fn steps_that_are_marched_over_give_the_same_runs() {
             let kinds = simulator.natives.kinds.lock().unwrap();
             let count = |n: &AtomicUsize| n.load(Ordering::Relaxed);
             let marches = |k: &Arc<Kind>| {
-                let is_made = matches!(k.march.get(), Some(Some(_)));
+                let is_made = k.march.iter().any(|m| matches!(m.get(), Some(Some(_))));
                 is_made && (later != 0.0 || 4 * count(&k.alone) < count(&k.asked))
             };
             assert!(!Steps::MADE || kinds.iter().all(marches), "most steps are marched over");
@@ -178,6 +178,8 @@ fn runs_are_the_same(compiled: &Simulator) {
     let plain = |s: &Simulator| bits(&s.run(&p, &x).unwrap().outputs);
     assert_eq!(plain(compiled), plain(&interpreted));
     let kinds = compiled.natives.kinds.lock().unwrap();
-    let tried = |k: &Arc<Kind>| k.march.get().is_some() || k.steps.get().is_some();
+    let tried = |k: &Arc<Kind>| {
+        k.march.iter().any(|m| m.get().is_some()) || k.steps.iter().any(|s| s.get().is_some())
+    };
     assert!(kinds.iter().all(tried), "all kinds were worth compiling");
 }

@@ -1,0 +1,54 @@
+//! A sensor that is late where more than one thing acts: its delay is none of an input, and none from a moment on.
+
+use crate::diagnose::diagnosed;
+use crate::fields::Plant;
+use gyrospec::diagnose::answer::Verdict;
+use gyrospec::model::Model;
+use gyrospec::record::{Channel, Recording};
+
+const CARRIAGE: Plant<'_> = Plant {
+    step: 0.02,
+    start: &[0.0, 0.0],
+    inputs: &[("force", "N"), ("draught", "m/s")],
+    states: &[("z", "m"), ("v", "m/s")],
+    sizes: &[(0.0, 4.0), (0.0, 2.0)],
+    noise: 0.02,
+    measured: 1,
+};
+const MODEL: &str = r#"
+    name = "carriage"
+    [inputs]
+    force = { unit = "N" }
+    [parameters]
+    m = { value = 0.8, unit = "kg", fit = true, min = 0.1, max = 10 }
+    d = { value = 1.5, unit = "N*s/m", fit = true, min = 0, max = 100 }
+    k = { value = 15, unit = "N/m", fit = true, min = 0, max = 1000 }
+    [states]
+    z = { rate = "v", unit = "m", initial = "fit" }
+    v = { rate = "(force - d*v - k*z)/m", unit = "m/s", initial = "fit" }
+    [outputs]
+    z_meas = { equals = "z", unit = "m" }
+"#;
+/// Samples by which the sensor is late.
+const LATE: usize = 3;
+
+#[test]
+fn a_late_sensor_is_told_beside_a_draught_that_acts() {
+    let made = CARRIAGE.recorded(|x, u| vec![x[1], u[0] - 2.0 * x[1] - 20.0 * x[0] + 0.8 * u[1]]);
+    let rows = made.find("z_meas").unwrap().values.len() - LATE;
+    let shifted = ["force", "draught", "z_meas"].map(|name| {
+        let c = made.find(name).unwrap();
+        let first = if name == "z_meas" { 0 } else { LATE };
+        let time: Vec<f64> = (0..rows).map(|i| 0.02 * i as f64).collect();
+        Channel::new(name, c.unit.clone(), time, c.values[first..first + rows].to_vec())
+    });
+    let recording = Recording::from_channels("late", shifted.to_vec()).unwrap();
+    let told = diagnosed(&Model::parse(MODEL).unwrap(), recording).answer;
+    assert_eq!(told.verdict, Verdict::Named, "{}", told.says);
+    let mut codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
+    codes.sort_unstable();
+    assert_eq!(codes, ["cross-coupling", "output-delay"], "{}", told.says);
+    let delay = told.findings.iter().flat_map(|f| &f.parameters).find(|v| v.name == "Td").unwrap();
+    let truth = 0.02 * LATE as f64;
+    assert!(delay.low < truth && truth < delay.high && delay.high - delay.low < 0.02, "{delay:?}");
+}
