@@ -34,6 +34,9 @@ pub const CASES: [(&str, &str); 5] = [
     ("saturable-rate", "dry-friction"),
 ];
 
+/// Mechanisms that have several forms of one law at a place that is no parameter.
+const FORMS: [&str; 4] = ["dry-friction", "cross-coupling", "input-square", "output-square"];
+
 /// Others that are fitted in the place of a finding, at most.
 const MOST: usize = 6;
 
@@ -127,7 +130,7 @@ fn others(bench: &Bench, found: &Found, i: usize, progress: &dyn Progress) -> Op
     let tied = ties.iter().chain(others).map(|t| (t.code, &t.site, law(t)));
     let wanted: Vec<_> = case.into_iter().map(|(code, site)| (code, site, None)).chain(tied).collect();
     let (with, _) = found.without.get(i)?.as_ref()?;
-    let may_have_forms = own.site.kind == SiteKind::Parameter || own.code == "dry-friction";
+    let may_have_forms = own.site.kind == SiteKind::Parameter || FORMS.contains(&own.code);
     if wanted.is_empty() && !may_have_forms {
         return None;
     }

@@ -87,16 +87,13 @@ impl Paragraph<'_> {
 
     /// What is left, where it is noise.
     fn noise(&self) -> String {
-        let (that, though) = if self.wanders {
-            (
-                " that shows itself as a law",
-                ", but it wanders, by a disturbance that nobody recorded or in the sensor itself (more below)",
-            )
+        let left = if self.wanders {
+            " that shows itself as a law: what the model leaves over goes with no signal, but it wanders, by a disturbance that \
+             nobody recorded or in the sensor itself (more below)"
         } else {
-            ("", "")
+            ": what the model leaves over looks like noise in every test"
         };
-        let untried = self.untried();
-        format!("{that}: what the model leaves over looks like noise in every test{though}.{untried}")
+        format!("{left}.{}", self.untried())
     }
 
     fn reason(&self) -> &str {

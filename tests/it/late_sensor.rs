@@ -48,6 +48,9 @@ fn a_late_sensor_is_told_beside_a_draught_that_acts() {
     let mut codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
     codes.sort_unstable();
     assert_eq!(codes, ["cross-coupling", "output-delay"], "{}", told.says);
+    // in proportion to it: its square follows as well while the delay is missing
+    let draught = told.findings.iter().flat_map(|f| &f.parameters).find(|v| v.name == "c").unwrap();
+    assert!(draught.unit == "N*s/m" && (draught.value - 0.8).abs() < 0.01, "{draught:?} {}", told.says);
     let delay = told.findings.iter().flat_map(|f| &f.parameters).find(|v| v.name == "Td").unwrap();
     let truth = 0.02 * LATE as f64;
     assert!(delay.low < truth && truth < delay.high && delay.high - delay.low < 0.02, "{delay:?}");

@@ -155,7 +155,7 @@ pub fn empty(method: Method) -> StepCode<'static> {
 
 /// One way of compiling for every other pair of seeds.
 pub fn care(seed: u64) -> Care {
-    if seed / 2 % 2 == 0 { Care::Little } else { Care::Much }
+    if (seed / 2).is_multiple_of(2) { Care::Little } else { Care::Much }
 }
 
 pub const GIVEN: u16 = 8;

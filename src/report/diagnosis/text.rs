@@ -136,18 +136,19 @@ fn proof(out: &mut String, a: &Answer) {
     out.push_str("\nFree-run error (root mean square):\n");
     let _ = writeln!(
         out,
-        "  {:<16} {:>11} {:>11} {:>13} {:>13}   fall, 95 % interval",
-        "output", "fit before", "fit after", "held before", "held after"
+        "  {:<16} {:>11} {:>11} {:>13} {:>13} {:>9}   fall, 95 % interval",
+        "output", "fit before", "fit after", "held before", "held after", "noise"
     );
     for p in &a.proof {
         let _ = writeln!(
             out,
-            "  {:<16} {:>11} {:>11} {:>13} {:>13}   {}{}",
+            "  {:<16} {:>11} {:>11} {:>13} {:>13} {:>9}   {}{}",
             p.output,
             figure(p.fit_before),
             figure(p.fit_after),
             figure(p.holdout_before),
             figure(p.holdout_after),
+            if p.noise_floor.is_finite() { figure(p.noise_floor) } else { "–".into() },
             fall(p),
             behind(&p.unit)
         );
