@@ -8,8 +8,8 @@
 //! Curves through few and through many knots are screened as the catalogue is, at every place and for every signal; the
 //! best of the number of knots that scores surest are fitted with everything else. The likeliest of those that lower the
 //! error of left-out blocks most is then tried through more knots, which it keeps only where those blocks fall again; and a
-//! surface over its signal and another takes its place where that predicts them clearly better, or stands where no curve
-//! does. A second law may follow on the same terms. What is offered must also lower the error of what was held out. The
+//! surface over its signal and another, there or at one of the likeliest places, takes its place where that predicts them
+//! clearly better, or stands where no curve does. A second law may follow on the same terms. What is offered must also lower the error of what was held out. The
 //! fit of a law may spend a tenth of a share of the steps that the search for names has spent, and no further law is begun
 //! once that share is gone.
 //!
@@ -42,7 +42,7 @@ use std::cell::Cell;
 const KNOTS: [usize; 3] = [5, 9, 15];
 /// Knots of a surface along either signal.
 const ALONG: usize = 4;
-/// Places where surfaces are looked for, where no curve stands.
+/// Places where surfaces are looked for, beside that of a curve that stands.
 const PLACES: usize = 2;
 /// Times that a surface must lower the error of left-out blocks further than a curve.
 const BETTER: f64 = 1.3;
@@ -54,7 +54,7 @@ const OF_SIGNAL: usize = 3;
 const LEAST: f64 = 0.03;
 /// Steps that were spent before, for each of the laws' share, where no name stands and where one does: one of theirs
 /// costs several of a plain model's.
-const STEPS: [u64; 2] = [2, 5];
+const STEPS: [u64; 2] = [3, 6];
 /// Times that a law must lower the error of left-out blocks, and of what was held out, further than names that stand.
 const TWICE: f64 = 2.0;
 /// Laws that are added at most.
@@ -101,10 +101,8 @@ pub fn instead(
     let mut now = Measure::of(&current, &scale);
     let start = now;
     let mut taken: Vec<Taken> = Vec::new();
-    let bench = &Bench {
-        budget: bench.budget.at_most(bench.budget.spent() / STEPS[usize::from(stands)]),
-        ..bench.clone()
-    };
+    let all: u64 = bench.budget.stages().iter().map(|stage| stage.steps).sum();
+    let bench = &Bench { budget: bench.budget.at_most(all / STEPS[usize::from(stands)]), ..bench.clone() };
     // names that only resemble it may do better together; one that stands gives way to a law twice as good
     let resembling = Measure::of(&found.last, &scale);
     let named = stands.then_some(&resembling);
@@ -211,7 +209,11 @@ fn one(ground: &Ground<'_>, current: &Fit, now: &Measure, least: f64) -> Result<
     }
     if !is_over(bench) {
         let of = best.proposal.depends.first().map(String::as_str);
-        let both = surfaces(&scene, std::slice::from_ref(&best.proposal.site), of, ALONG);
+        let mut sites = likeliest_sites(&levels[level]);
+        if !sites.contains(&best.proposal.site) {
+            sites.push(best.proposal.site.clone());
+        }
+        let both = surfaces(&scene, &sites, of, ALONG);
         let screened = explaining(bench, &view, both.into_iter().filter(is_new).collect());
         let law = best_of(ground, &view, &screened, over, least);
         best = law.filter(|l| gain(&best.measure, &l.measure) > BETTER.ln()).unwrap_or(best);
@@ -414,7 +416,7 @@ mod tests {
         let found = Found::nothing(bench.full_fit(&model).unwrap(), false);
         let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
         let look = |bench: &Bench| instead(bench, &[], (&found, false), &given, &Silent).unwrap();
-        // one fit was all that was spent, and half of its steps end the fits of laws
+        // one fit was all that was spent, and a third of its steps end the fits of laws
         assert_eq!(look(&bench).1, Tried::Some);
         for _ in 0..500 {
             bench.full_fit(&model).unwrap();
