@@ -8,8 +8,7 @@
 //! Where the likeliest of a round is a law of a parameter, those of the same law at other parameters whose score is
 //! of its size are fitted too, and the same parameter with another form of the law; where it is none of a parameter, the
 //! same law at other places whose score is the same but for a little, such as a delay of the output beside that of an
-//! input. Whether they fit as well is then told by their
-//! likelihoods.
+//! input. Whether they fit as well is then told by their likelihoods.
 //! Where a law has a finer form, such as friction that turns over within a range of speeds, or one of which it is the special
 //! case has, that is fitted too: what the coarse one leaves would be taken for something else.
 

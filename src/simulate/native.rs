@@ -3,9 +3,8 @@
 //!
 //! # Method
 //! Compiling costs as much as some thousands of steps save, so that short work is interpreted; what goes on is compiled once
-//! more, with more care. What the code needs to
-//! know of the numbers is which registers may have tangents: a parameter that is not asked for has none, nor has what
-//! was measured, nor what is made of these.
+//! more, with more care. What the code needs to know of the numbers is which registers may have tangents: a parameter that
+//! is not asked for has none, nor has what was measured, nor what is made of these.
 //!
 //! # Numerical aspects
 //! Machine code and interpreter give the same values (`gyrospec_native`), so that neither the machine nor the amount of

@@ -1,6 +1,7 @@
 //! What begins at a moment is found there, and what drifts is named whatever it was at the beginning.
 
 use crate::diagnose::diagnosed;
+use crate::laws_met::runge_kutta;
 use gyrospec::diagnose::answer::{Answer, Verdict};
 use gyrospec::model::Model;
 use gyrospec::record::{Channel, Recording};
@@ -65,6 +66,36 @@ fn axis(damping: impl Fn(f64) -> f64, beside: impl Fn(f64) -> f64, seed: u64) ->
     ];
     let made = Recording::from_channels("axis", channels).unwrap();
     diagnosed(&Model::parse(AXIS).unwrap(), made).answer
+}
+
+/// A carriage whose spring settles within the first seconds: what the model fits is what comes after.
+#[test]
+fn a_jump_of_a_spring_soon_after_the_beginning_is_told() {
+    let model = AXIS
+        .replace("F - d*v", "F - d*v - k*q")
+        .replace("[states]", "k = { value = 45, unit = \"N/m\", fit = true, min = 0 }\n[states]");
+    let (step, count) = (0.05, 4000);
+    let force = |t: f64| [0.7, 1.9, 3.5, 6.3].map(|w| 3.0 * (w * t + w * w).sin()).iter().sum::<f64>();
+    let states = runge_kutta(
+        (step, count, 10),
+        |t| [force(t), t],
+        |[q, v], [f, t]| [v, (f - 4.0 * v - if t < 4.0 { 40.0 } else { 60.0 } * q) / 2.0],
+    );
+    let mut rng = ChaCha8Rng::seed_from_u64(4);
+    let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
+    let read = states.iter().map(|x| x[0] + 2e-3 * normal()).collect();
+    let time: Vec<f64> = (0..count).map(|i| step * i as f64).collect();
+    let unit = |text: &str| Unit::parse(text).unwrap();
+    let channels = vec![
+        Channel::new("F", unit("N"), time.clone(), time.iter().map(|t| force(*t)).collect()),
+        Channel::new("position", unit("m"), time, read),
+    ];
+    let made = Recording::from_channels("carriage", channels).unwrap();
+    let told = diagnosed(&Model::parse(&model).unwrap(), made).answer;
+    assert_eq!((told.verdict, told.findings.len()), (Verdict::Named, 1), "{}", told.says);
+    let found = &told.findings[0];
+    let tc = found.parameters.iter().find(|p| p.name == "tc").unwrap();
+    assert!(found.code == "parameter-change" && (tc.value - 4.0).abs() < 0.2, "{tc:?} {}", told.says);
 }
 
 #[test]

@@ -60,7 +60,7 @@ fn in_one_alone(scene: &Scene, p: &str, one: &Alone) -> Option<Proposal> {
 fn at(scene: &Scene, p: &str) -> Option<Proposal> {
     let mut d = Draft::new(scene, "parameter-change", SiteKind::Parameter, p);
     let a = d.amplitude("a", &Unit::one(), (-3.0, 10.0), "relative jump of the parameter");
-    let time = d.parameter("tc", &Unit::parse("s").ok()?, scene.within(), "time of the jump");
+    let time = d.parameter("tc", &Unit::parse("s").ok()?, (scene.from, scene.to), "time of the jump");
     d.replace(p, &format!("({p}*(1 + {a}*step(t - {time})))"), |_| true);
     for moment in scene.moments() {
         d.start(&[0.3, moment]);

@@ -300,7 +300,7 @@ impl Scene<'_> {
         (1..PARTS).map(part)
     }
 
-    /// The times at which something may set in, s: what does so at the very beginning is there always.
+    /// The times at which something may set in, s, that is a law of its own where it is there always.
     pub fn within(&self) -> (f64, f64) {
         let end = ENDS * self.length();
         (self.from + end, self.to - end)
