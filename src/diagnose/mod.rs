@@ -8,6 +8,7 @@ mod anew;
 mod another;
 pub mod answer;
 mod apart;
+mod as_given;
 mod assemble;
 mod at_rest;
 mod backward;
@@ -41,6 +42,7 @@ mod locate;
 mod located;
 mod lost;
 mod measure;
+mod minimum;
 mod moments;
 mod nameless;
 mod namesakes;
@@ -422,6 +424,7 @@ impl Case<'_> {
         before: Option<&hold::Before>,
     ) -> Result<Found> {
         let found = self.found(bench, separate, base, before)?;
+        let found = as_given::instead(bench, separate, found, &self.model, self.request.progress);
         let is_open = found.rest.p_value < choose::CHANCE && !search::is_over(bench);
         let other = is_open.then(|| coloured::refitted(bench, &found, &self.model)).flatten();
         other.map_or(Ok(found), |fit| self.found(bench, separate, fit, before))
@@ -438,7 +441,7 @@ impl Case<'_> {
     ) -> Result<Found> {
         let given = self.given();
         let is_over = |last: &Fit| before.is_some_and(|b| b.is_likelier(bench, last));
-        let bounds = walk::Bounds { given: &given, avoids: None, is_over: &is_over };
+        let bounds = walk::Bounds { given: &given, avoids: None, is_over: &is_over, is_fitted: true };
         let mut found = walk::search(bench, separate, base, &bounds, self.request.progress)?;
         if is_over(&found.last) {
             return Ok(found);

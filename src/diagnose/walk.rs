@@ -29,7 +29,7 @@ use super::propose::Screening;
 use super::prove;
 use super::search::{Found, Refitted, Round, State, Taken, ahead, is_over, round, trace};
 use super::view::View;
-use super::{anew, small};
+use super::{anew, minimum, small};
 
 use crate::Result;
 use crate::estimate::Fit;
@@ -80,6 +80,8 @@ pub struct Bounds<'a> {
     pub avoids: Option<&'a Proposal>,
     /// Of which model it goes no further.
     pub is_over: &'a dyn Fn(&Fit) -> bool,
+    /// Whether it begins with a fitted model, which a better fit may take the place of.
+    pub is_fitted: bool,
 }
 
 /// Searches from a fitted model.
@@ -93,26 +95,19 @@ pub fn search(
     bounds: &Bounds<'_>,
     progress: &dyn Progress,
 ) -> Result<Found> {
-    let mut walk = Walk {
-        bench,
-        separate,
-        start: Measure::of(&base, &Scale::of(&base, bench.is_trials())),
-        current: base.clone(),
-        view: patiently(bench, || View::of(bench, &base))?,
-        base,
-        given: bounds.given.to_vec(),
-        gains: 0.0,
-        taken: Vec::new(),
-        first: None,
-        trial: None,
-        before_small: None,
-        avoids: bounds.avoids,
-    };
+    let mut walk = Walk::from(bench, separate, base, bounds)?;
+    let mut may_begin_anew = bounds.is_fitted;
     loop {
         let (mut round, now) = walk.round(progress)?;
         let standing = standing(bench, separate, &mut round, &now);
         if let Some((choice, next)) = standing.filter(|(choice, _)| walk.bears(&round.fitted[choice.best])) {
             walk.takes(round, choice, next, &now);
+            let better = if may_begin_anew { walk.better() } else { None };
+            if let Some(base) = better {
+                may_begin_anew = false;
+                walk = Walk::from(bench, separate, base, bounds)?;
+                continue;
+            }
             if (bounds.is_over)(&walk.current) {
                 return Ok(walk.ends(Round::nothing(), &now));
             }
@@ -131,7 +126,31 @@ pub fn search(
     }
 }
 
-impl Walk<'_> {
+impl<'a> Walk<'a> {
+    fn from(bench: &'a Bench, separate: &'a [Recording], base: Fit, bounds: &Bounds<'a>) -> Result<Self> {
+        Ok(Self {
+            bench,
+            separate,
+            start: Measure::of(&base, &Scale::of(&base, bench.is_trials())),
+            current: base.clone(),
+            view: patiently(bench, || View::of(bench, &base))?,
+            base,
+            given: bounds.given.to_vec(),
+            gains: 0.0,
+            taken: Vec::new(),
+            first: None,
+            trial: None,
+            before_small: None,
+            avoids: bounds.avoids,
+        })
+    }
+
+    /// A better fit of the model as given, which a first finding led to.
+    fn better(&self) -> Option<Fit> {
+        let is_first = self.taken.len() == 1 && !is_over(self.bench);
+        if is_first { minimum::better(self.bench, &self.base, &self.current) } else { None }
+    }
+
     fn round(&self, progress: &dyn Progress) -> Result<(Round, Measure)> {
         let bench = self.bench;
         let scale = Scale::of(&self.current, bench.is_trials());

@@ -90,6 +90,7 @@ mod roll_spectrum;
 mod roll_tail;
 mod rolling;
 mod room_laws;
+mod runaway;
 mod saddles;
 mod schemas;
 mod sea;
