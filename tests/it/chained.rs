@@ -56,6 +56,7 @@ fn through_every_command(model: &str) {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn a_chain_of_halves_costs_what_its_links_cost() {
     through_every_command(&model(30, |k| format!("(q{0} + q{0})/2", k - 1), "q30"));
 }

@@ -73,6 +73,7 @@ fn sentence(second: f64, talker: &str, heading: f64) -> String {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn an_instrument_that_is_logged_late_beside_another_in_one_log_is_found() {
     let (late, noise) = (0.43, noise(1200));
     let mut lines: Vec<(f64, String)> = (0..1200)

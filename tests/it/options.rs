@@ -185,6 +185,7 @@ fn roll_error() -> Vec<(&'static str, &'static str)> {
 }
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn each_pair_of_options_of_the_rolling_error_is_used_or_refused() {
     each_pair("roll-error", &roll_error(), &["--heading", "45"]);
 }

@@ -215,6 +215,7 @@ const TROLLEY_MODEL: &str = r#"
 "#;
 
 #[test]
+#[ignore = "long: GYROSPEC_LONG=1 .ci/run runs it"]
 fn friction_of_a_trolley_is_felt_by_what_hangs_from_it() {
     let a = TROLLEY.diagnosed(TROLLEY_MODEL, |x, u| {
         let acc = (u[0] + 200.0 * 9.81 * x[1] - 180.0 * x[0] - 35.0 * (x[0] / 0.005).tanh()) / 450.0;
