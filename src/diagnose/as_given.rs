@@ -61,7 +61,7 @@ fn beginning(
         *without = Some((first.base.clone(), measures.0));
     }
     let (base, scale) = (first.base.clone(), first.scale.clone());
-    (!found.taken.is_empty()).then_some(Found { base, measures, scale, ..found })
+    (!found.taken.is_empty()).then_some(Found { base, scale, measures, ..found })
 }
 
 /// Whether a fitted parameter is many times what was given.

@@ -65,7 +65,7 @@ mod tests {
             k = { value = 30, unit = 'N/m', fit = true, min = 1 }\n[states]\nx = { rate = 'v', unit = 'm', initial = 0 }\n\
             v = { rate = '(u - d*v - k*x)/m', unit = 'm/s', initial = 0 }\n[outputs]\n\
             x = { equals = 'x', unit = 'm' }";
-        let model = Model::parse(&text).unwrap();
+        let model = Model::parse(text).unwrap();
         let bench = Bench::new(&model, vec![swinging()], false, 1);
         let at = |k: f64, steps: usize| {
             let mut model = model.clone();

@@ -60,6 +60,7 @@ mod late_sensor;
 mod laws_inside;
 mod laws_met;
 mod laws_of_rates;
+mod licences;
 mod limits;
 mod lines;
 mod located;
