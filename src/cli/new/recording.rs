@@ -200,12 +200,11 @@ fn guess(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> Guess {
 
 /// Whether an angle jumps by nearly a turn somewhere.
 fn turns(unit: &str, values: &[f64]) -> bool {
-    let turn = match unit {
-        "deg" => 360.0,
-        "arcmin" => 21_600.0,
-        "rad" => std::f64::consts::TAU,
-        _ => return false,
-    };
+    let Ok(unit) = Unit::parse(unit) else { return false };
+    if Unit::parse("rad").is_ok_and(|rad| rad.dimension() != unit.dimension()) {
+        return false;
+    }
+    let turn = unit.from_si(std::f64::consts::TAU);
     let known: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
     known.windows(2).any(|w| (w[1] - w[0]).abs() > 0.9 * turn)
 }
@@ -240,6 +239,14 @@ mod tests {
         assert_eq!(recording.channel("odd_one").unwrap().unit.text(), "1");
         let guesses = text.lines().filter(|l| l.contains("GUESS") && !l.starts_with('#')).count();
         assert_eq!(guesses, 3, "{text}");
+    }
+
+    #[test]
+    fn a_heading_under_the_sign_of_degrees_wraps() {
+        let rows: String = (0..50).map(|i| format!("{i},{},{i}\n", (355 + i) % 360)).collect();
+        let (_, recording) = guess_of(&format!("t_s,Kurs °,Krängung °\n{rows}")).unwrap();
+        let wraps: Vec<bool> = recording.channels.iter().map(|c| c.wraps).collect();
+        assert_eq!(wraps, [true, false]);
     }
 
     #[test]
