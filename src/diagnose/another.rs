@@ -19,7 +19,7 @@ use super::answer::Answer;
 use super::bench::Bench;
 use super::choose::{Choice, FLOOR, TIE, choose, worth_of};
 use super::free_law::surely_leaves;
-use super::measure::{Measure, SURELY};
+use super::measure::Measure;
 use super::search::{self, Found, Round, State, Taken, is_over};
 use super::view::View;
 use super::walk::Bounds;
@@ -53,7 +53,7 @@ pub fn beginning(
     if is_over(bench) || bench.is_trials() {
         return None;
     }
-    let bounds = Bounds { given, avoids: Some(began), is_over: &|_| false, is_fitted: true };
+    let bounds = Bounds { given, avoids: Some(began), is_over: &|_| false, may_begin_anew: true };
     let mut found = walk::search(bench, separate, first.base.clone(), &bounds, progress).ok()?;
     found.without = backward::each(bench, &found);
     let mut stands = false;
@@ -74,9 +74,7 @@ pub fn beginning(
         backward::stand(bench, separate, &mut found);
     }
     beside::settle(bench, separate, &mut found, progress);
-    // what is over before its findings were asked whether they stand is no answer
-    let is_likelier = found.worth(&first.scale) > first.worth(&first.scale) + SURELY;
-    (is_likelier && !is_over(bench)).then_some(found)
+    found.is_surely_better(bench, first).then_some(found)
 }
 
 /// By how much the logarithm of held-out errors differs where nothing tells them apart.

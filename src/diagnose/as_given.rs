@@ -11,7 +11,7 @@
 use super::backward::{self, fitted_from};
 use super::bench::Bench;
 use super::choose::CHANCE;
-use super::measure::{Measure, SURELY};
+use super::measure::Measure;
 use super::search::{Found, is_over};
 use super::walk::Bounds;
 use super::{beside, walk};
@@ -34,12 +34,15 @@ pub fn instead(
     if bench.is_trials() || !is_missing || !has_run_away(model, &first.last.model) {
         return first;
     }
-    // steps that were spent far astray are no reason to stay there
+    // steps that were spent far astray are no reason to stay there; time that is up is one
+    let spent = bench.budget.cut();
     bench.budget.renew();
-    let other = beginning(bench, separate, &first, model, progress);
-    let is_better = |o: &Found| o.worth(&first.scale) > first.worth(&first.scale) + SURELY;
-    // what is over before its findings were asked whether they stand is no answer
-    other.filter(|o| !is_over(bench) && is_better(o)).unwrap_or(first)
+    let other = if is_over(bench) { None } else { beginning(bench, separate, &first, model, progress) };
+    let other = other.filter(|o| o.is_surely_better(bench, &first));
+    other.unwrap_or_else(|| {
+        bench.budget.tell(spent);
+        first
+    })
 }
 
 /// What the search finds from the values as given, held against the fitted model.
@@ -51,17 +54,15 @@ fn beginning(
     progress: &dyn Progress,
 ) -> Option<Found> {
     let given: Vec<f64> = model.parameters.iter().map(|p| p.value).collect();
-    let bounds = Bounds { given: &given, avoids: None, is_over: &|_| false, is_fitted: false };
+    let bounds = Bounds { given: &given, avoids: None, is_over: &|_| false, may_begin_anew: false };
     let begun = fitted_from(bench, model, &first.base, 0)?;
     let mut found = walk::search(bench, separate, begun, &bounds, progress).ok()?;
+    // what it is held against is the fitted model
+    found.measures = (first.measures.0, Measure::of(&found.last, &first.scale));
+    (found.base, found.scale) = (first.base.clone(), first.scale.clone());
     backward::stand(bench, separate, &mut found);
     beside::settle(bench, separate, &mut found, progress);
-    let measures = (first.measures.0, Measure::of(&found.last, &first.scale));
-    if let [without] = &mut found.without[..] {
-        *without = Some((first.base.clone(), measures.0));
-    }
-    let (base, scale) = (first.base.clone(), first.scale.clone());
-    (!found.taken.is_empty()).then_some(Found { base, scale, measures, ..found })
+    (!found.taken.is_empty()).then_some(found)
 }
 
 /// Whether a fitted parameter is many times what was given.

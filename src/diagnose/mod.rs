@@ -441,7 +441,7 @@ impl Case<'_> {
     ) -> Result<Found> {
         let given = self.given();
         let is_over = |last: &Fit| before.is_some_and(|b| b.is_likelier(bench, last));
-        let bounds = walk::Bounds { given: &given, avoids: None, is_over: &is_over, is_fitted: true };
+        let bounds = walk::Bounds { given: &given, avoids: None, is_over: &is_over, may_begin_anew: true };
         let mut found = walk::search(bench, separate, base, &bounds, self.request.progress)?;
         if is_over(&found.last) {
             return Ok(found);

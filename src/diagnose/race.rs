@@ -44,7 +44,7 @@ const LAST: (usize, [usize; 2]) = (8, [3, 6]);
 /// explains less to first order than a share of that fall, both as logarithms. What was named on twenty recordings of strangers
 /// foretold 0.18 of it and more.
 const BEGIN: usize = 6;
-const FOLLOWS: f64 = 0.1;
+const FOLLOWS: (f64, f64) = (0.5, 0.1);
 /// Share of what a proposal's direction foretells that its first heat must keep.
 const KEPT: f64 = 0.5;
 /// Shares of the gain in log-likelihood of one that is plainly likelier that another must gain to go on to the second heat and
@@ -243,7 +243,7 @@ fn begin<'s>(chosen: &[&'s Screened], by: By) -> (Vec<&'s Screened>, Vec<&'s Scr
 fn may_follow(s: &Screened, begun: &[&Screened], fall: f64) -> bool {
     let largest = begun.iter().map(|b| b.score.statistic).fold(0.0, f64::max);
     let foretold = -(1.0 - s.explained.clamp(0.0, 1.0)).ln();
-    fall < MUCH || foretold >= FOLLOWS * fall || s.score.statistic >= SIMPLER * largest
+    fall < MUCH || foretold >= FOLLOWS.1 * fall || s.score.statistic >= FOLLOWS.0 * largest
 }
 
 /// A sorted field parted into those that go on after a heat, and those that are far behind in what the choice is made by.

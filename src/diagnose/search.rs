@@ -5,7 +5,7 @@ use super::bench::Bench;
 use super::catalogue::Proposal;
 use super::choose::{self, floor, gain, mends};
 use super::compared::same_samples;
-use super::measure::{Measure, Scale, stands_on_few};
+use super::measure::{Measure, SURELY, Scale, stands_on_few};
 use super::propose::{Screened, Screening, screen, worth_fitting};
 use super::race::{self, Against, By};
 use super::twins::{finer, twins};
@@ -141,6 +141,12 @@ impl Found {
     pub fn worth(&self, scale: &Scale) -> f64 {
         let last = Measure::of(&self.last, scale);
         last.likelihood - self.taken.iter().map(|t| choose::price(&t.proposal, last.samples)).sum::<f64>()
+    }
+
+    /// Whether another search than the first found what is surely worth more. One that is over before its findings were asked
+    /// whether they stand is no answer.
+    pub fn is_surely_better(&self, bench: &Bench, first: &Found) -> bool {
+        !is_over(bench) && self.worth(&first.scale) > first.worth(&first.scale) + SURELY
     }
 
     /// ln of the fall of the left-out sum of squares from the given model to the last.

@@ -80,8 +80,8 @@ pub struct Bounds<'a> {
     pub avoids: Option<&'a Proposal>,
     /// Of which model it goes no further.
     pub is_over: &'a dyn Fn(&Fit) -> bool,
-    /// Whether it begins with a fitted model, which a better fit may take the place of.
-    pub is_fitted: bool,
+    /// Whether it may begin anew from a better fit of its first model.
+    pub may_begin_anew: bool,
 }
 
 /// Searches from a fitted model.
@@ -96,17 +96,14 @@ pub fn search(
     progress: &dyn Progress,
 ) -> Result<Found> {
     let mut walk = Walk::from(bench, separate, base, bounds)?;
-    let mut may_begin_anew = bounds.is_fitted;
     loop {
         let (mut round, now) = walk.round(progress)?;
         let standing = standing(bench, separate, &mut round, &now);
         if let Some((choice, next)) = standing.filter(|(choice, _)| walk.bears(&round.fitted[choice.best])) {
             walk.takes(round, choice, next, &now);
-            let better = if may_begin_anew { walk.better() } else { None };
+            let better = if bounds.may_begin_anew { walk.better() } else { None };
             if let Some(base) = better {
-                may_begin_anew = false;
-                walk = Walk::from(bench, separate, base, bounds)?;
-                continue;
+                return search(bench, separate, base, &Bounds { may_begin_anew: false, ..*bounds }, progress);
             }
             if (bounds.is_over)(&walk.current) {
                 return Ok(walk.ends(Round::nothing(), &now));
