@@ -3,6 +3,7 @@
 //! Angles count as 1 in a dimension, so that `rad/s`, `1/s`, `Hz` and `1/min` have one dimension. Of a shaft that
 //! turns, `1/min` means turns to one reader and radians to the next, which differ by 2π: that is asked, not guessed.
 
+use super::counts::Counts;
 use super::{Dimension, Ratio, Unit};
 use crate::{Error, ErrorKind, Result};
 
@@ -55,6 +56,19 @@ impl Unit {
         } else {
             Turning::Open
         }
+    }
+
+    /// Whether it is a unit of an angle and of nothing else, in parts of a turn; whole turns are counted.
+    ///
+    /// ```
+    /// use gyrospec::units::Unit;
+    /// let of = |text| Unit::parse(text).map(|u| u.is_angle());
+    /// assert!(of("deg")? && of("°")? && of("arcmin")? && of("mrad")?);
+    /// assert!(!of("1")? && !of("%")? && !of("rad/s")? && !of("rev")? && !of("rad^2")?);
+    /// # Ok::<(), gyrospec::Error>(())
+    /// ```
+    pub fn is_angle(&self) -> bool {
+        self.dimension == Dimension::NONE && self.angle == Ratio::ONE && self.counts == Counts::NOTHING
     }
 
     /// The power of an angle that its names say, `rad` or `rev`; none where they say nothing of an angle.

@@ -201,7 +201,7 @@ fn guess(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> Guess {
 /// Whether an angle jumps by nearly a turn somewhere.
 fn turns(unit: &str, values: &[f64]) -> bool {
     let Ok(unit) = Unit::parse(unit) else { return false };
-    if Unit::parse("rad").is_ok_and(|rad| rad.dimension() != unit.dimension()) {
+    if !unit.is_angle() {
         return false;
     }
     let turn = unit.from_si(std::f64::consts::TAU);
@@ -243,10 +243,12 @@ mod tests {
 
     #[test]
     fn a_heading_under_the_sign_of_degrees_wraps() {
-        let rows: String = (0..50).map(|i| format!("{i},{},{i}\n", (355 + i) % 360)).collect();
-        let (_, recording) = guess_of(&format!("t_s,Kurs °,Krängung °\n{rows}")).unwrap();
+        let rows: String =
+            (0..50).map(|i| format!("{i},{},{i},{1},{1}\n", (355 + i) % 360, 400 * i)).collect();
+        let (_, recording) = guess_of(&format!("t_s,Kurs °,Krängung °,Tropfen,Last [%]\n{rows}")).unwrap();
         let wraps: Vec<bool> = recording.channels.iter().map(|c| c.wraps).collect();
-        assert_eq!(wraps, [true, false]);
+        // what has no unit counts no angle, however it jumps
+        assert_eq!(wraps, [true, false, false, false]);
     }
 
     #[test]

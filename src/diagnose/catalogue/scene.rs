@@ -78,7 +78,7 @@ impl Signal {
     }
 
     fn is_angle(&self) -> bool {
-        ["deg", "rad", "arcmin"].contains(&self.unit.text())
+        self.unit.is_angle()
     }
 
     /// Whether its mean outweighs its motion.

@@ -12,8 +12,7 @@ const USUAL_STEPS: f64 = 5.0;
 
 /// Jumps by a turn; spans reach from the sample before to the one after.
 pub fn wrapped_angle(channel: &Channel) -> Option<Fault> {
-    let angle = ["deg", "rad", "arcmin"].contains(&channel.unit.text());
-    if channel.wraps || !angle {
+    if channel.wraps || !channel.unit.is_angle() {
         return None;
     }
     let Samples { time, values } = Samples::of(channel);
