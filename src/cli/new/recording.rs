@@ -139,7 +139,7 @@ fn channel(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> String {
 }
 
 /// The column of time: named like it or in a unit of time, and rising if there is such a one; else the first
-/// column if it rises in even steps.
+/// column if it rises in even steps, or rises at all and has a unit of time, whatever the language of its name.
 fn time_of(columns: &[Raw]) -> Option<usize> {
     let rises = |c: &Raw| {
         let end = c.values.iter().rposition(|v| !v.is_nan()).map_or(0, |last| last + 1);
@@ -149,7 +149,9 @@ fn time_of(columns: &[Raw]) -> Option<usize> {
     let rising = candidates().find(|(_, c)| rises(c));
     // a clock that stands or falls is still the clock: whoever reads it says what is wrong
     let named = rising.or_else(|| candidates().next()).map(|(i, _)| i);
-    named.or_else(|| columns.first().filter(|c| counts(&c.values)).map(|_| 0))
+    let is_of_time = |c: &Raw| unit_of(c).is_some_and(|u| u.dimension() == Dimension::TIME);
+    let first = columns.first().filter(|c| counts(&c.values) || is_of_time(c) && rises(c));
+    named.or(first.map(|_| 0))
 }
 
 /// Whether values rise in even steps, as a counter or a clock does.
@@ -160,8 +162,8 @@ fn counts(values: &[f64]) -> bool {
 }
 
 fn like_time(c: &Raw) -> bool {
-    let (name, unit, in_brackets) = parted(c);
-    let unit = unit.and_then(|u| Unit::parse(&u).ok()).map(|u| u.dimension());
+    let (name, _, in_brackets) = parted(c);
+    let unit = unit_of(c).map(|u| u.dimension());
     let whole = name.to_lowercase();
     let first = whole.split(|c: char| !c.is_alphanumeric()).next().unwrap_or_default();
     if c.since.is_some() {
@@ -172,6 +174,10 @@ fn like_time(c: &Raw) -> bool {
         Some(_) => false,
         None => first != "t" && TIMES.contains(&first) || whole == "t" || whole.ends_with("time"),
     }
+}
+
+fn unit_of(c: &Raw) -> Option<Unit> {
+    c.unit.as_ref().and_then(|u| Unit::parse(u).ok())
 }
 
 /// A header's name, its unit, and whether the unit stands apart from the name.
@@ -249,6 +255,19 @@ mod tests {
         let wraps: Vec<bool> = recording.channels.iter().map(|c| c.wraps).collect();
         // what has no unit counts no angle, however it jumps
         assert_eq!(wraps, [true, false, false, false]);
+    }
+
+    /// A gap leaves no even steps.
+    #[test]
+    fn a_first_column_in_seconds_is_the_time_in_any_language_and_with_a_gap() {
+        let rows: String = (0..50).map(|i| format!("{},{i}\n", if i < 20 { i } else { i + 7 })).collect();
+        for name in ["Zeit [s]", "Aika [min]", "Tempo [s]"] {
+            let (text, recording) = guess_of(&format!("{name},x [m]\n{rows}")).unwrap();
+            assert!(text.contains("time = { column = ") && !text.contains("GUESS: no column"), "{text}");
+            assert_eq!(recording.channels.iter().map(|c| c.name.as_str()).collect::<Vec<_>>(), ["x"]);
+        }
+        let (text, _) = guess_of(&format!("Reise [s],x [m]\n{}", rows.replace("30,", "3,"))).unwrap();
+        assert!(text.contains("GUESS: no column rises like time"), "{text}");
     }
 
     #[test]
