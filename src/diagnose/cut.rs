@@ -7,13 +7,14 @@
 //! # Method
 //! Such a fit is judged by the best that it reached, with all that its own sensitivities promise from there:
 //! its likelihood is already that of the linear problem, and so is the least sum of squares. One that would
-//! not stand even so has fallen out. One that might is fitted on with a share of all that is left; where that
-//! does not bring it to its end either, the search is told to have ended early.
+//! not stand even so has fallen out, and one that would stand plainly behind another that came to its end can neither be
+//! chosen nor tie with it. One that might is fitted on with a share of all that is left; where that does not bring it to its
+//! end either, the search is told to have ended early.
 
 use super::bench::Bench;
 use super::catalogue::Proposal;
-use super::choose::CHANCE;
-use super::measure::{Scale, promised};
+use super::choose::{CHANCE, PLAINLY, alike, gain, worth_of};
+use super::measure::{Measure, Scale, promised};
 use super::race::to_the_end;
 use super::search::Refitted;
 use crate::estimate::Fit;
@@ -26,20 +27,24 @@ const BLOWN_UP: f64 = 10.0;
 const RETRIES: u64 = 2;
 
 /// Fits those on that were cut and might stand, and tells the budget of those that might still; with what a
-/// reader should know. `now` is what the model leaves, weighed by the scale.
+/// reader should know. `now` is the model as it is, and what it leaves, weighed by the scale.
 pub fn retry(
     bench: &Bench,
     fitted: &mut Vec<Refitted>,
-    (now, scale): (f64, &Scale),
+    (now, scale): ((&Measure, f64), &Scale),
     judged: &(dyn Fn(Proposal, Fit, bool) -> Refitted + Sync),
 ) -> Vec<String> {
     if bench.budget.cut() == Some(Early::Time) {
         return Vec::new();
     }
-    let is_near = |r: &Refitted| scale.squares(&r.fit) < BLOWN_UP * now;
-    let may_stand = |r: &Refitted| {
-        r.is_cut && r.p_value < CHANCE && is_near(r) && (now / promised(&r.fit, scale)).ln() > r.floor
+    let ahead: Vec<Refitted> = fitted.iter().filter(|r| !r.is_cut && r.p_value < CHANCE).cloned().collect();
+    let promises = |r: &Refitted| {
+        let is_near = r.p_value < CHANCE && scale.squares(&r.fit) < BLOWN_UP * now.1;
+        let gain = if is_near { (now.1 / promised(&r.fit, scale)).ln() } else { 0.0 };
+        (gain > r.floor).then_some(gain)
     };
+    let is_left = |r: &Refitted, gain: f64| !ahead.iter().any(|a| is_behind((r, gain), a, now.0));
+    let may_stand = |r: &Refitted| r.is_cut && promises(r).is_some_and(|gain| is_left(r, gain));
     let count = fitted.iter().filter(|r| may_stand(r)).count() as u64;
     let share = bench.budget.rest().part(RETRIES * count.max(1));
     fitted.par_iter_mut().with_max_len(1).filter(|r| may_stand(r)).for_each(|r| {
@@ -58,7 +63,7 @@ pub fn retry(
     }
     let told = |r: &&Refitted| format!("{} ({})", r.proposal.code, r.proposal.site.name);
     let list = |all: &[&Refitted]| all.iter().map(told).collect::<Vec<_>>().join(", ");
-    let fallen: Vec<&Refitted> = fitted.iter().filter(|r| r.is_cut && !may_stand(r)).collect();
+    let fallen: Vec<&Refitted> = fitted.iter().filter(|r| r.is_cut && promises(r).is_none()).collect();
     let mut notes = Vec::new();
     if !open.is_empty() {
         notes.push(format!("what may be missing was not fitted to the end: {}", list(&open)));
@@ -71,6 +76,13 @@ pub fn retry(
         ));
     }
     notes
+}
+
+/// Whether one that promises a gain stands plainly behind another that gains nearly as much.
+fn is_behind((r, promised): (&Refitted, f64), ahead: &Refitted, now: &Measure) -> bool {
+    let of = |r: &Refitted| worth_of(&r.proposal, &r.measure);
+    let fits_as_well = alike((&r.proposal, &r.measure), (&ahead.proposal, &ahead.measure), now);
+    gain(now, &ahead.measure) >= promised && of(ahead) > of(r) + PLAINLY && !fits_as_well
 }
 
 #[cfg(test)]
@@ -119,6 +131,16 @@ mod tests {
 
     /// What becomes of a lag of the input whose fit was cut at its start, with so many steps left to all.
     fn retried(lag: f64, left: Option<u64>) -> (Refitted, Option<Early>, Vec<String>) {
+        retried_beside(lag, left, None)
+    }
+
+    /// The same beside another that came to its end: by how much it is likelier, and which part of the promised squares it
+    /// leaves.
+    fn retried_beside(
+        lag: f64,
+        left: Option<u64>,
+        beside: Option<(f64, f64)>,
+    ) -> (Refitted, Option<Early>, Vec<String>) {
         let (mut bench, model) = bench(lag);
         let base = bench.full_fit(&model).expect("a fit");
         let scale = Scale::of(&base, false);
@@ -139,10 +161,18 @@ mod tests {
             Refitted { proposal: p, fit, measure, p_value, tried: 1.0, floor: 0.04, is_cut }
         };
         let mut fitted = vec![judged(proposal, heat, true)];
+        if let Some((likelier, part)) = beside {
+            let mut other = Refitted { is_cut: false, ..fitted[0].clone() };
+            other.proposal.code = "input-saturation";
+            other.measure.likelihood += likelier;
+            other.measure.left_out =
+                now.left_out * part * promised(&other.fit, &scale) / scale.squares(&base);
+            fitted.push(other);
+        }
         if let Some(left) = left {
             bench.budget = Budget::new(left, None);
         }
-        let notes = retry(&bench, &mut fitted, (scale.squares(&base), &scale), &judged);
+        let notes = retry(&bench, &mut fitted, ((&now, scale.squares(&base)), &scale), &judged);
         (fitted.remove(0), bench.budget.cut(), notes)
     }
 
@@ -152,6 +182,16 @@ mod tests {
         assert!(!lag.is_cut && cut.is_none() && notes.is_empty(), "{cut:?} {notes:?}");
         let time = lag.fit.parameters.iter().find(|p| p.name == lag.proposal.added[0].name).expect("a time");
         assert!((time.value - 0.1).abs() < 0.01, "{time:?}");
+    }
+
+    #[test]
+    fn one_that_is_plainly_behind_another_even_as_promised_is_left() {
+        let (lag, cut, notes) = retried_beside(0.1, None, Some((2.0 * PLAINLY, 0.9)));
+        assert!(lag.is_cut && cut.is_none() && notes.is_empty(), "{cut:?} {notes:?}");
+        for nearly in [(0.5 * PLAINLY, 0.9), (2.0 * PLAINLY, 1.1)] {
+            let (lag, cut, _) = retried_beside(0.1, None, Some(nearly));
+            assert!(!lag.is_cut && cut.is_none(), "{nearly:?}");
+        }
     }
 
     #[test]

@@ -61,7 +61,7 @@ const NEAR: [f64; 2] = [2.0, 1.2];
 const COUPLED: f64 = 0.01;
 /// Runs, as long as those of the model as given, that a heat and a last fit may spend. One with more sensitivities, events
 /// or shorter steps counts as several.
-const SPENT: [u64; 2] = [300, 1500];
+const SPENT: [u64; 2] = [100, 100];
 /// Parts of the steps that are left, times the proposals beside each other, of which a heat and a last fit may spend one.
 const SHARES: [usize; 2] = [4, 3];
 /// Runs that the heats of a proposal take, about, and as many its last fit.

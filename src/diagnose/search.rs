@@ -261,7 +261,7 @@ pub fn round(
         }
     }
     bench.budget.begin("last fits");
-    let notes = cut::retry(bench, &mut fitted, (squares, scale), &judged);
+    let notes = cut::retry(bench, &mut fitted, ((now, squares), scale), &judged);
     fitted.sort_by(|a, b| a.measure.left_out.total_cmp(&b.measure.left_out));
     Ok(Round { screening, fitted, notes, fallen: None })
 }
