@@ -5,7 +5,7 @@ use super::answer::{
 };
 use super::bench::Bench;
 use super::carried::{settled, together};
-use super::choose::SURE;
+use super::choose::{SURE, floor};
 use super::faults::{self, Spoiled};
 use super::feedback;
 use super::few::Few;
@@ -13,6 +13,7 @@ use super::innovations::Unlike;
 use super::located::{Mismatch, site_name};
 use super::nameless::Nameless;
 use super::paragraph::Paragraph;
+use super::propose::Screened;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::Found;
@@ -62,6 +63,18 @@ pub struct Assembly<'a> {
     pub ended_early: Option<Early>,
     /// What is held out, once it is asked for, of the model as given fitted to all.
     pub joint: OnceLock<Option<Vec<Held>>>,
+}
+
+/// The size from which on an effect of one direction d would have been named: it stands out of the noise, and it makes so much of
+/// the error that leaving it out counts, a² |d|² = (e^floor − 1) |r|².
+fn shows_from(s: &Screened) -> f64 {
+    let deviation = s.score.weights[0].abs() / s.score.chi2.sqrt();
+    let (weight, share) = match s.weights.first() {
+        Some(w) if s.explained > 0.0 => (*w, s.explained),
+        _ => (s.score.weights[0], s.visible),
+    };
+    let counts = weight.abs() * (floor(0.0).exp_m1() / share).sqrt();
+    (SEEN * deviation).max(counts)
 }
 
 impl Assembly<'_> {
@@ -337,15 +350,15 @@ impl Assembly<'_> {
                 continue;
             }
             let a = &p.added[p.amplitudes[0]];
-            let deviation = s.score.weights[0].abs() / s.score.chi2.sqrt();
-            if !TOLD.contains(&(SEEN * deviation / s.start[p.amplitudes[0]].abs())) {
+            let size = shows_from(s);
+            if !TOLD.contains(&(size / s.start[p.amplitudes[0]].abs())) {
                 continue;
             }
             visible.push(Visible {
                 code: p.code.to_string(),
                 site: site_name(&p.site),
                 parameter: a.name.clone(),
-                value: a.unit.difference_from_si(SEEN * deviation),
+                value: a.unit.difference_from_si(size),
                 unit: a.unit.text().to_string(),
             });
         }

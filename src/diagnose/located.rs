@@ -41,7 +41,8 @@ impl Mismatch<'_> {
     pub fn located(&self, physics: Verdict, verdict: Verdict) -> Located {
         let mut sites = self.sites(physics);
         if verdict == Verdict::DataFault {
-            sites.extend(self.faults.iter().map(|f| f.finding.site.clone()));
+            let faults = self.faults.iter().filter(|f| !f.is_reading());
+            sites.extend(faults.map(|f| f.finding.site.clone()));
         }
         // Where nothing is missing, or nothing could be looked for, it sits nowhere.
         let nothing = physics == Verdict::NothingMissing

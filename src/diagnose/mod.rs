@@ -376,11 +376,10 @@ impl Case<'_> {
     fn searched(&mut self, mut base: Fit) -> Result<(Found, bool)> {
         self.bench.budget.begin("faults");
         let misread = faults::misread(&self.bench, &self.model, &base);
-        if let Some(misread) = misread.or_else(|| faults::odd(&self.bench, &self.model, &base)) {
-            misread.mend(&mut self.bench.recordings, &mut self.separate);
-            self.told.push(misread.fault);
-            (self.model, base) = (misread.model, misread.fit);
-            self.bench.budget.renew();
+        let misread = misread.or_else(|| faults::odd(&self.bench, &self.model, &base));
+        let is_mended = misread.is_some();
+        if let Some(misread) = misread {
+            base = self.mended(misread);
         }
         self.bench.budget.begin("gaps");
         let (base, settled, is_cut) = compared::settle(&mut self.bench, &mut self.separate, base)?;
@@ -388,7 +387,15 @@ impl Case<'_> {
         self.notes.extend(settled);
         let (base, filled) = filled::settle(&mut self.bench, &mut self.separate, base);
         self.notes.extend(filled);
-        let settled = hold::settle(&mut self.bench, &mut self.separate, base, Some(&self.model))?;
+        let mut settled = hold::settle(&mut self.bench, &mut self.separate, base, Some(&self.model))?;
+        // what a wrong reading left had hidden how much a unit mends
+        let is_new = !is_mended && !settled.held.is_empty();
+        if is_new && faults::fits_badly(&self.bench, &settled.fit) {
+            let misread = faults::misread(&self.bench, &self.model, &settled.fit);
+            if let Some(misread) = misread {
+                (settled.fit, settled.before) = (self.mended(misread), None);
+            }
+        }
         let (base, found) = self.as_read(settled)?;
         let spent = self.bench.budget.cut();
         if spent == Some(Early::Time) {
@@ -408,6 +415,15 @@ impl Case<'_> {
         let base = compared::anew(&self.bench, &base)?;
         self.notes.extend(feedback::read_first(&mut self.bench.recordings, &mut self.separate, &base));
         Ok((self.named(&self.bench, &self.separate, base, None)?, is_cut))
+    }
+
+    /// The fit with a sign or a unit mended, which is told.
+    fn mended(&mut self, misread: faults::Misread) -> Fit {
+        misread.mend(&mut self.bench.recordings, &mut self.separate);
+        self.told.push(misread.fault);
+        self.model = misread.model;
+        self.bench.budget.renew();
+        misread.fit
     }
 
     /// The values that the model was given.

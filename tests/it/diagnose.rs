@@ -10,6 +10,9 @@ use gyrospec::estimate::fit::Silent;
 use gyrospec::expression::Expr;
 use gyrospec::model::{Initial, Model};
 use gyrospec::record::{Channel, Recording};
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rand_distr::{Distribution, StandardNormal};
 use std::sync::LazyLock;
 
 /// Noise of lag-one correlation 0.9 and unit deviation, from a small congruential generator.
@@ -47,6 +50,11 @@ pub fn recording(force: Option<&str>) -> (Model, Recording) {
 
 /// The same with the inputs of a scenario.
 pub fn moved(scenario: Scenario, force: Option<&str>) -> (Model, Recording) {
+    covered(scenario, force, |n| noise(n, 77))
+}
+
+/// The same with noise of its own, of the size of 1.
+fn covered(scenario: Scenario, force: Option<&str>, noise: impl Fn(usize) -> Vec<f64>) -> (Model, Recording) {
     let mut truth = scenario.model.clone();
     if let Some(force) = force {
         truth.states[1].rate = Expr::parse(&format!("(force - Fv*v - k*q - {force})/M")).unwrap();
@@ -56,7 +64,7 @@ pub fn moved(scenario: Scenario, force: Option<&str>) -> (Model, Recording) {
     let y = Stepper::new(&truth, &scenario.recording).unwrap().outputs(&time).remove(0);
     let size = (y.iter().map(|v| v * v).sum::<f64>() / y.len() as f64).sqrt();
     let position = recording.channels.iter_mut().find(|c| c.name == "position").unwrap();
-    for ((v, y), e) in position.values.iter_mut().zip(&y).zip(noise(y.len(), 77)) {
+    for ((v, y), e) in position.values.iter_mut().zip(&y).zip(noise(y.len())) {
         *v = y + 0.01 * size * e;
     }
     let mut model = scenario.model;
@@ -109,6 +117,28 @@ fn a_complete_model_lacks_nothing_under_coloured_noise() {
     let d = diagnosed(&model, recording);
     assert_eq!(d.answer.verdict, Verdict::NothingMissing, "{}", d.answer.says);
     assert!(d.answer.findings.is_empty() && !d.answer.detection.smallest_visible.is_empty());
+}
+
+/// More rows than an effect needs to stand out of white noise do not make it large enough to count.
+#[test]
+fn what_would_have_shown_shows() {
+    let with = |force: Option<&str>| {
+        let (model, recording) = covered(axis(), force, |n| {
+            let mut rng = ChaCha8Rng::seed_from_u64(11);
+            (0..n).map(|_| StandardNormal.sample(&mut rng)).collect()
+        });
+        diagnosed(&model, recording).answer
+    };
+    let complete = with(None);
+    assert_eq!(complete.verdict, Verdict::NothingMissing, "{}", complete.says);
+    let shown = complete.detection.smallest_visible.iter().find(|v| v.code == "input-square").unwrap();
+    let of = |part: f64| with(Some(&format!("-({}*force^2)", part * shown.value)));
+    let named = of(1.2);
+    let first = &named.findings[0];
+    let codes: Vec<&str> = std::iter::once(&first.code).chain(&first.ties).map(String::as_str).collect();
+    assert!(codes.contains(&"input-square"), "{}: {}", shown.value, named.says);
+    let less = of(0.6);
+    assert_eq!(less.verdict, Verdict::NothingMissing, "{}: {}", shown.value, less.says);
 }
 
 /// Waves in position follow such a law in part: they must not pass for it.

@@ -92,6 +92,50 @@ fn a_held_command_leads_to_no_name() {
     }
 }
 
+/// A command that stays for seven samples, of a motor that follows within one, its speed in °/s under rad/s: read as straight, the
+/// command leaves more than a wrong unit may, and so hides it.
+#[test]
+fn how_a_command_is_read_hides_no_wrong_unit() {
+    let known = MOTOR
+        .replace(
+            "K = { value = 2, unit = \"rad/s/V\", fit = true }",
+            "K = { value = 2.2, unit = \"rad/s/V\" }",
+        )
+        .replace(
+            "T = { value = 0.2, unit = \"s\", fit = true, min = 1e-3, max = 1e3 }",
+            "T = { value = 0.007, unit = \"s\" }",
+        )
+        .replace("initial = 0", "initial = \"fit\"");
+    assert!(known.contains("0.007") && known.contains("2.2") && known.contains("fit"));
+    let mut rng = ChaCha8Rng::seed_from_u64(21);
+    let mut normal = || -> f64 { StandardNormal.sample(&mut rng) };
+    let levels: Vec<f64> = (0..300).map(|_| 3.0 * normal()).collect();
+    let u: Vec<f64> = (0..2100).map(|i| levels[i / 7]).collect();
+    let (decay, mut w) = (f64::exp(-STEP / 0.007), vec![0.0; u.len()]);
+    for i in 1..u.len() {
+        w[i] = 2.2 * u[i - 1] + (w[i - 1] - 2.2 * u[i - 1]) * decay;
+    }
+    let time: Vec<f64> = (0..u.len()).map(|i| STEP * i as f64).collect();
+    let degrees = w.iter().map(|w| (w + 0.05 * normal()).to_degrees()).collect();
+    let unit = |text: &str| Unit::parse(text).unwrap();
+    let channels = vec![
+        Channel::new("u", unit("V"), time.clone(), u),
+        Channel::new("speed", unit("rad/s"), time, degrees),
+    ];
+    let told =
+        diagnosed(&Model::parse(&known).unwrap(), Recording::from_channels("motor", channels).unwrap())
+            .answer;
+    let faults: Vec<(&str, &str)> =
+        told.faults.iter().map(|f| (f.finding.code.as_str(), f.finding.site.name.as_str())).collect();
+    assert_eq!(told.verdict, Verdict::DataFault, "{}", told.says);
+    assert!(
+        faults.contains(&("wrong-unit", "speed")) && faults.contains(&("input-hold", "u")),
+        "{}",
+        told.says
+    );
+    assert_eq!(told.located.sites.len(), 1, "{:?}", told.located.sites);
+}
+
 #[test]
 fn what_runs_straight_is_left_so() {
     let told = answer(false, 0, 3);

@@ -81,6 +81,16 @@ pub fn is_multiple_of(e: &Expr, name: &str) -> bool {
     }
 }
 
+/// Whether an expression is a signal times a number, or a sum of which that is a part.
+pub fn has_multiple_of(e: &Expr, name: &str) -> bool {
+    match e {
+        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
+            has_multiple_of(a, name) || has_multiple_of(b, name)
+        }
+        _ => is_multiple_of(e, name),
+    }
+}
+
 fn is_sum(e: &Expr) -> bool {
     matches!(e, Expr::Binary(BinaryOp::Add | BinaryOp::Sub, _, _))
 }

@@ -154,8 +154,7 @@ struct Mend<'m> {
 /// is turned over from the values that were fitted, and any other factor must fit no better: else a law of another size
 /// is missing. Units are not asked there: an input that does not act is any unit too large.
 pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
-    let before = relative(bench, base, "", 1.0).into_iter().fold(0.0, f64::max);
-    let is_bad = before > BADLY;
+    let (before, is_bad) = (misfit(bench, base), fits_badly(bench, base));
     let (from, fitted) = if is_bad { (model, None) } else { (&base.model, Some(before)) };
     let (mends, tried) = mends(bench, from, fitted);
     // 2 Δln L = n ln(S₀/S₁), the factor one more unknown.
@@ -186,6 +185,16 @@ pub fn misread(bench: &Bench, model: &Model, base: &Fit) -> Option<Misread> {
     let model = if way.part.is_channel() { model.clone() } else { mended };
     let channel = way.part.is_channel().then(|| way.name.to_string());
     Some(Misread { fault, channel, only: None, factor: way.factor, model, fit })
+}
+
+/// Whether a fitted model misses a large part of what an output shows.
+pub fn fits_badly(bench: &Bench, base: &Fit) -> bool {
+    misfit(bench, base) > BADLY
+}
+
+/// The largest misfit of an output as a share of its size.
+fn misfit(bench: &Bench, fit: &Fit) -> f64 {
+    relative(bench, fit, "", 1.0).into_iter().fold(0.0, f64::max)
 }
 
 /// Whether an input that is mended fits no better by any other factor.
@@ -223,7 +232,7 @@ fn is_another_value(bench: &Bench, model: &Model, base: &Fit, units: &[Mend<'_>]
     let least = units.iter().map(|m| m.misfit).fold(f64::INFINITY, f64::min);
     let refitted = |model: &Model| {
         let fit = fit(model, &bench.recordings, &bench.options(Effort::Near, 10)).ok()?;
-        let misfit = relative(bench, &fit, "", 1.0).into_iter().fold(0.0, f64::max);
+        let misfit = misfit(bench, &fit);
         Some((fit, misfit))
     };
     let known = model.parameters.iter().enumerate().filter(|(_, p)| !p.fit && p.value != 0.0);

@@ -7,7 +7,7 @@ mod strays;
 mod tell;
 
 pub use left::Left;
-pub use misread::misread;
+pub use misread::{Misread, fits_badly, misread};
 pub use odd::odd;
 pub use strays::strays;
 

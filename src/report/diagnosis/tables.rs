@@ -52,14 +52,22 @@ pub fn findings(a: &Answer) -> String {
 
 /// What is wrong with the data, and whether it was kept from the fit.
 pub fn faults(a: &Answer) -> String {
-    let row = |DataFault { finding: f, masked }: &DataFault| {
+    let row = |fault: &DataFault| {
+        let DataFault { finding: f, masked } = fault;
+        let kept = if fault.is_reading() {
+            "no fault: read so"
+        } else if *masked {
+            "yes"
+        } else {
+            "no"
+        };
         let values: Vec<String> = text::values(f).iter().map(|v| escaped(v)).collect();
         let says = escaped(&without_needless_zeros(&f.says));
         vec![
             format!("<b>{}</b><br>{says}", escaped(&f.code)),
             escaped(&format!("{} {}", f.site.kind, f.site.name)),
             values.join("<br>"),
-            if *masked { "yes" } else { "no" }.into(),
+            kept.into(),
         ]
     };
     let rows: Vec<Vec<String>> = a.faults.iter().map(row).collect();

@@ -77,17 +77,23 @@ fn findings(out: &mut String, a: &Answer) {
     out.push_str("  `gyrospec explain CODE` says more of each.\n");
 }
 
-/// What is wrong with the data, and whether it was kept from the fit.
+/// What is wrong with the data, and whether it was kept from the fit; and how inputs were read, which is no fault.
 fn faults(out: &mut String, a: &Answer) {
-    if a.faults.is_empty() {
-        return;
+    let (readings, faults): (Vec<_>, Vec<_>) = a.faults.iter().partition(|f| f.is_reading());
+    let site = |f: &Finding| format!("{} {}", f.site.kind, f.site.name);
+    if !faults.is_empty() {
+        let _ = writeln!(out, "\n  {:<22} {:<22} {:>6}   values", "fault of the data", "where", "masked");
     }
-    let _ = writeln!(out, "\n  {:<22} {:<22} {:>6}   values", "fault of the data", "where", "masked");
-    for DataFault { finding: f, masked } in &a.faults {
-        let site = format!("{} {}", f.site.kind, f.site.name);
+    for DataFault { finding: f, masked } in faults {
         let masked = if *masked { "yes" } else { "no" };
-        let _ = writeln!(out, "  {:<22} {site:<22} {masked:>6}   {}", f.code, values(f).join(", "));
+        let _ = writeln!(out, "  {:<22} {:<22} {masked:>6}   {}", f.code, site(f), values(f).join(", "));
         let _ = writeln!(out, "      {}", f.says);
+    }
+    if !readings.is_empty() {
+        let _ = writeln!(out, "\n  {:<22} {:<22}", "how an input was read", "where");
+    }
+    for DataFault { finding: f, .. } in readings {
+        let _ = writeln!(out, "  {:<22} {}\n      {}", f.code, site(f), f.says);
     }
 }
 
