@@ -388,13 +388,8 @@ impl Case<'_> {
         let (base, filled) = filled::settle(&mut self.bench, &mut self.separate, base);
         self.notes.extend(filled);
         let mut settled = hold::settle(&mut self.bench, &mut self.separate, base, Some(&self.model))?;
-        // what a wrong reading left had hidden how much a unit mends
-        let is_new = !is_mended && !settled.held.is_empty();
-        if is_new && faults::fits_badly(&self.bench, &settled.fit) {
-            let misread = faults::misread(&self.bench, &self.model, &settled.fit);
-            if let Some(misread) = misread {
-                (settled.fit, settled.before) = (self.mended(misread), None);
-            }
+        if !is_mended {
+            self.mends_again(&mut settled);
         }
         let (base, found) = self.as_read(settled)?;
         let spent = self.bench.budget.cut();
@@ -415,6 +410,16 @@ impl Case<'_> {
         let base = compared::anew(&self.bench, &base)?;
         self.notes.extend(feedback::read_first(&mut self.bench.recordings, &mut self.separate, &base));
         Ok((self.named(&self.bench, &self.separate, base, None)?, is_cut))
+    }
+
+    /// Mends a sign or a unit where inputs are read anew: what a wrong reading left had hidden how much that mends.
+    fn mends_again(&mut self, settled: &mut hold::Settled) {
+        if settled.held.is_empty() || !faults::fits_badly(&self.bench, &settled.fit) {
+            return;
+        }
+        if let Some(misread) = faults::misread(&self.bench, &self.model, &settled.fit) {
+            (settled.fit, settled.before) = (self.mended(misread), None);
+        }
     }
 
     /// The fit with a sign or a unit mended, which is told.
