@@ -381,6 +381,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_part_of_a_sum_is_a_multiple() {
+        let has = |text: &str| has_multiple_of(&Expr::parse(text).expect("an expression"), "w");
+        assert!(["w", "w/3", "w + c*i", "2*i - 4*w"].into_iter().all(has));
+        assert!(!["c*i", "sin(w) + i", "w*w", "i/w"].into_iter().any(has));
+    }
+
+    #[test]
     fn the_unit_of_a_power_with_a_sign() {
         let of_name = |n: &str| Unit::parse(if n == "A" { "m^2" } else { "m^3/s" }).ok();
         let speed = Unit::parse("m/s").unwrap().dimension();
