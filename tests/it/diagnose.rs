@@ -132,8 +132,8 @@ fn what_would_have_shown_shows() {
     let complete = with(None);
     assert_eq!(complete.verdict, Verdict::NothingMissing, "{}", complete.says);
     let shown = complete.detection.smallest_visible.iter().find(|v| v.code == "input-square").unwrap();
-    let of = |part: f64| with(Some(&format!("-({}*force^2)", part * shown.value)));
-    let named = of(1.2);
+    let of = |part: f64| with(Some(&format!("-({}*force^3)", part * shown.value)));
+    let named = of(1.6);
     let first = &named.findings[0];
     let codes: Vec<&str> = std::iter::once(&first.code).chain(&first.ties).map(String::as_str).collect();
     assert!(codes.contains(&"input-square"), "{}: {}", shown.value, named.says);
