@@ -37,14 +37,18 @@ pub fn retry(
     if bench.budget.cut() == Some(Early::Time) {
         return Vec::new();
     }
-    let ahead: Vec<Refitted> = fitted.iter().filter(|r| !r.is_cut && r.p_value < CHANCE).cloned().collect();
+    let stands = |r: &&Refitted| {
+        !r.is_cut && r.p_value < CHANCE && gain(now.0, &r.measure) > r.floor && !r.is_pressed()
+    };
+    let ahead: Vec<(Proposal, Measure)> =
+        fitted.iter().filter(stands).map(|r| (r.proposal.clone(), r.measure)).collect();
     let promises = |r: &Refitted| {
         let is_near = r.p_value < CHANCE && scale.squares(&r.fit) < BLOWN_UP * now.1;
         let gain = if is_near { (now.1 / promised(&r.fit, scale)).ln() } else { 0.0 };
         (gain > r.floor).then_some(gain)
     };
-    let is_left = |r: &Refitted, gain: f64| !ahead.iter().any(|a| is_behind((r, gain), a, now.0));
-    let may_stand = |r: &Refitted| r.is_cut && promises(r).is_some_and(|gain| is_left(r, gain));
+    let is_beaten = |r: &Refitted, gain: f64| ahead.iter().any(|a| is_behind((r, gain), a, now.0));
+    let may_stand = |r: &Refitted| r.is_cut && promises(r).is_some_and(|gain| !is_beaten(r, gain));
     let count = fitted.iter().filter(|r| may_stand(r)).count() as u64;
     let share = bench.budget.rest().part(RETRIES * count.max(1));
     fitted.par_iter_mut().with_max_len(1).filter(|r| may_stand(r)).for_each(|r| {
@@ -78,11 +82,10 @@ pub fn retry(
     notes
 }
 
-/// Whether one that promises a gain stands plainly behind another that gains nearly as much.
-fn is_behind((r, promised): (&Refitted, f64), ahead: &Refitted, now: &Measure) -> bool {
-    let of = |r: &Refitted| worth_of(&r.proposal, &r.measure);
-    let fits_as_well = alike((&r.proposal, &r.measure), (&ahead.proposal, &ahead.measure), now);
-    gain(now, &ahead.measure) >= promised && of(ahead) > of(r) + PLAINLY && !fits_as_well
+/// Whether one that promises a gain stands plainly behind another that gains as much.
+fn is_behind((r, promised): (&Refitted, f64), (p, ahead): &(Proposal, Measure), now: &Measure) -> bool {
+    let is_likelier = worth_of(p, ahead) > worth_of(&r.proposal, &r.measure) + PLAINLY;
+    gain(now, ahead) >= promised && is_likelier && !alike((&r.proposal, &r.measure), (p, ahead), now)
 }
 
 #[cfg(test)]

@@ -417,6 +417,7 @@ impl Case<'_> {
         if settled.held.is_empty() || !faults::fits_badly(&self.bench, &settled.fit) {
             return;
         }
+        self.bench.budget.begin("faults");
         if let Some(misread) = faults::misread(&self.bench, &self.model, &settled.fit) {
             (settled.fit, settled.before) = (self.mended(misread), None);
         }

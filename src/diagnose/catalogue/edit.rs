@@ -81,14 +81,9 @@ pub fn is_multiple_of(e: &Expr, name: &str) -> bool {
     }
 }
 
-/// Whether an expression is a signal times a number, or a sum of which that is a part.
-pub fn has_multiple_of(e: &Expr, name: &str) -> bool {
-    match e {
-        Expr::Binary(BinaryOp::Add | BinaryOp::Sub, a, b) => {
-            has_multiple_of(a, name) || has_multiple_of(b, name)
-        }
-        _ => is_multiple_of(e, name),
-    }
+/// Whether a term of a sum is a signal times a number.
+pub fn has_multiple_of(model: &Model, sum: &Expr, name: &str) -> bool {
+    terms_of(model, sum).iter().any(|t| is_multiple_of(t, name))
 }
 
 fn is_sum(e: &Expr) -> bool {
@@ -382,7 +377,14 @@ mod tests {
 
     #[test]
     fn a_part_of_a_sum_is_a_multiple() {
-        let has = |text: &str| has_multiple_of(&Expr::parse(text).expect("an expression"), "w");
+        let model = Model::parse(
+            "name = \"none\"\n[parameters]\nT = { value = 1, unit = \"s\" }\n[states]\nw = { rate = \"-w/T\", unit = \"1\", initial = 0 }\n\
+                                  [definitions]\nboth = { equals = \"w + 1\", unit = \"1\" }\n\
+                                  [outputs]\ny = { equals = \"w\", unit = \"1\" }\n",
+        );
+        let model = model.expect("a model");
+        let has = |text: &str| has_multiple_of(&model, &Expr::parse(text).expect("an expression"), "w");
+        assert!(["-w", "both"].into_iter().all(has));
         assert!(["w", "w/3", "w + c*i", "2*i - 4*w"].into_iter().all(has));
         assert!(!["c*i", "sin(w) + i", "w*w", "i/w"].into_iter().any(has));
     }

@@ -82,7 +82,8 @@ fn is_component(o: &Output, s: &Signal) -> bool {
 /// What the sensor feels of a signal, as couplings feel it or as it is.
 fn at(scene: &Scene, output: &str, s: &Signal, factor: &str, is_whole: bool) -> Option<Proposal> {
     let own = scene.model.outputs.iter().find(|o| o.name == output)?;
-    if factor.is_empty() && edit::has_multiple_of(&own.equals, &s.name) || s.is_heading() && s.spread > 0.3 {
+    let is_own = || factor.is_empty() && edit::has_multiple_of(scene.model, &own.equals, &s.name);
+    if is_own() || s.is_heading() && s.spread > 0.3 {
         return None;
     }
     let mut d = Draft::new(scene, "output-cross-axis", SiteKind::Output, output);

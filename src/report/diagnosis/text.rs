@@ -90,7 +90,7 @@ fn faults(out: &mut String, a: &Answer) {
         let _ = writeln!(out, "      {}", f.says);
     }
     if !readings.is_empty() {
-        let _ = writeln!(out, "\n  {:<22} {:<22}", "how an input was read", "where");
+        let _ = writeln!(out, "\n  {:<22} where", "how an input was read");
     }
     for DataFault { finding: f, .. } in readings {
         let _ = writeln!(out, "  {:<22} {}\n      {}", f.code, site(f), f.says);
