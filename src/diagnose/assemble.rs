@@ -147,7 +147,7 @@ impl Assembly<'_> {
             is_held_out: held_out > 0,
             odd: odd.as_deref(),
             is_cut: self.ended_early.is_some(),
-            law: rest.laws.first().filter(|_| left),
+            rest: Some(&rest).filter(|_| left),
             wanders: nameless.wanders.is_some(),
         };
         let says = paragraph.text();

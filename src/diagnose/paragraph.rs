@@ -2,8 +2,9 @@
 
 use super::answer::{DataFault, Finding, Proof, Verdict, at_fault, told};
 use super::catalogue::Proposal;
+use super::choose::SURE;
 use super::free_law::is_in;
-use super::rest::Law;
+use super::rest::{Law, Rest};
 use super::search::{Found, Taken};
 use super::words;
 use crate::model::Model;
@@ -30,8 +31,8 @@ pub struct Paragraph<'a> {
     pub odd: Option<&'a str>,
     /// Whether the search ended before it was through.
     pub is_cut: bool,
-    /// The law that is left, if one is.
-    pub law: Option<&'a Law>,
+    /// What is left, if a law is.
+    pub rest: Option<&'a Rest>,
     /// Whether what is left wanders by more than its quick noise.
     pub wanders: bool,
 }
@@ -87,13 +88,33 @@ impl Paragraph<'_> {
 
     /// What is left, where it is noise.
     fn noise(&self) -> String {
-        let left = if self.wanders {
+        let left = if self.rest.is_some() {
+            " that this recording makes sure of"
+        } else if self.wanders {
             " that shows itself as a law: what the model leaves over goes with no signal, but it wanders, by a disturbance that \
              nobody recorded or in the sensor itself (more below)"
         } else {
             ": what the model leaves over looks like noise in every test"
         };
-        format!("{left}.{}", self.untried())
+        format!("{left}.{}{}", self.sign(), self.untried())
+    }
+
+    /// A law that is seen in what is left and not for sure.
+    fn sign(&self) -> String {
+        let Some((rest, goes)) = self.rest.zip(self.goes()) else { return String::new() };
+        let per_mille = (1e3 * rest.p_value).ceil();
+        let sure = 1e3 * SURE;
+        format!(
+            " There is a sign of something that goes with {goes}: noise alone would leave as much in {per_mille} of 1000 such \
+             recordings, and it is told for sure from {sure} of 1000 on. A longer recording, or a second one, would tell."
+        )
+    }
+
+    /// What the law that is left goes with.
+    fn goes(&self) -> Option<String> {
+        let law: &Law = self.rest?.laws.first()?;
+        let goes = joined_by(&law.signals, self.model);
+        Some(if law.of_past { format!("what {goes} was before") } else { goes })
     }
 
     fn reason(&self) -> &str {
@@ -139,11 +160,7 @@ impl Paragraph<'_> {
     }
 
     fn unknown(&self, list: &str) -> String {
-        let named = |s: &String| words::signal(self.model, s);
-        let law = self.law.map(|l| {
-            let goes = l.signals.iter().map(named).collect::<Vec<_>>().join(" and ");
-            if l.of_past { format!("what {goes} was before") } else { goes }
-        });
+        let law = self.goes();
         if is_in(&self.found.taken) {
             let beyond = "It holds where the data are, and goes on straight beyond them.";
             return format!(
@@ -151,7 +168,7 @@ impl Paragraph<'_> {
             );
         }
         if let ("", Some(fallen)) = (list, &self.found.fallen) {
-            let goes = fallen.proposal.depends.iter().map(named).collect::<Vec<_>>().join(" and ");
+            let goes = joined_by(&fallen.proposal.depends, self.model);
             let goes = if goes.is_empty() { goes } else { format!("; it goes with {goes}") };
             return format!(
                 "Something is missing{goes}. Where it is fitted it is as if {}; that cannot be run over what was held out, so that nothing proves the name.",
@@ -214,6 +231,11 @@ fn slight(findings: &[Finding], told: &[&Finding]) -> String {
         return String::new();
     }
     format!(" Found in the fitted part too, each with less than 1 % of that fall: {}.", names.join(", "))
+}
+
+/// Signals in words, with "and".
+fn joined_by(signals: &[String], model: &Model) -> String {
+    signals.iter().map(|s| words::signal(model, s)).collect::<Vec<_>>().join(" and ")
 }
 
 fn joined<'a>(all: impl Iterator<Item = &'a Finding>) -> String {
