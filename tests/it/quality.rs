@@ -281,6 +281,25 @@ fn an_angle_that_jumps_by_a_turn_is_found_unless_marked() {
 }
 
 #[test]
+fn noise_about_north_is_no_outlier() {
+    let mut rng = ChaCha12Rng::seed_from_u64(31);
+    // a ship that starts on a course of 0.4°, and turns away after a minute
+    let course = |i: usize| (0.4 + 0.02 * i.saturating_sub(600) as f64).to_radians();
+    let values: Vec<f64> =
+        (0..3000).map(|i| (course(i) + 0.003 * normal(&mut rng)).rem_euclid(std::f64::consts::TAU)).collect();
+    let found = faults(channel("deg", values.clone()));
+    let kinds: Vec<FaultKind> = found.iter().map(|f| f.kind).collect();
+    assert_eq!(kinds, [FaultKind::WrappedAngle], "{found:?}");
+    // and one sample that is off is one still
+    let mut off = values;
+    off[2000] += 1.0;
+    let found = faults(channel("deg", off));
+    let kinds: Vec<(FaultKind, usize)> = found.iter().map(|f| (f.kind, f.samples)).collect();
+    assert_eq!(kinds[0], (FaultKind::Outliers, 1), "{found:?}");
+    assert_eq!(kinds[1].0, FaultKind::WrappedAngle, "{found:?}");
+}
+
+#[test]
 fn the_quantum_is_the_step_of_the_file() {
     let mut rng = ChaCha12Rng::seed_from_u64(16);
     for quantum in [1.0_f64, 0.1, 0.01, 0.25] {

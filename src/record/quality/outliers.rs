@@ -7,11 +7,14 @@
 //! that, the sample must stand out by as much from both neighbours, and these must agree among
 //! themselves: the top of a smooth peak stands two fifths of that distance above its neighbours.
 //!
+//! An angle that jumps by a turn is unwrapped before: noise about north is none.
+//!
 //! A number that loggers write where nothing was measured, far off all others, is one at any share.
 //!
 //! References: P. J. Huber, E. M. Ronchetti, Robust Statistics, 2nd ed. (2009).
 
-use super::{Fault, FaultKind, Samples, ends, quantile, quantum};
+use super::{Fault, FaultKind, Samples, ends, quantile, quantum, wrapped_angle};
+use crate::record::wrap::unwrap;
 use crate::record::{Channel, Span};
 
 const FAR: f64 = 12.0;
@@ -31,12 +34,15 @@ const MOST: usize = 20;
 
 /// Samples far off; each span is one sample; `size` is the largest distance, SI.
 pub fn outliers(channel: &Channel) -> Option<Fault> {
-    let Samples { time, values } = Samples::of(channel);
+    let Samples { time, mut values } = Samples::of(channel);
     if values.len() < FEWEST_SAMPLES {
         return None;
     }
     if let Some(coded) = any_coded(channel, (&time, &values)) {
         return Some(coded);
+    }
+    if wrapped_angle(channel).is_some() {
+        unwrap(values.to_mut());
     }
     let sizes = || values.windows(5).map(|w| distance(w).abs());
     let spread = (quantile(sizes(), 0.5)? / NORMAL_MEDIAN)
