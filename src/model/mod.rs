@@ -38,6 +38,7 @@ mod places;
 pub(crate) mod program;
 mod read;
 mod scalar;
+pub(crate) mod shown;
 mod simulated;
 mod unmeasured;
 mod write;

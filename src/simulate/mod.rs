@@ -12,6 +12,7 @@ mod course;
 mod did;
 mod events;
 mod faults;
+mod first;
 mod functions;
 mod gaps;
 mod history;

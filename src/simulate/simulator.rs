@@ -14,7 +14,7 @@ use super::request::{Case, Options, Trajectory, Unknown};
 use super::signals::{self, OutputSignal};
 use super::steps::Solver;
 use crate::model::program::Program;
-use crate::model::{Dual, Initial, Model, Scalar};
+use crate::model::{Dual, Model, Scalar};
 use crate::record::{Kind, Recording};
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -241,30 +241,13 @@ impl Simulator {
         own
     }
 
-    /// The model's initial states in SI: its numbers; for a fitted state that an output shows
-    /// directly, the first measured value, else 0; NaN for a steady one.
-    pub fn initials(&self) -> Vec<f64> {
-        let shown = |name: &str| {
-            let o =
-                self.model.outputs.iter().position(|o| o.equals == crate::expression::Expr::name(name))?;
-            let o = self.outputs.iter().find(|s| s.output == o)?;
-            let first =
-                o.time.iter().zip(o.measured.iter()).find(|(t, y)| **t >= self.span.0 && y.is_finite());
-            first.map(|(_, y)| *y)
-        };
-        let one = |s: &crate::model::State| match s.initial {
-            Initial::Number(x) => x,
-            Initial::Fit => shown(&s.name).unwrap_or(0.0),
-            Initial::Steady => f64::NAN,
-        };
-        self.model.states.iter().map(one).collect()
-    }
-
     /// The start of every state, the model's own where NaN is given, and the states that start steady.
     pub(super) fn starts(&self, initials: &[f64]) -> (Vec<f64>, Vec<usize>) {
-        let own = self.initials();
-        let pairs = initials.iter().zip(&own);
-        let starts: Vec<f64> = pairs.map(|(given, own)| if given.is_nan() { *own } else { *given }).collect();
+        let mut starts = initials.to_vec();
+        if starts.iter().any(|x| x.is_nan()) {
+            let own = self.initials();
+            starts.iter_mut().zip(own).filter(|(x, _)| x.is_nan()).for_each(|(x, own)| *x = own);
+        }
         let steady = (0..starts.len()).filter(|i| starts[*i].is_nan()).collect();
         (starts, steady)
     }

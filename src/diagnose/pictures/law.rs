@@ -22,11 +22,11 @@ use super::{Assembly, Law, Point};
 use crate::diagnose::catalogue::{Proposal, SiteKind, edit};
 use crate::diagnose::inert::{self, Inert};
 use crate::estimate::Fit;
-use crate::estimate::fit::seen::{Seen, seen_states};
 use crate::estimate::fit::{Effort, setup};
 use crate::estimate::smooth::Smoother;
 use crate::expression::Expr;
 use crate::model::Model;
+use crate::model::shown::{Seen, seen_states};
 use crate::record::{Channel, Recording, principal};
 use crate::units::Unit;
 

@@ -16,10 +16,10 @@
 //! Noise in the derivatives biases the estimate: it is a start, never a result.
 
 use super::options::{Effort, FitOptions, Weighting};
-use super::seen::{Seen, seen_states};
 use super::setup;
 use crate::estimate::smooth::{Jet, Smoother};
 use crate::expression::Expr;
+use crate::model::shown::{Seen, seen_states};
 use crate::model::{Input, Model, Output};
 use crate::record::{Channel, Recording};
 use crate::units::Unit;
