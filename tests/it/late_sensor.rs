@@ -80,3 +80,55 @@ fn a_sensor_that_is_late_from_a_moment_on_is_told_with_the_moment() {
     assert!(late.low < truth && truth < late.high && late.high - late.low < 0.02, "{late:?}");
     assert!((moment.value - 20.0).abs() < 0.1, "{moment:?}");
 }
+
+/// A magnet that floats above another: its force has no value at a gap of zero.
+const FLOATING: Plant<'_> = Plant {
+    step: 0.002,
+    start: &[0.015, 0.0],
+    inputs: &[("coil", "A")],
+    states: &[("z", "m"), ("v", "m/s")],
+    sizes: &[(0.0, 0.3)],
+    noise: 2e-5,
+    measured: 1,
+};
+
+#[test]
+fn a_late_sensor_is_told_of_a_state_that_must_not_begin_at_zero() {
+    let made = FLOATING.recorded(|x, u| {
+        let lift = 8.277e-6 / x[0].powi(3);
+        vec![x[1], (lift + 0.4 * u[0] - 2.2 * x[1]) / 0.25 - 9.81]
+    });
+    let rows = made.find("z_meas").unwrap().values.len() - LATE;
+    let time: Vec<f64> = (0..rows).map(|i| 0.002 * i as f64).collect();
+    let shifted = ["coil", "z_meas"].map(|name| {
+        let c = made.find(name).unwrap();
+        let first = if name == "coil" { LATE } else { 0 };
+        Channel::new(name, c.unit.clone(), time.clone(), c.values[first..first + rows].to_vec())
+    });
+    let model = r#"
+        name = "levitation"
+        [inputs]
+        coil = { unit = "A" }
+        [parameters]
+        C = { value = 1e-5, unit = "N*m^3", fit = true, min = 1e-6, max = 1e-4 }
+        ki = { value = 0.3, unit = "N/A", fit = true }
+        d = { value = 3.0, unit = "N*s/m", fit = true, min = 0.1, max = 50 }
+        m = { value = 0.25, unit = "kg" }
+        g = { value = 9.81, unit = "m/s^2" }
+        [states]
+        z = { rate = "v", unit = "m", initial = "fit" }
+        v = { rate = "(C/z^3 + ki*coil - d*v)/m - g", unit = "m/s", initial = "fit" }
+        [outputs]
+        z_meas = { equals = "z", unit = "m" }
+    "#;
+    let told =
+        diagnosed(&Model::parse(model).unwrap(), Recording::from_channels("late", shifted.to_vec()).unwrap())
+            .answer;
+    let [found] = &told.findings[..] else { panic!("{}", told.says) };
+    // with one input and one output both delays are one
+    let codes: Vec<&str> = std::iter::once(&found.code).chain(&found.ties).map(String::as_str).collect();
+    assert!(codes.contains(&"output-delay"), "{codes:?} {}", told.says);
+    let delay = &found.parameters[0];
+    let truth = 0.002 * LATE as f64;
+    assert!(delay.low < truth && truth < delay.high && delay.high - delay.low < 0.001, "{delay:?}");
+}
