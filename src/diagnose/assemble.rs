@@ -4,7 +4,7 @@ use super::answer::{
     Answer, DataFault, Detection, InputFile, Made, ParameterChange, Proof, SCHEMA, Verdict, Visible,
 };
 use super::bench::Bench;
-use super::carried::{settled, together};
+use super::carried::{carries, settled, together};
 use super::choose::{SURE, floor};
 use super::faults::{self, Spoiled};
 use super::feedback;
@@ -108,15 +108,17 @@ impl Assembly<'_> {
         let coloured =
             |n: &NoiseModel| (n.autoregression.variance() / n.autoregression.innovation_variance()).sqrt();
         let coloured: Vec<f64> = self.found.last.noise.iter().map(coloured).collect();
+        let physics = with_patches(physics, &findings, &rest);
         let proven = Proven {
             proof: &proof,
+            carries: !physics.has_names() || carries(&self.bench, &self.found.last, &self.separate),
             samples: held_out,
             falls_whitened: self.falls_whitened(&before, &after),
             coloured: &coloured,
             is_left: left && (rest.p_value < SURE || self.bench.is_trials()),
             trials: self.bench.is_trials(),
         };
-        let physics = proven.settle(with_patches(physics, &findings, &rest));
+        let physics = proven.settle(physics);
         // a law that is left goes with the input as well
         let closed = (!left && !self.bench.is_trials())
             .then(|| feedback::of(&self.bench.recordings, &self.found.last))

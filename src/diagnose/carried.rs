@@ -12,7 +12,8 @@
 //!
 //! Where that is not near enough, as where a parameter lies at its bound and moves nothing to first order, the same
 //! model is fitted to both parts: what is held out belongs to it if the fitted part loses no more likelihood than as
-//! many unknowns lose by chance.
+//! many unknowns lose by chance. Names do not carry over where the fitted part loses more than that, and more than the
+//! least that a name must explain: n samples lose n ln((1 − f)⁻²), with the floor f of the error.
 //!
 //! # References
 //! A. Gelman et al., Bayesian Data Analysis, 3rd ed., 2013, sec. 14.8.
@@ -21,12 +22,12 @@
 //! Unknowns are counted in their own standard deviations.
 
 use super::bench::Bench;
-use super::choose::SURE;
+use super::choose::{SURE, floor};
 use super::moments;
 use super::prove::Held;
 use super::screen::log_chance;
 use crate::estimate::Fit;
-use crate::estimate::fit::{Effort, HeldOut, Series, carried_on, setup};
+use crate::estimate::fit::{self, Effort, FitOptions, HeldOut, Series, carried_on, setup};
 use crate::estimate::triangle::Triangle;
 use crate::model::Model;
 use crate::record::Recording;
@@ -51,12 +52,35 @@ pub fn settled(bench: &Bench, fit: &Fit, separate: &[Recording]) -> Option<Vec<H
     Some(held)
 }
 
-/// Residuals over what is held out of the same model fitted to both parts, by output; None where the fitted part does
-/// not bear that, or where whole recordings are held out.
+/// Residuals over what is held out of the same model fitted to both parts, by output; None where the fitted part
+/// does not bear that, or where whole recordings are held out.
 pub fn together(bench: &Bench, model: &Model, fit: &Fit) -> Option<Vec<Held>> {
     if bench.separate {
         return None;
     }
+    let joint = both(bench, model, &[]).full_fit(model).ok()?;
+    let joint = Joint::of(fit, &joint)?;
+    joint.is_borne(fit).then_some(joint.held)
+}
+
+/// Whether a fitted model with names can be fitted to both parts, so that the earlier loses by that no more than chance
+/// or the floor; also where that cannot be told.
+pub fn carries(bench: &Bench, fit: &Fit, separate: &[Recording]) -> bool {
+    if bench.is_trials() || !separate.is_empty() && moments::has_any(bench, &fit.model) {
+        return true;
+    }
+    let both = both(bench, &fit.model, separate);
+    let options = FitOptions { initials: fit.starts(), ..both.options(Effort::Near, 40) };
+    let Ok(joint) = fit::fit(&fit.model, &both.recordings, &options) else { return true };
+    if joint.ended_early.is_some() {
+        return true;
+    }
+    let is_small = |joint: &Joint| joint.lost <= floor(0.0) * joint.samples as f64;
+    Joint::of(fit, &joint).is_none_or(|joint| is_small(&joint) || joint.is_borne(fit))
+}
+
+/// The bench with what is held out fitted as well.
+fn both(bench: &Bench, model: &Model, separate: &[Recording]) -> Bench {
     let options = bench.options(Effort::Near, 40);
     let whole = |r: &Recording| {
         let spans = setup::spans(model, r, &options);
@@ -64,31 +88,50 @@ pub fn together(bench: &Bench, model: &Model, fit: &Fit) -> Option<Vec<Held>> {
         all.sort_by(|a, b| a.from.total_cmp(&b.from));
         r.clone().with_spans(all, Vec::new())
     };
-    let both = Bench { recordings: bench.recordings.iter().map(whole).collect(), ..bench.clone() };
-    let joint = both.full_fit(model).ok()?;
-    let mut held = vec![Held::default(); model.outputs.len()];
-    let (mut lost, mut of_joint, mut of_own) = (0.0, 0, 0);
-    for (own, joint) in fit.records.iter().zip(&joint.records) {
-        for (own, joint) in own.series.iter().zip(&joint.series) {
-            let noise = &fit.noise[own.output];
-            let square = |e: &[f64]| noise.whiten(e).iter().map(|x| x * x).sum::<f64>();
-            let ends = own.time.last()?;
-            for r in &joint.stretches {
-                let (times, residual) = (&joint.time[r.clone()], &joint.residual[r.clone()]);
-                let fitted = times.partition_point(|t| t <= ends);
-                lost += square(&residual[..fitted]);
-                of_joint += fitted;
-                if fitted < times.len() {
-                    held[own.output].residual.push(residual[fitted..].to_vec());
-                    held[own.output].time.push(times[fitted..].to_vec());
+    Bench { recordings: bench.recordings.iter().chain(separate).map(whole).collect(), ..bench.clone() }
+}
+
+/// A model fitted to both parts, beside its fit to the first.
+struct Joint {
+    /// Residuals over what is held out, by output.
+    held: Vec<Held>,
+    /// By how much the whitened squares of the fitted part rise.
+    lost: f64,
+    /// Samples of the fitted part.
+    samples: usize,
+}
+
+impl Joint {
+    /// None where both do not compare the same samples.
+    fn of(fit: &Fit, joint: &Fit) -> Option<Self> {
+        let mut held = vec![Held::default(); fit.model.outputs.len()];
+        let (mut lost, mut of_joint, mut samples) = (0.0, 0, 0);
+        for (own, joint) in fit.records.iter().zip(&joint.records) {
+            for (own, joint) in own.series.iter().zip(&joint.series) {
+                let noise = &fit.noise[own.output];
+                let square = |e: &[f64]| noise.whiten(e).iter().map(|x| x * x).sum::<f64>();
+                let ends = own.time.last()?;
+                for r in &joint.stretches {
+                    let (times, residual) = (&joint.time[r.clone()], &joint.residual[r.clone()]);
+                    let fitted = times.partition_point(|t| t <= ends);
+                    lost += square(&residual[..fitted]);
+                    of_joint += fitted;
+                    if fitted < times.len() {
+                        held[own.output].residual.push(residual[fitted..].to_vec());
+                        held[own.output].time.push(times[fitted..].to_vec());
+                    }
                 }
+                lost -= own.residual_stretches().into_iter().map(square).sum::<f64>();
+                samples += own.residual.len();
             }
-            lost -= own.residual_stretches().into_iter().map(square).sum::<f64>();
-            of_own += own.residual.len();
         }
+        (of_joint == samples).then_some(Self { held, lost, samples })
     }
-    let bears = of_joint == of_own && (lost <= 0.0 || log_chance(lost, fit.values.len()) > SURE.ln());
-    bears.then_some(held)
+
+    /// Whether the fitted part loses no more than as many unknowns lose by chance.
+    fn is_borne(&self, fit: &Fit) -> bool {
+        self.lost <= 0.0 || log_chance(self.lost, fit.values.len()) > SURE.ln()
+    }
 }
 
 /// e − S δ.

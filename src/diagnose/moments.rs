@@ -35,6 +35,11 @@ fn moments(bench: &Bench, model: &Model) -> Vec<usize> {
     (bench.own_parameters..model.parameters.len()).filter(is_moment).collect()
 }
 
+/// Whether a model has such moments.
+pub fn has_any(bench: &Bench, model: &Model) -> bool {
+    !moments(bench, model).is_empty()
+}
+
 /// A fit with its moments where they leave least of recordings that were held out apart.
 pub fn placed<'f>(bench: &Bench, fit: &'f Fit, separate: &[Recording]) -> Cow<'f, Fit> {
     nearest(bench, fit, separate).map_or(Cow::Borrowed(fit), |(_, moved)| Cow::Owned(moved))

@@ -75,7 +75,7 @@ fn cools(scene: &Scene, m: &Motion, signal: &Signal) -> Option<Proposal> {
     let around =
         d.parameter("Ta", &signal.unit, (ABSOLUTE, f64::INFINITY), "temperature of the surroundings");
     d.force(&m.state, &format!("-{c}*({} - {around})", m.state));
-    for other in [ROOM, signal.min - signal.spread] {
+    for other in [ROOM, signal.min - signal.spread, signal.max + signal.spread] {
         d.start(&[m.size / (signal.mean - other).abs().max(signal.spread), other]);
     }
     d.done(&format!(
