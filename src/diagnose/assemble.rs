@@ -4,7 +4,7 @@ use super::answer::{
     Answer, DataFault, Detection, InputFile, Made, ParameterChange, Proof, SCHEMA, Verdict, Visible,
 };
 use super::bench::Bench;
-use super::carried::{carries, settled, together};
+use super::carried::{PARTED, carries, settled, together};
 use super::choose::{SURE, floor};
 use super::faults::{self, Spoiled};
 use super::feedback;
@@ -109,9 +109,10 @@ impl Assembly<'_> {
             |n: &NoiseModel| (n.autoregression.variance() / n.autoregression.innovation_variance()).sqrt();
         let coloured: Vec<f64> = self.found.last.noise.iter().map(coloured).collect();
         let physics = with_patches(physics, &findings, &rest);
+        let is_carried = !physics.has_names() || carries(&self.bench, &self.found.last, &self.separate);
         let proven = Proven {
             proof: &proof,
-            carries: !physics.has_names() || carries(&self.bench, &self.found.last, &self.separate),
+            carries: is_carried,
             samples: held_out,
             falls_whitened: self.falls_whitened(&before, &after),
             coloured: &coloured,
@@ -181,7 +182,11 @@ impl Assembly<'_> {
             unexplained: if left { rest.unexplained() } else { None },
             notes: self.notes(
                 held_out,
-                missed(verdict, &proof).into_iter().chain(nameless.beside()).chain(closed.map(|l| l.says())),
+                missed(verdict, &proof)
+                    .into_iter()
+                    .chain(nameless.beside())
+                    .chain(closed.map(|l| l.says()))
+                    .chain((!is_carried).then(|| PARTED.to_string())),
             ),
             proof,
             next_experiment,

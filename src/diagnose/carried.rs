@@ -63,6 +63,9 @@ pub fn together(bench: &Bench, model: &Model, fit: &Fit) -> Option<Vec<Held>> {
     joint.is_borne(fit).then_some(joint.held)
 }
 
+/// What to know where names do not carry over.
+pub const PARTED: &str = "the fitted part and what was held out do not agree on what was found: fitted to both at once, the model with it leaves more of the fitted part than chance would, as where a law only resembles what is missing, or something else is missing too";
+
 /// Whether a fitted model with names can be fitted to both parts, so that the earlier loses by that no more than chance
 /// or the floor; also where that cannot be told.
 pub fn carries(bench: &Bench, fit: &Fit, separate: &[Recording]) -> bool {

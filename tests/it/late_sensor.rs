@@ -88,7 +88,7 @@ const FLOATING: Plant<'_> = Plant {
     inputs: &[("coil", "A")],
     states: &[("z", "m"), ("v", "m/s")],
     sizes: &[(0.0, 0.3)],
-    noise: 2e-5,
+    noise: 0.01,
     measured: 1,
 };
 
@@ -130,5 +130,5 @@ fn a_late_sensor_is_told_of_a_state_that_must_not_begin_at_zero() {
     assert!(codes.contains(&"output-delay"), "{codes:?} {}", told.says);
     let delay = &found.parameters[0];
     let truth = 0.002 * LATE as f64;
-    assert!(delay.low < truth && truth < delay.high && delay.high - delay.low < 0.001, "{delay:?}");
+    assert!((delay.value - truth).abs() < 1e-4 && delay.high - delay.low < 1e-4, "{delay:?}");
 }

@@ -163,3 +163,42 @@ fn a_flow_that_the_model_has_is_none_more() {
     let told = CABINET.diagnosed(&lag, |x, u| vec![(u[2] - x[0]) / 200.0]);
     assert_eq!((told.verdict, first(&told)), (Verdict::Named, "parameter-value"), "{}", told.says);
 }
+
+/// A room between a cold outside and a warmer boiler house of 45 °C, which nobody recorded.
+#[test]
+fn a_gain_from_warmer_surroundings_is_a_loss_to_them() {
+    let plant = Plant {
+        step: 300.0,
+        start: &[292.0, 291.0],
+        inputs: &[("heating", "W"), ("outdoor", "K")],
+        states: &[("T", "K"), ("wall", "K")],
+        sizes: &[(900.0, 900.0), (277.0, 8.0)],
+        noise: 0.01,
+        measured: 1,
+    };
+    let model = r#"
+        name = "room"
+        [inputs]
+        heating = { unit = "W" }
+        outdoor = { unit = "K" }
+        [parameters]
+        C = { value = 350, unit = "kJ/K", fit = true, min = 10, max = 1e4 }
+        Cw = { value = 3000, unit = "kJ/K", fit = true, min = 100, max = 1e5 }
+        G = { value = 50, unit = "W/K", fit = true, min = 1, max = 1e3 }
+        Gw = { value = 100, unit = "W/K", fit = true, min = 1, max = 1e3 }
+        [states]
+        T = { rate = "(heating - G*(T - outdoor) - Gw*(T - wall))/C", unit = "K", initial = "fit" }
+        wall = { rate = "Gw*(T - wall)/Cw", unit = "K", initial = "fit" }
+        [outputs]
+        T_meas = { equals = "T", unit = "K" }
+    "#;
+    let told = plant.diagnosed(model, |x, u| {
+        let wall = 90.0 * (x[0] - x[1]);
+        let gain = u[0] - 60.0 * (x[0] - u[1]) - wall + 40.0 * (318.15 - x[0]);
+        vec![gain / 400e3, wall / 4e6]
+    });
+    assert_eq!((told.verdict, first(&told)), (Verdict::Named, "linear-damping"), "{}", told.says);
+    let (c, [low, _, high]) = (value(&told, "c"), value(&told, "Ta"));
+    assert!(c[0] < 40.0 && 40.0 < c[2] && c[2] - c[0] < 10.0, "{c:?} {}", told.says);
+    assert!(low < 318.15 && 318.15 < high && high - low < 5.0, "{}", told.says);
+}
