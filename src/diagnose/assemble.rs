@@ -17,7 +17,9 @@ use super::propose::Screened;
 use super::prove::{self, Held};
 use super::rest::{self, Rest};
 use super::search::Found;
-use super::verdict::{Evidence, Proven, in_a_loop, missed, settle, with_faults, with_noise, with_patches};
+use super::verdict::{
+    Evidence, Proven, carried_over, in_a_loop, missed, settle, with_faults, with_noise, with_patches,
+};
 use super::view::View;
 use super::{Diagnosis, Request, answer, inert, innovations, locate, moments, next, pictures, wandering};
 use crate::Result;
@@ -109,10 +111,8 @@ impl Assembly<'_> {
             |n: &NoiseModel| (n.autoregression.variance() / n.autoregression.innovation_variance()).sqrt();
         let coloured: Vec<f64> = self.found.last.noise.iter().map(coloured).collect();
         let physics = with_patches(physics, &findings, &rest);
-        let is_carried = !physics.has_names() || carries(&self.bench, &self.found.last, &self.separate);
         let proven = Proven {
             proof: &proof,
-            carries: is_carried,
             samples: held_out,
             falls_whitened: self.falls_whitened(&before, &after),
             coloured: &coloured,
@@ -120,6 +120,8 @@ impl Assembly<'_> {
             trials: self.bench.is_trials(),
         };
         let physics = proven.settle(physics);
+        let is_carried = !physics.has_names() || carries(&self.bench, &self.found, &self.separate);
+        let physics = carried_over(physics, is_carried);
         // a law that is left goes with the input as well
         let closed = (!left && !self.bench.is_trials())
             .then(|| feedback::of(&self.bench.recordings, &self.found.last))

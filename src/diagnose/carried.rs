@@ -26,6 +26,7 @@ use super::choose::{SURE, floor};
 use super::moments;
 use super::prove::Held;
 use super::screen::log_chance;
+use super::search::Found;
 use crate::estimate::Fit;
 use crate::estimate::fit::{self, Effort, FitOptions, HeldOut, Series, carried_on, setup};
 use crate::estimate::triangle::Triangle;
@@ -66,10 +67,15 @@ pub fn together(bench: &Bench, model: &Model, fit: &Fit) -> Option<Vec<Held>> {
 /// What to know where names do not carry over.
 pub const PARTED: &str = "the fitted part and what was held out do not agree on what was found: fitted to both at once, the model with it leaves more of the fitted part than chance would, as where a law only resembles what is missing, or something else is missing too";
 
+/// Laws of which the name tells that something goes with time, not in which form.
+const DRIFTS: [&str; 3] = ["drift-force", "output-drift", "parameter-drift"];
+
 /// Whether a fitted model with names can be fitted to both parts, so that the earlier loses by that no more than chance
-/// or the floor; also where that cannot be told.
-pub fn carries(bench: &Bench, fit: &Fit, separate: &[Recording]) -> bool {
-    if bench.is_trials() || !separate.is_empty() && moments::has_any(bench, &fit.model) {
+/// or the floor; also where that cannot be told, as of how a drift goes on.
+pub fn carries(bench: &Bench, found: &Found, separate: &[Recording]) -> bool {
+    let fit = &found.last;
+    let drifts = found.taken.iter().any(|t| DRIFTS.contains(&t.proposal.code));
+    if bench.is_trials() || drifts || !separate.is_empty() && moments::has_any(bench, &fit.model) {
         return true;
     }
     let both = both(bench, &fit.model, separate);

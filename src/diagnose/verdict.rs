@@ -156,8 +156,6 @@ const FAR_ABOVE: f64 = 10.0;
 pub struct Proven<'a> {
     /// Held-out errors before and after, an output each.
     pub proof: &'a [Proof],
-    /// Whether the model with the names can be fitted to both parts at once.
-    pub carries: bool,
     /// Held-out samples of all outputs.
     pub samples: usize,
     /// Whether the held-out innovations fall for sure: slow noise may hide in the error what they show.
@@ -175,8 +173,7 @@ impl Proven<'_> {
     /// is held out to tell; where no held-out error falls for sure, neither as it stands nor by its innovations;
     /// where the errors rise on the whole, or fall by too small a part of what lies above the noise; where held-out
     /// levels are missed while a law is left; where only the innovations fall and nearly all of an error is left that
-    /// is many times these; where a law is left for sure, in a good part of what was to be explained; where the fitted part
-    /// does not bear that the same law is fitted to what was held out as well.
+    /// is many times these; where a law is left for sure, in a good part of what was to be explained.
     pub fn settle(&self, verdict: Verdict) -> Verdict {
         let proof = self.proof;
         let fails =
@@ -187,7 +184,7 @@ impl Proven<'_> {
         let falls_short = falls_short(proof);
         let unproved =
             agree_by_luck(self.samples) || fails || rise(proof) > 0.0 || misses || blows_up || falls_short;
-        let unproved = unproved || self.is_splinter() || self.leaves_much() || !self.carries;
+        let unproved = unproved || self.is_splinter() || self.leaves_much();
         if verdict.has_names() && unproved { Verdict::Unknown } else { verdict }
     }
 
@@ -214,6 +211,11 @@ impl Proven<'_> {
 /// looks like a law of the input wherever it is tried.
 pub fn in_a_loop(verdict: Verdict, is_closed: bool) -> Verdict {
     if verdict.has_names() && is_closed { Verdict::Unknown } else { verdict }
+}
+
+/// Names only resemble what is missing where the fitted part does not bear that the same law is fitted to what was held out.
+pub fn carried_over(verdict: Verdict, is_carried: bool) -> Verdict {
+    if verdict.has_names() && !is_carried { Verdict::Unknown } else { verdict }
 }
 
 /// By how much the held-out errors rise, all outputs together, as a logarithm.
@@ -288,12 +290,12 @@ mod tests {
 
     fn settled(proof: &[Proof], samples: usize, falls_whitened: bool) -> Verdict {
         let (is_left, trials) = (false, false);
-        Proven { proof, carries: true, samples, falls_whitened, coloured: &[1.0, 1.0], is_left, trials }
+        Proven { proof, samples, falls_whitened, coloured: &[1.0, 1.0], is_left, trials }
             .settle(Verdict::Named)
     }
 
     fn proven<'a>(proof: &'a [Proof], coloured: &'a [f64], is_left: bool) -> Proven<'a> {
-        Proven { proof, carries: true, samples: 100, falls_whitened: true, coloured, is_left, trials: false }
+        Proven { proof, samples: 100, falls_whitened: true, coloured, is_left, trials: false }
     }
 
     #[test]
@@ -313,9 +315,9 @@ mod tests {
 
     #[test]
     fn names_that_do_not_carry_over_only_resemble() {
-        let proof = [proof(1.0, 0.5, 0.4)];
-        let of = |carries| Proven { carries, ..proven(&proof, &[1.0], false) }.settle(Verdict::Named);
-        assert_eq!((of(true), of(false)), (Verdict::Named, Verdict::Unknown));
+        let of = |verdict| [true, false].map(|is_carried| carried_over(verdict, is_carried));
+        assert_eq!(of(Verdict::Tie), [Verdict::Tie, Verdict::Unknown]);
+        assert_eq!(of(Verdict::NothingMissing), [Verdict::NothingMissing; 2]);
     }
 
     #[test]

@@ -74,7 +74,7 @@ pub fn shifted(
     known: &dyn Fn(&str) -> Option<f64>,
 ) -> Option<f64> {
     let own = &model.states[state].name;
-    let shown = |x: f64| Known { model, known, own: (own, x) }.value(&model.outputs[output].equals);
+    let shown = |x: f64| Names { model, others: known, own: (own, x) }.value(&model.outputs[output].equals);
     let (none, slope) = (shown(0.0)?, shown(1.0)? - shown(0.0)?);
     let is_straight = slope != 0.0 && (shown(2.0)? - none - 2.0 * slope).abs() <= 1e-9 * slope.abs();
     // the turn is that of the input; without one, that of the output
@@ -84,13 +84,13 @@ pub fn shifted(
 }
 
 /// What names stand for, with a value of one state.
-struct Known<'a> {
+struct Names<'a> {
     model: &'a Model,
-    known: &'a dyn Fn(&str) -> Option<f64>,
+    others: &'a dyn Fn(&str) -> Option<f64>,
     own: (&'a str, f64),
 }
 
-impl Known<'_> {
+impl Names<'_> {
     fn value(&self, e: &Expr) -> Option<f64> {
         e.value(&|name| self.of(name))
     }
@@ -100,7 +100,7 @@ impl Known<'_> {
             return Some(self.own.1);
         }
         let is_own = |d: &&Definition| d.name == name;
-        (self.known)(name).or_else(|| self.value(&self.model.definitions.iter().find(is_own)?.equals))
+        (self.others)(name).or_else(|| self.value(&self.model.definitions.iter().find(is_own)?.equals))
     }
 }
 

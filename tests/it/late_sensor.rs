@@ -34,7 +34,15 @@ const LATE: usize = 3;
 
 #[test]
 fn a_late_sensor_is_told_beside_a_draught_that_acts() {
-    let recording = late_while(|_| true);
+    let made = CARRIAGE.recorded(|x, u| vec![x[1], u[0] - 2.0 * x[1] - 20.0 * x[0] + 0.8 * u[1]]);
+    let rows = made.find("z_meas").unwrap().values.len() - LATE;
+    let shifted = ["force", "draught", "z_meas"].map(|name| {
+        let c = made.find(name).unwrap();
+        let first = if name == "z_meas" { 0 } else { LATE };
+        let time: Vec<f64> = (0..rows).map(|i| 0.02 * i as f64).collect();
+        Channel::new(name, c.unit.clone(), time, c.values[first..first + rows].to_vec())
+    });
+    let recording = Recording::from_channels("late", shifted.to_vec()).unwrap();
     let told = diagnosed(&Model::parse(MODEL).unwrap(), recording).answer;
     assert_eq!(told.verdict, Verdict::Named, "{}", told.says);
     let mut codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
@@ -46,39 +54,6 @@ fn a_late_sensor_is_told_beside_a_draught_that_acts() {
     let delay = told.findings.iter().flat_map(|f| &f.parameters).find(|v| v.name == "Td").unwrap();
     let truth = 0.02 * LATE as f64;
     assert!(delay.low < truth && truth < delay.high && delay.high - delay.low < 0.02, "{delay:?}");
-}
-
-/// The position of a carriage, late by some samples from the moment on that `is_late` tells.
-fn late_while(is_late: impl Fn(f64) -> bool) -> Recording {
-    let made = CARRIAGE.recorded(|x, u| vec![x[1], u[0] - 2.0 * x[1] - 20.0 * x[0] + 0.8 * u[1]]);
-    let rows = made.find("z_meas").unwrap().values.len() - LATE;
-    let time: Vec<f64> = (0..rows).map(|i| 0.02 * i as f64).collect();
-    let shifted = ["force", "draught", "z_meas"].map(|name| {
-        let c = made.find(name).unwrap();
-        let by = |t: f64| if name == "z_meas" && is_late(t) { 0 } else { LATE };
-        let values = time.iter().enumerate().map(|(i, t)| c.values[i + by(*t)]).collect();
-        Channel::new(name, c.unit.clone(), time.clone(), values)
-    });
-    Recording::from_channels("late", shifted.to_vec()).unwrap()
-}
-
-#[test]
-fn a_sensor_that_is_late_from_a_moment_on_is_told_with_the_moment() {
-    let whole = [
-        ("[parameters]", "draught = { unit = \"m/s\" }\n[parameters]"),
-        ("[states]", "c = { value = 1, unit = \"N*s/m\", fit = true }\n[states]"),
-        ("- k*z)", "- k*z + c*draught)"),
-    ];
-    let model = whole.iter().fold(MODEL.to_string(), |model, (from, to)| model.replace(from, to));
-    let told = diagnosed(&Model::parse(&model).unwrap(), late_while(|t| t > 20.0)).answer;
-    assert_eq!(told.verdict, Verdict::Named, "{}", told.says);
-    let [found] = &told.findings[..] else { panic!("{}", told.says) };
-    assert_eq!((found.code.as_str(), found.site.name.as_str()), ("clock-jump", "z_meas"), "{}", told.says);
-    let value = |name: &str| found.parameters.iter().find(|v| v.name == name).unwrap();
-    let (late, moment) = (value("late"), value("tj"));
-    let truth = 0.02 * LATE as f64;
-    assert!(late.low < truth && truth < late.high && late.high - late.low < 0.02, "{late:?}");
-    assert!((moment.value - 20.0).abs() < 0.1, "{moment:?}");
 }
 
 /// A magnet that floats above another: its force has no value at a gap of zero.

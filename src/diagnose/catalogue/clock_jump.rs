@@ -8,18 +8,16 @@
 //! ```text
 //!     u(t) -> u(t + jump step(t - tj)) for each channel of the table
 //!     u(t) -> u(t - late step(t - tj)) for all inputs in a table with outputs: what is measured comes later from then on
-//!     y -> y(t - late step(t - tj)), or y(t - late step(tj - t)), late > 0, for one sensor: late from then on, or till then
 //! ```
 //!
 //! # What else looks like this
-//! parameter-change, clock-drift, gap; output-delay, which is the same at all times.
+//! parameter-change, clock-drift, gap.
 //!
 //! # Reference
 //! D. L. Mills, Computer Network Time Synchronization, 2nd ed. (2010).
 //!
 //! # Example
-//! A logger that drops a second while it writes its file; a compass whose messages wait longer from a restart on; a sensor
-//! whose filter was switched on midway.
+//! A logger that drops a second while it writes its file; a compass whose messages wait longer from a restart on.
 
 use super::{Draft, Group, Mechanism, Proposal, Scene, SiteKind};
 use crate::units::Unit;
@@ -35,10 +33,7 @@ fn propose(scene: &Scene) -> Vec<Proposal> {
     }
     let (tables, rows) = (scene.clocks(), scene.rows());
     let of_tables = tables.iter().filter_map(|inputs| of_table(scene, inputs));
-    let of_rows = rows.iter().filter_map(|inputs| of_row(scene, inputs));
-    let sensor = |(name, from_then)| of_sensor(scene, name, from_then);
-    let outputs = scene.model.outputs.iter().flat_map(|o| [(o.name.as_str(), true), (o.name.as_str(), false)]);
-    of_tables.chain(of_rows).chain(outputs.filter_map(sensor)).collect()
+    of_tables.chain(rows.iter().filter_map(|inputs| of_row(scene, inputs))).collect()
 }
 
 /// All that one table holds, against the others.
@@ -54,22 +49,6 @@ fn of_row(scene: &Scene, inputs: &[String]) -> Option<Proposal> {
         "what is measured comes {{0}} later (negative: sooner) after {} from {{1}} on",
         scene.words(inputs.first()?)
     ))
-}
-
-/// One sensor, late from a moment on or till then.
-fn of_sensor(scene: &Scene, output: &str, from_then: bool) -> Option<Proposal> {
-    let second = Unit::parse("s").ok()?;
-    let mut d = Draft::new(scene, "clock-jump", SiteKind::Output, output);
-    let late = d.amplitude("late", &second, (0.0, 0.1 * scene.length()), "time by which the sensor is late");
-    let time = d.parameter("tj", &second, scene.within(), "when that changes");
-    let (at_once, when) = if from_then { ("1 - ", "from") } else { ("", "till") };
-    let other = if from_then { "" } else { "1 - " };
-    d.output(output, &format!("{{}}*({at_once}step(t - {time})) + delay({{}}, {late})*({other}step(t - {time}))"));
-    for moment in scene.moments() {
-        d.start(&[10.0 * scene.step, moment]);
-    }
-    let on = if from_then { " on" } else { "" };
-    d.done(&format!("the sensor of {} is {{0}} late {when} {{1}}{on}", scene.words(output)))
 }
 
 /// Inputs that are read at another time from a moment on.
