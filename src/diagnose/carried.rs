@@ -13,7 +13,8 @@
 //! Where that is not near enough, as where a parameter lies at its bound and moves nothing to first order, the same
 //! model is fitted to both parts: what is held out belongs to it if the fitted part loses no more likelihood than as
 //! many unknowns lose by chance. Names do not carry over where the fitted part loses more than that, and more than the
-//! least that a name must explain: n samples lose n ln((1 − f)⁻²), with the floor f of the error.
+//! least that a name must explain: n samples lose n ln((1 − f)⁻²), with the floor f of the error. Where the innovations of
+//! what was held out are larger than those of the fit, the loss counts in their squares: unknowns follow louder noise.
 //!
 //! # References
 //! A. Gelman et al., Bayesian Data Analysis, 3rd ed., 2013, sec. 14.8.
@@ -85,7 +86,8 @@ pub fn carries(bench: &Bench, found: &Found, separate: &[Recording]) -> bool {
         return true;
     }
     let is_small = |joint: &Joint| joint.lost <= floor(0.0) * joint.samples as f64;
-    Joint::of(fit, &joint).is_none_or(|joint| is_small(&joint) || joint.is_borne(fit))
+    let joint = Joint::of(fit, &joint).map(|joint| joint.beside_noise(fit));
+    joint.is_none_or(|joint| is_small(&joint) || joint.is_borne(fit))
 }
 
 /// The bench with what is held out fitted as well.
@@ -134,7 +136,17 @@ impl Joint {
                 samples += own.residual.len();
             }
         }
+        for series in joint.records.iter().skip(fit.records.len()).flat_map(|r| &r.series) {
+            held[series.output].residual.extend(series.residual_stretches().into_iter().map(<[f64]>::to_vec));
+        }
         (of_joint == samples).then_some(Self { held, lost, samples })
+    }
+
+    /// The same where what was held out is noisier: unknowns follow it by as much more.
+    fn beside_noise(self, fit: &Fit) -> Self {
+        let whitened = self.held.iter().zip(&fit.noise).map(|(h, n)| h.whitened(n));
+        let louder = whitened.filter(|h| h.samples() > 0).map(|h| h.rmse().powi(2)).fold(1.0, f64::max);
+        Self { lost: self.lost / louder, ..self }
     }
 
     /// Whether the fitted part loses no more than as many unknowns lose by chance.
@@ -185,4 +197,50 @@ fn moved(fit: &Fit, all: &[HeldOut]) -> Option<Vec<f64>> {
         moved[*j] = by * step;
     }
     Some(moved)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::Channel;
+    use crate::units::Unit;
+
+    /// Whether a lag carries over whose rate is 2/s till some sample and another from there on, with noise of one size
+    /// till there and another from there on.
+    fn lag_carries(later: f64, noise: (f64, f64)) -> bool {
+        let text = "name = \"lag\"\n[inputs]\nu = { unit = \"1\" }\n[parameters]\n\
+                    k = { value = 2.5, unit = \"1/s\", fit = true, min = 0.1, max = 10 }\n[states]\n\
+                    x = { rate = \"k*(u - x)\", unit = \"1\", initial = 0 }\n[outputs]\n\
+                    y = { equals = \"x\", unit = \"1\" }\n";
+        let model = Model::parse(text).unwrap();
+        let count = 600;
+        let time: Vec<f64> = (0..count).map(|i| 0.05 * f64::from(i)).collect();
+        let u: Vec<f64> = time.iter().map(|t| f64::from(u8::from((1.1 * t).sin() > 0.2))).collect();
+        let mut state = 9_u64;
+        let mut drawn = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        let (mut x, mut y) = (0.0, Vec::new());
+        for i in 0..count as usize {
+            let (k, size) = if i < 360 { (2.0, noise.0) } else { (later, noise.1) };
+            y.push(x + size * 12f64.sqrt() * drawn());
+            // exact between rows where the input is held, which it nearly is
+            let next = u.get(i + 1).unwrap_or(&u[i]);
+            let mean = 0.5 * (u[i] + next);
+            x = mean + (x - mean) * f64::exp(-0.05 * k);
+        }
+        let one = |name: &str, values: Vec<f64>| Channel::new(name, Unit::one(), time.clone(), values);
+        let recording = Recording::from_channels("lag", vec![one("u", u), one("y", y)]).unwrap();
+        let bench = Bench::new(&model, vec![recording], false, 1);
+        let found = Found::nothing(bench.full_fit(&model).unwrap(), false);
+        carries(&bench, &found, &[])
+    }
+
+    #[test]
+    fn another_rate_does_not_carry_over_and_louder_noise_does() {
+        assert!(lag_carries(2.0, (0.01, 0.01)));
+        assert!(!lag_carries(3.0, (0.01, 0.01)));
+        assert!(lag_carries(2.0, (0.01, 0.3)));
+    }
 }
