@@ -110,7 +110,6 @@ impl Assembly<'_> {
         let coloured =
             |n: &NoiseModel| (n.autoregression.variance() / n.autoregression.innovation_variance()).sqrt();
         let coloured: Vec<f64> = self.found.last.noise.iter().map(coloured).collect();
-        let physics = with_patches(physics, &findings, &rest);
         let proven = Proven {
             proof: &proof,
             samples: held_out,
@@ -119,7 +118,7 @@ impl Assembly<'_> {
             is_left: left && (rest.p_value < SURE || self.bench.is_trials()),
             trials: self.bench.is_trials(),
         };
-        let physics = proven.settle(physics);
+        let physics = proven.settle(with_patches(physics, &findings, &rest));
         let is_carried = !physics.has_names() || carries(&self.bench, &self.found, &self.separate);
         let physics = carried_over(physics, is_carried);
         // a law that is left goes with the input as well

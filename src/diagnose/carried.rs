@@ -14,16 +14,17 @@
 //! model is fitted to both parts: what is held out belongs to it if the fitted part loses no more likelihood than as
 //! many unknowns lose by chance. Names do not carry over where the fitted part loses more than that, and more than the
 //! least that a name must explain: n samples lose n ln((1 − f)⁻²), with the floor f of the error. Where the innovations of
-//! what was held out are larger than those of the fit, the loss counts in their squares: unknowns follow louder noise.
+//! what was held out are louder than those of the fit, by the differences of neighbours, the loss counts in their squares:
+//! unknowns follow louder noise.
 //!
 //! # References
-//! A. Gelman et al., Bayesian Data Analysis, 3rd ed., 2013, sec. 14.8.
+//! A. Gelman et al., Bayesian Data Analysis, 3rd ed., 2013, sec. 14.8; J. von Neumann, Ann. Math. Statist. 12 (1941) 367.
 //!
 //! # Numerical aspects
 //! Unknowns are counted in their own standard deviations.
 
 use super::bench::Bench;
-use super::choose::{SURE, floor};
+use super::choose::{SURE, floor, is_drift};
 use super::moments;
 use super::prove::Held;
 use super::screen::log_chance;
@@ -68,14 +69,11 @@ pub fn together(bench: &Bench, model: &Model, fit: &Fit) -> Option<Vec<Held>> {
 /// What to know where names do not carry over.
 pub const PARTED: &str = "the fitted part and what was held out do not agree on what was found: fitted to both at once, the model with it leaves more of the fitted part than chance would, as where a law only resembles what is missing, or something else is missing too";
 
-/// Laws of which the name tells that something goes with time, not in which form.
-const DRIFTS: [&str; 3] = ["drift-force", "output-drift", "parameter-drift"];
-
 /// Whether a fitted model with names can be fitted to both parts, so that the earlier loses by that no more than chance
 /// or the floor; also where that cannot be told, as of how a drift goes on.
 pub fn carries(bench: &Bench, found: &Found, separate: &[Recording]) -> bool {
     let fit = &found.last;
-    let drifts = found.taken.iter().any(|t| DRIFTS.contains(&t.proposal.code));
+    let drifts = found.taken.iter().any(|t| is_drift(&t.proposal));
     if bench.is_trials() || drifts || !separate.is_empty() && moments::has_any(bench, &fit.model) {
         return true;
     }
@@ -145,7 +143,7 @@ impl Joint {
     /// The same where what was held out is noisier: unknowns follow it by as much more.
     fn beside_noise(self, fit: &Fit) -> Self {
         let whitened = self.held.iter().zip(&fit.noise).map(|(h, n)| h.whitened(n));
-        let louder = whitened.filter(|h| h.samples() > 0).map(|h| h.rmse().powi(2)).fold(1.0, f64::max);
+        let louder = whitened.filter_map(|h| loudness(&h)).fold(1.0, f64::max);
         Self { lost: self.lost / louder, ..self }
     }
 
@@ -153,6 +151,15 @@ impl Joint {
     fn is_borne(&self, fit: &Fit) -> bool {
         self.lost <= 0.0 || log_chance(self.lost, fit.values.len()) > SURE.ln()
     }
+}
+
+/// Mean square of innovations, from the differences of neighbours: what a law leaves that does not carry over goes on from
+/// sample to sample, and is no noise.
+fn loudness(innovations: &Held) -> Option<f64> {
+    let neighbours = || innovations.residual.iter().flat_map(|r| r.windows(2));
+    let count = neighbours().count();
+    // E (e₂ − e₁)² = 2σ²
+    (count > 0).then(|| neighbours().map(|e| 0.5 * (e[1] - e[0]).powi(2)).sum::<f64>() / count as f64)
 }
 
 /// e − S δ.

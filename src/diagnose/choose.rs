@@ -72,9 +72,13 @@ pub fn price(p: &Proposal, samples: f64) -> f64 {
 
 /// Whether a mechanism is tied to moments of one recording, so that another cannot confirm it.
 pub fn is_anchored(p: &Proposal) -> bool {
-    let codes =
-        ["drift-force", "output-drift", "parameter-change", "parameter-drift", "clock-jump", "clock-drift"];
-    p.alone.is_none() && (codes.contains(&p.code) || is_timed_wave(p) || is_step(p))
+    let codes = ["parameter-change", "clock-jump", "clock-drift"];
+    p.alone.is_none() && (codes.contains(&p.code) || is_drift(p) || is_timed_wave(p) || is_step(p))
+}
+
+/// Whether its name tells that something goes with time, not in which form.
+pub fn is_drift(p: &Proposal) -> bool {
+    ["drift-force", "output-drift", "parameter-drift"].contains(&p.code)
 }
 
 /// Whether a recording that begins anew may show a law again that is tied to moments of another: it goes on from every

@@ -4,7 +4,7 @@ use super::answer::{DataFault, Finding, Proof, Verdict, at_fault, told};
 use super::catalogue::Proposal;
 use super::choose::SURE;
 use super::free_law::is_in;
-use super::rest::{Law, Rest};
+use super::rest::Rest;
 use super::search::{Found, Taken};
 use super::words;
 use crate::model::Model;
@@ -112,7 +112,7 @@ impl Paragraph<'_> {
 
     /// What the law that is left goes with.
     fn goes(&self) -> Option<String> {
-        let law: &Law = self.rest?.laws.first()?;
+        let law = self.rest?.laws.first()?;
         let goes = joined_by(&law.signals, self.model);
         Some(if law.of_past { format!("what {goes} was before") } else { goes })
     }

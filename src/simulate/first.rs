@@ -8,11 +8,7 @@ impl Simulator {
     /// state or an input of its dimension begins at, else 0; NaN for a steady one.
     pub fn initials(&self) -> Vec<f64> {
         let parameters = self.parameters();
-        let input = |i: usize| {
-            let samples = &self.samples[i];
-            let after = samples.time.partition_point(|t| *t <= self.span().0);
-            samples.values.get(after.saturating_sub(1)).copied()
-        };
+        let input = |i: usize| Some(self.samples[i].at(self.span().0, &mut 0).0);
         let known = |name: &str| {
             let parameter = self.model.parameters.iter().position(|p| p.name == name).map(|k| parameters[k]);
             parameter.or_else(|| input(self.model.inputs.iter().position(|i| i.name == name)?))

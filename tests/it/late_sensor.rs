@@ -32,18 +32,21 @@ const MODEL: &str = r#"
 /// Samples by which the sensor is late.
 const LATE: usize = 3;
 
+/// A recording whose sensor is late.
+fn late(made: &Recording, step: f64) -> Recording {
+    let rows = made.find("z_meas").unwrap().values.len() - LATE;
+    let time: Vec<f64> = (0..rows).map(|i| step * i as f64).collect();
+    let shifted = made.channels.iter().map(|c| {
+        let first = if c.name == "z_meas" { 0 } else { LATE };
+        Channel::new(&c.name, c.unit.clone(), time.clone(), c.values[first..first + rows].to_vec())
+    });
+    Recording::from_channels("late", shifted.collect()).unwrap()
+}
+
 #[test]
 fn a_late_sensor_is_told_beside_a_draught_that_acts() {
     let made = CARRIAGE.recorded(|x, u| vec![x[1], u[0] - 2.0 * x[1] - 20.0 * x[0] + 0.8 * u[1]]);
-    let rows = made.find("z_meas").unwrap().values.len() - LATE;
-    let shifted = ["force", "draught", "z_meas"].map(|name| {
-        let c = made.find(name).unwrap();
-        let first = if name == "z_meas" { 0 } else { LATE };
-        let time: Vec<f64> = (0..rows).map(|i| 0.02 * i as f64).collect();
-        Channel::new(name, c.unit.clone(), time, c.values[first..first + rows].to_vec())
-    });
-    let recording = Recording::from_channels("late", shifted.to_vec()).unwrap();
-    let told = diagnosed(&Model::parse(MODEL).unwrap(), recording).answer;
+    let told = diagnosed(&Model::parse(MODEL).unwrap(), late(&made, 0.02)).answer;
     assert_eq!(told.verdict, Verdict::Named, "{}", told.says);
     let mut codes: Vec<&str> = told.findings.iter().map(|f| f.code.as_str()).collect();
     codes.sort_unstable();
@@ -73,13 +76,6 @@ fn a_late_sensor_is_told_of_a_state_that_must_not_begin_at_zero() {
         let lift = 8.277e-6 / x[0].powi(3);
         vec![x[1], (lift + 0.4 * u[0] - 2.2 * x[1]) / 0.25 - 9.81]
     });
-    let rows = made.find("z_meas").unwrap().values.len() - LATE;
-    let time: Vec<f64> = (0..rows).map(|i| 0.002 * i as f64).collect();
-    let shifted = ["coil", "z_meas"].map(|name| {
-        let c = made.find(name).unwrap();
-        let first = if name == "coil" { LATE } else { 0 };
-        Channel::new(name, c.unit.clone(), time.clone(), c.values[first..first + rows].to_vec())
-    });
     let model = r#"
         name = "levitation"
         [inputs]
@@ -96,9 +92,7 @@ fn a_late_sensor_is_told_of_a_state_that_must_not_begin_at_zero() {
         [outputs]
         z_meas = { equals = "z", unit = "m" }
     "#;
-    let told =
-        diagnosed(&Model::parse(model).unwrap(), Recording::from_channels("late", shifted.to_vec()).unwrap())
-            .answer;
+    let told = diagnosed(&Model::parse(model).unwrap(), late(&made, 0.002)).answer;
     let [found] = &told.findings[..] else { panic!("{}", told.says) };
     // with one input and one output both delays are one
     let codes: Vec<&str> = std::iter::once(&found.code).chain(&found.ties).map(String::as_str).collect();

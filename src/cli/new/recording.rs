@@ -138,8 +138,8 @@ fn channel(index: usize, c: &Raw, taken: &mut BTreeSet<String>) -> String {
     )
 }
 
-/// The column of time: named like it or in a unit of time, and rising if there is such a one; else the first
-/// column if it rises in even steps, or rises at all and has a unit of time, whatever the language of its name.
+/// The column of time: named like it or in a unit of time, and rising if there is such a one; else, whatever the language
+/// of its name, the only one that rises and has a unit of time, or the first if it does, or rises in even steps.
 fn time_of(columns: &[Raw]) -> Option<usize> {
     let rises = |c: &Raw| {
         let end = c.values.iter().rposition(|v| !v.is_nan()).map_or(0, |last| last + 1);
@@ -150,8 +150,10 @@ fn time_of(columns: &[Raw]) -> Option<usize> {
     // a clock that stands or falls is still the clock: whoever reads it says what is wrong
     let named = rising.or_else(|| candidates().next()).map(|(i, _)| i);
     let is_of_time = |c: &Raw| unit_of(c).is_some_and(|u| u.dimension() == Dimension::TIME);
-    let first = columns.first().filter(|c| counts(&c.values) || is_of_time(c) && rises(c));
-    named.or(first.map(|_| 0))
+    let is_first = columns.first().is_some_and(|c| counts(&c.values) || is_of_time(c) && rises(c));
+    let mut of_time = (0..columns.len()).filter(|i| is_of_time(&columns[*i]) && rises(&columns[*i]));
+    let only = of_time.next().filter(|_| of_time.next().is_none());
+    named.or(only).or(is_first.then_some(0))
 }
 
 /// Whether values rise in even steps, as a counter or a clock does.
@@ -266,6 +268,10 @@ mod tests {
             assert!(text.contains("time = { column = ") && !text.contains("GUESS: no column"), "{text}");
             assert_eq!(recording.channels.iter().map(|c| c.name.as_str()).collect::<Vec<_>>(), ["x"]);
         }
+        let back: String =
+            rows.lines().filter_map(|l| l.split_once(',')).map(|(t, x)| format!("{x},{t}\n")).collect();
+        let (text, _) = guess_of(&format!("x [m],Zeit [s]\n{back}")).unwrap();
+        assert!(text.contains("time = { column = \"Zeit\""), "{text}");
         let (text, _) = guess_of(&format!("Reise [s],x [m]\n{}", rows.replace("30,", "3,"))).unwrap();
         assert!(text.contains("GUESS: no column rises like time"), "{text}");
     }

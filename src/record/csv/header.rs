@@ -103,15 +103,20 @@ impl Header {
         };
         let column = self.column(cell, index, wanted).map_err(unitless)?;
         if column.unit.dimension() != Dimension::TIME {
+            let unit = |c: &Cell| c.unit.as_deref().and_then(|u| Unit::parse(u).ok());
+            let is_time = |c: &&Cell| unit(c).is_some_and(|u| u.dimension() == Dimension::TIME);
+            let elsewhere = cells.iter().find(is_time).map_or_else(String::new, |c| {
+                format!(", which may be `{}`: `gyrospec new recording FILE` writes it", c.name)
+            });
             return Err(Error::new(
                 crate::ErrorKind::Units,
                 format!("`{}` in [{}] is no column of time", cell.name, column.unit),
             )
             .with_column(cell.at + 1)
-            .with_hint(
-                "the first column is time, such as `t [s]`; or write a TOML recording that says \
-                 where the time is (kind = \"trials\" where rows are steady trials)",
-            ));
+            .with_hint(format!(
+                "the first column is time, such as `t [s]`; or write a TOML recording that says where the time \
+                 is{elsewhere} (kind = \"trials\" where rows are steady trials)"
+            )));
         }
         Ok(Some(column))
     }
