@@ -37,6 +37,7 @@ mod innovations;
 mod input_noise;
 #[doc(hidden)]
 pub mod laboratory;
+mod later;
 mod lines;
 mod locate;
 mod located;
@@ -47,6 +48,7 @@ mod moments;
 mod nameless;
 mod namesakes;
 mod next;
+mod onward;
 mod paragraph;
 #[doc(hidden)]
 pub mod pictures;

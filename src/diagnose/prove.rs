@@ -48,6 +48,15 @@ impl Held {
         Self { residual: self.residual.iter().map(|r| noise.whiten(r)).collect(), time: Vec::new() }
     }
 
+    /// Mean square by the differences of neighbours (J. von Neumann, Ann. Math. Statist. 12 (1941) 367): what a law leaves that
+    /// does not carry over goes on from sample to sample, and is no noise. None of no samples.
+    pub fn loudness(&self) -> Option<f64> {
+        let neighbours = || self.residual.iter().flat_map(|r| r.windows(2));
+        let count = neighbours().count();
+        // E (e₂ − e₁)² = 2σ²
+        (count > 0).then(|| neighbours().map(|e| 0.5 * (e[1] - e[0]).powi(2)).sum::<f64>() / count as f64)
+    }
+
     /// How many there are.
     pub fn samples(&self) -> usize {
         self.residual.iter().map(Vec::len).sum()

@@ -160,6 +160,8 @@ pub struct Proven<'a> {
     pub samples: usize,
     /// Whether the held-out innovations fall for sure: slow noise may hide in the error what they show.
     pub falls_whitened: bool,
+    /// Square of the noise of what was held out over that of the fitted part, of each output, at least 1.
+    pub louder: &'a [f64],
     /// Deviation of what is left of each output over that of its innovations.
     pub coloured: &'a [f64],
     /// Whether a law is left for sure; in tables of trials, at all.
@@ -181,7 +183,7 @@ impl Proven<'_> {
         let misses =
             self.is_left && self.trials && proof.iter().any(|p| p.holdout_after > BEYOND * p.fit_after);
         let blows_up = proof.iter().any(|p| p.holdout_before.is_finite() && !p.holdout_after.is_finite());
-        let falls_short = falls_short(proof);
+        let falls_short = falls_short(proof, self.louder);
         let unproved =
             agree_by_luck(self.samples) || fails || rise(proof) > 0.0 || misses || blows_up || falls_short;
         let unproved = unproved || self.is_splinter() || self.leaves_much();
@@ -225,16 +227,18 @@ fn rise(proof: &[Proof]) -> f64 {
 }
 
 /// Whether an error far above its noise is left, and too little of what lay above the noise is gone, all outputs together:
-/// Σ(b² − a²)/b² of Σ(b² − n²)/b² with the errors b before and a after and the noise n.
-fn falls_short(proof: &[Proof]) -> bool {
-    let is_much = |p: &Proof| p.holdout_after > MORE_THAN_NOISE * p.noise_floor;
-    let known = proof.iter().filter(|p| p.holdout_before.is_finite() && p.noise_floor.is_finite());
-    let parts = |p: &Proof| {
-        let square = |x: f64| (x / p.holdout_before).powi(2);
-        (1.0 - square(p.holdout_after), (1.0 - square(p.noise_floor)).max(0.0))
+/// Σ(b² − a²)/b² of Σ(b² − n²)/b² with the errors b before and a after and the noise n of what was held out.
+fn falls_short(proof: &[Proof], louder: &[f64]) -> bool {
+    let noise = |(p, louder): &(&Proof, &f64)| p.noise_floor * louder.sqrt();
+    let is_much = |at: (&Proof, &f64)| at.0.holdout_after > MORE_THAN_NOISE * noise(&at);
+    let known = proof.iter().zip(louder);
+    let known = known.filter(|at| at.0.holdout_before.is_finite() && noise(at).is_finite());
+    let parts = |at: (&Proof, &f64)| {
+        let square = |x: f64| (x / at.0.holdout_before).powi(2);
+        (1.0 - square(at.0.holdout_after), (1.0 - square(noise(&at))).max(0.0))
     };
     let (gone, all) = known.map(parts).fold((0.0, 0.0), |sum, part| (sum.0 + part.0, sum.1 + part.1));
-    proof.iter().any(is_much) && gone < ENOUGH * all
+    proof.iter().zip(louder).any(is_much) && gone < ENOUGH * all
 }
 
 /// What to know of a model that nothing is missing from and that yet misses what was held out by more than noise.
@@ -290,12 +294,25 @@ mod tests {
 
     fn settled(proof: &[Proof], samples: usize, falls_whitened: bool) -> Verdict {
         let (is_left, trials) = (false, false);
-        Proven { proof, samples, falls_whitened, coloured: &[1.0, 1.0], is_left, trials }
-            .settle(Verdict::Named)
+        let (louder, coloured) = (&[1.0, 1.0], &[1.0, 1.0]);
+        Proven { proof, samples, falls_whitened, louder, coloured, is_left, trials }.settle(Verdict::Named)
     }
 
     fn proven<'a>(proof: &'a [Proof], coloured: &'a [f64], is_left: bool) -> Proven<'a> {
-        Proven { proof, samples: 100, falls_whitened: true, coloured, is_left, trials: false }
+        let louder = &[1.0, 1.0];
+        Proven { proof, samples: 100, falls_whitened: true, louder, coloured, is_left, trials: false }
+    }
+
+    #[test]
+    fn louder_noise_of_what_was_held_out_is_not_asked_to_go() {
+        // a dead zone found in white noise of 3, held out beside noise of 15: 21.3² = 15² + 15.1²
+        let proofs = [Proof { noise_floor: 3.0, fit_before: 15.4, fit_after: 3.0, ..proof(21.3, 15.0, 4.0) }];
+        let verdict = |louder: f64| {
+            let louder = &[louder];
+            Proven { louder, ..proven(&proofs, &[1.0], false) }.settle(Verdict::Named)
+        };
+        assert_eq!(verdict(25.0), Verdict::Named);
+        assert_eq!(verdict(1.0), Verdict::Unknown);
     }
 
     #[test]
