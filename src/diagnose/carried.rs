@@ -249,7 +249,7 @@ mod tests {
 
     #[test]
     fn what_wanders_only_where_it_is_held_out_hides_no_name_and_no_other_rate() {
-        assert!(lag_carries(2.0, (0.01, 0.01), 0.05));
-        assert!(!lag_carries(3.0, (0.01, 0.01), 0.05));
+        assert!(lag_carries(2.0, (0.01, 0.01), 0.15));
+        assert!(!lag_carries(3.0, (0.01, 0.01), 0.15));
     }
 }

@@ -92,7 +92,7 @@ pub fn read_first(recordings: &mut [Recording], separate: &mut [Recording], fit:
     let says = |(name, output): (String, usize)| {
         let output = &fit.model.outputs[output].name;
         format!(
-            "{name} is set from what “{output}” shows in the same row: what is measured was read as it was before {name} acts"
+            "it looks as if {name} is set from what “{output}” shows in the same row, or what is missing goes with its steps: what is measured was read as it was before {name} acts, which to a command that nobody steers by is the same"
         )
     };
     found.into_iter().map(says).collect()

@@ -209,13 +209,16 @@ impl Paragraph<'_> {
     /// The fall of the held-out errors.
     fn gains(&self) -> String {
         let told = self.proof.iter().filter(|p| p.holdout_before.is_finite()).map(|p| {
-            let rises = p.holdout_after > p.holdout_before;
+            let shown = |x: f64| words::quantity(x, &p.unit);
+            let (before, after) = (shown(p.holdout_before), shown(p.holdout_after));
+            let proves = match p.holdout_after > p.holdout_before {
+                true if before == after => ", which proves nothing",
+                true => ", which is worse and proves nothing",
+                false => "",
+            };
             format!(
-                "On what was held out the error of “{}” is {} before and {} after{}.",
-                p.output,
-                words::quantity(p.holdout_before, &p.unit),
-                words::quantity(p.holdout_after, &p.unit),
-                if rises { ", which is worse and proves nothing" } else { "" }
+                "On what was held out the error of “{}” is {before} before and {after} after{proves}.",
+                p.output
             )
         });
         told.collect::<Vec<_>>().join(" ")

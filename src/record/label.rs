@@ -37,8 +37,8 @@ pub(crate) fn label(text: &str) -> Label {
     if last.is_some_and(|(_, unit)| is_fahrenheit(unit)) {
         return of(text, Some("degF".to_owned()), false);
     }
-    // `Q in m³/h` and `v / m/s`: the unit is the last word, stroke and all
-    let stroked = text.rsplit_once(' ').filter(|(_, w)| w.contains('/') && !w.starts_with('/'));
+    // `Q in m³/h`, `v / m/s` and `v_m/s`: the unit is the last word, stroke and all
+    let stroked = text.rsplit_once([' ', '_']).filter(|(_, w)| w.contains('/') && !w.starts_with('/'));
     if let Some((name, unit)) = stroked.and_then(|(name, word)| Some((name, self::unit(word)?))) {
         let (name, is_guessed) = name.trim_end().strip_suffix('/').map_or((name, true), |n| (n, false));
         return of(name, Some(unit), is_guessed);
@@ -191,6 +191,9 @@ mod tests {
             ("a in 1/min", "a", Some("1/min"), true),
             ("m/s", "m/s", None, false),
             ("v_m_s", "v", Some("m/s"), true),
+            ("speed_m/s", "speed", Some("m/s"), true),
+            ("w_motor_rad/s", "w_motor", Some("rad/s"), true),
+            ("q_l/min", "q", Some("l/min"), true),
             ("yaw_rate_deg_per_s", "yaw_rate", Some("deg/s"), true),
             ("x_N_s", "x_N_s", None, false),
             ("acc (m/s2)", "acc", Some("m/s^2"), false),

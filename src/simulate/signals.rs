@@ -43,7 +43,9 @@ fn channel<'a>(
     if channel.unit.dimension() != unit.dimension() {
         let message =
             format!("{what} {name} has the unit {unit} in the model, but {} in the recording", channel.unit);
-        return Err(Error::new(ErrorKind::Units, message));
+        let hint =
+            "the unit of a channel stands in the header of its column, or in the recording's TOML file";
+        return Err(Error::new(ErrorKind::Units, message).with_hint(hint));
     }
     let taken = model.takes_unit(&format!("{what}s"), name, &channel.unit);
     taken.map_err(|e| e.about(&format!("{what} {name}")))?;

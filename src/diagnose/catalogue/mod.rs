@@ -141,6 +141,9 @@ mechanisms! {
     frozen_channel, outliers, quantisation, gap, wrapped_angle, wrong_sign, wrong_unit, input_hold, free_law,
 }
 
+/// Codes that are offered for one that the catalogue does not have, at most.
+const MEANT: usize = 4;
+
 /// The mechanism of a code.
 ///
 /// # Errors
@@ -155,10 +158,23 @@ mechanisms! {
 /// ```
 pub fn find(code: &str) -> Result<&'static Mechanism> {
     ALL.iter().find(|m| m.code == code).ok_or_else(|| {
-        let meant = nearest(code, ALL.iter().map(|m| m.code)).map(|n| format!("did you mean `{n}`? "));
+        let meant = meant(code).map(|m| format!("did you mean {m}? ")).unwrap_or_default();
         Error::bad_input(format!("the catalogue has no mechanism `{code}`"))
-            .with_hint(format!("{}`gyrospec explain` lists them all", meant.unwrap_or_default()))
+            .with_hint(format!("{meant}`gyrospec explain` lists them all"))
     })
+}
+
+/// Codes that may be meant by a word: those that hold it, else those whose title does, else the nearest.
+fn meant(word: &str) -> Option<String> {
+    let word = word.to_lowercase();
+    let holding = |text: fn(&Mechanism) -> &str| -> Vec<&str> {
+        let holds = |m: &&Mechanism| word.len() > 2 && text(m).to_lowercase().contains(&word);
+        ALL.iter().filter(holds).map(|m| m.code).collect()
+    };
+    let found = [holding(|m| m.code), holding(|m| m.title)].into_iter().find(|all| !all.is_empty());
+    let codes = found.unwrap_or_else(|| nearest(&word, ALL.iter().map(|m| m.code)).into_iter().collect());
+    let quoted: Vec<String> = codes.iter().take(MEANT).map(|c| format!("`{c}`")).collect();
+    (!quoted.is_empty()).then(|| quoted.join(" or "))
 }
 
 /// The list of all codes by family.
@@ -187,6 +203,19 @@ mod tests {
         "# Reference",
         "# Example",
     ];
+
+    #[test]
+    fn a_word_of_a_code_or_a_title_is_told_what_it_may_mean() {
+        let told = |word: &str| find(word).err().unwrap().hint().unwrap().to_owned();
+        assert!(
+            told("delay").starts_with("did you mean `input-delay` or `output-delay`?"),
+            "{}",
+            told("delay")
+        );
+        assert!(told("resonance").contains("`extra-resonance`"), "{}", told("resonance"));
+        assert!(told("dry-frictoin").contains("`dry-friction`"), "{}", told("dry-frictoin"));
+        assert_eq!(told("qq"), "`gyrospec explain` lists them all");
+    }
 
     #[test]
     fn every_page_has_its_sections_in_order() {

@@ -67,8 +67,8 @@ pub fn strays(bench: &Bench, fit: &Fit, separate: &[Recording], known: &[Spoiled
     }
     let recordings: Vec<&Recording> = bench.recordings.iter().chain(separate).collect();
     let outputs = 0..fit.model.outputs.len();
-    let found = outputs.flat_map(|k| of_output(bench, fit, k, &lines(bench, fit, separate, k), known));
-    found.filter(|s| recordings.len() > s.recording).collect()
+    let of = |k: usize| of_output(bench, (fit, &recordings), k, &lines(bench, fit, separate, k), known);
+    outputs.flat_map(of).filter(|s| recordings.len() > s.recording).collect()
 }
 
 /// What a fit leaves of an output, and what it leaves of it where that is held out and it is known in which recording.
@@ -91,7 +91,13 @@ fn lines(bench: &Bench, fit: &Fit, separate: &[Recording], output: usize) -> Vec
 }
 
 /// The strays of an output, a fault for each recording that has some.
-fn of_output(bench: &Bench, fit: &Fit, output: usize, lines: &[Line], known: &[Spoiled]) -> Vec<Spoiled> {
+fn of_output(
+    bench: &Bench,
+    (fit, recordings): (&Fit, &[&Recording]),
+    output: usize,
+    lines: &[Line],
+    known: &[Spoiled],
+) -> Vec<Spoiled> {
     let name = &fit.model.outputs[output].name;
     let far = |s: &&Spoiled| s.fault.channel == *name && s.fault.kind == FaultKind::Outliers;
     let known: usize = known.iter().filter(far).map(|s| s.fault.samples).sum();
@@ -100,7 +106,7 @@ fn of_output(bench: &Bench, fit: &Fit, output: usize, lines: &[Line], known: &[S
     if scale.is_nan() || scale <= 0.0 {
         return Vec::new();
     }
-    let free = free_of_edges(bench, &fit.model, lines, CLEAR * scale);
+    let free = free_of_edges(recordings, &fit.model, lines, CLEAR * scale);
     let marks = lines.iter().zip(&free).flat_map(|(l, free)| l.alone.iter().zip(free).map(|(a, f)| *a && *f));
     let sizes: Vec<(f64, bool)> = all.iter().map(|d| d.abs() / scale).zip(marks).collect();
     let outputs = fit.model.outputs.len() as f64;
@@ -125,8 +131,8 @@ fn of_output(bench: &Bench, fit: &Fit, output: usize, lines: &[Line], known: &[S
 }
 
 /// Which samples may be strays: all, or those away from the edges of inputs where far ones go with edges.
-fn free_of_edges(bench: &Bench, model: &Model, lines: &[Line], far: f64) -> Vec<Vec<bool>> {
-    let at_edge: Vec<Vec<bool>> = lines.iter().map(|l| beside_edges(bench, model, l)).collect();
+fn free_of_edges(recordings: &[&Recording], model: &Model, lines: &[Line], far: f64) -> Vec<Vec<bool>> {
+    let at_edge: Vec<Vec<bool>> = lines.iter().map(|l| beside_edges(recordings, model, l)).collect();
     let pairs = || lines.iter().zip(&at_edge).flat_map(|(l, e)| (0..l.time.len()).map(move |i| (l, i, e[i])));
     let (all, beside) = pairs().fold((0.0, 0.0), |(n, k), p| (n + 1.0, k + f64::from(p.2)));
     let clear: Vec<bool> = pairs().filter(|(l, i, _)| l.distance[*i].abs() > far).map(|p| p.2).collect();
@@ -137,9 +143,9 @@ fn free_of_edges(bench: &Bench, model: &Model, lines: &[Line], far: f64) -> Vec<
     at_edge.into_iter().map(|e| e.into_iter().map(|e| !(goes_with && e)).collect()).collect()
 }
 
-/// Which samples of a line lie beside an edge of an input; of a separate recording none is known.
-fn beside_edges(bench: &Bench, model: &Model, line: &Line) -> Vec<bool> {
-    let Some(recording) = bench.recordings.get(line.recording) else { return vec![false; line.time.len()] };
+/// Which samples of a line lie beside an edge of an input.
+fn beside_edges(recordings: &[&Recording], model: &Model, line: &Line) -> Vec<bool> {
+    let Some(recording) = recordings.get(line.recording) else { return vec![false; line.time.len()] };
     let inputs = model.inputs.iter().filter_map(|i| recording.find(&i.name));
     let edges: Vec<(f64, f64)> = inputs.flat_map(edges).collect();
     let steps: Vec<f64> = line.time.windows(2).map(|w| w[1] - w[0]).collect();
@@ -200,6 +206,23 @@ mod tests {
             (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
         };
         (0..n).map(|_| (0..12).map(|_| uniform()).sum()).collect()
+    }
+
+    #[test]
+    fn edges_of_inputs_are_known_where_a_recording_is_held_out_whole() {
+        let model = Model::parse(
+            "name = \"m\"\n[inputs]\nu = { unit = \"1\" }\n[outputs]\ny = { equals = \"u\", unit = \"1\" }\n",
+        );
+        let stepping = |at: i32| {
+            let time: Vec<f64> = (0..100).map(f64::from).collect();
+            let u = (0..100).map(|i| f64::from(u8::from(i >= at))).collect();
+            let channel = Channel::new("u", crate::units::Unit::one(), time, u);
+            Recording::from_channels("r", vec![channel]).unwrap()
+        };
+        let (fitted, separate) = (stepping(20), stepping(70));
+        let line = Line::new(1, (0..100).map(f64::from).collect(), &noise(100));
+        let beside = beside_edges(&[&fitted, &separate], &model.unwrap(), &line);
+        assert!(beside[70] && beside[71] && !beside[20] && !beside[80]);
     }
 
     #[test]

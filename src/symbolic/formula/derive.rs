@@ -175,7 +175,10 @@ impl Prepared {
                 ErrorKind::ImaginaryAxis,
                 "H has a root on the imaginary axis for all values",
             )
-            .with_hint("the mean is infinite; an integrator needs a leak"));
+            .with_hint(
+                "the mean is infinite, as an integrator needs a leak; a root at 0 that G has as well is to be cancelled in both \
+                 before",
+            ));
         }
         Fraction::in_factors(&above.0?, &below, factors)?.times(&self.factor)
     }
