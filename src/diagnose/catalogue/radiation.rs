@@ -58,6 +58,8 @@ fn at(scene: &Scene, m: &Motion, around: Option<&str>) -> Option<Proposal> {
         None => format!("-{c}*{s}^4"),
     };
     if let Some(a) = around {
+        // the state first: it is what the law is drawn along
+        d.uses(s);
         d.uses(a);
     }
     d.force(s, &text);
