@@ -11,7 +11,7 @@
 //! degrees of freedom; where names brought none, all parameters are compared.
 //!
 //! # References
-//! A. Hald, A History of Mathematical Statistics, 1998, ch. 21 (the difference of two estimates beside both covariances).
+//! A. Wald, Trans. Amer. Math. Soc. 54 (1943) 426 (estimates beside their covariance).
 
 use super::bench::Bench;
 use super::choose::SURE;
@@ -31,9 +31,12 @@ use faer::{Mat, Par, Side};
 pub fn agrees(bench: &Bench, found: &Found, separate: &[Recording]) -> bool {
     let options = bench.options(Effort::Near, 40);
     let model = &found.last.model;
-    let later = |r: &Recording| r.clone().with_spans(setup::spans(model, r, &options).holdout, Vec::new());
+    let later = |r: &Recording| {
+        let spans = setup::spans(model, r, &options).holdout;
+        (!spans.is_empty()).then(|| r.clone().with_spans(spans, Vec::new()))
+    };
     let recordings = match separate {
-        [] => bench.recordings.iter().map(later).collect(),
+        [] => bench.recordings.iter().filter_map(later).collect(),
         _ => separate.to_vec(),
     };
     let bench = Bench { recordings, separate: false, ..bench.clone() };
