@@ -110,7 +110,9 @@ impl Assembly<'_> {
         let coloured =
             |n: &NoiseModel| (n.autoregression.variance() / n.autoregression.innovation_variance()).sqrt();
         let coloured: Vec<f64> = self.found.last.noise.iter().map(coloured).collect();
-        let louder = |(h, n): (&Held, &NoiseModel)| h.whitened(n).loudness().map_or(1.0, |l| l.max(1.0));
+        // rows of a table of trials are no neighbours
+        let loudness = |h: Held| h.loudness().filter(|_| !self.bench.is_trials());
+        let louder = |(h, n): (&Held, &NoiseModel)| loudness(h.whitened(n)).map_or(1.0, |l| l.max(1.0));
         let louder: Vec<f64> = after.iter().zip(&self.found.last.noise).map(louder).collect();
         let proven = Proven {
             proof: &proof,
